@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace ostraka {
+
+/// The whole file; refuses files larger than max_bytes before allocating.
+Result<std::string> readFile(const std::filesystem::path& path,
+                             std::size_t max_bytes = std::size_t{4} << 30);
+
+/// Writes beside the final name, syncs, renames, syncs the folder: after a crash or a full disk
+/// the old file or the new one is there, whole. Folders on the way are created.
+Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// SHA-256 in lower-case hexadecimal.
+std::string sha256(std::string_view bytes);
+
+}  // namespace ostraka

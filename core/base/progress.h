@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+namespace ostraka {
+
+enum class NoteLevel { Info, Warning };
+
+/// How a stage speaks while it works. Calls come from the stage's own thread only.
+class Progress {
+ public:
+  virtual ~Progress() = default;
+  virtual void report(std::int64_t done, std::int64_t total) = 0;
+  /// One line for the log: stage, ids, figure with unit. A warning asks a person to act.
+  virtual void note(NoteLevel level, std::string_view text) = 0;
+};
+
+/// Says nothing; for tests and inner calls.
+class QuietProgress final : public Progress {
+ public:
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, std::string_view) override {}
+};
+
+}  // namespace ostraka

@@ -1,0 +1,74 @@
+#pragma once
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace ostraka {
+
+/// Why something expected went wrong. Callers branch on the code; people read the sentence.
+enum class ErrorCode {
+  Cancelled,      ///< the person asked to stop
+  UnusableInput,  ///< a file or a value that cannot be used; exit status 2
+  CannotWrite,    ///< disk full, no permission, folder taken
+  NotEnough,      ///< readable, but too little to compute from (markers, views, points)
+  Missing,        ///< an optional program or device is not there
+  Failed          ///< a computation that did not succeed
+};
+
+/// One sentence for a person: what happened and what to do; `where` names the file or device.
+struct Error {
+  ErrorCode code = ErrorCode::Failed;
+  std::string what;
+  std::string where;
+
+  static Error cancelled() { return {ErrorCode::Cancelled, "Stopped on request.", {}}; }
+  /// "where: what", or just what.
+  std::string sentence() const { return where.empty() ? what : where + ": " + what; }
+};
+
+/// A value or an Error. The names are those of C++23's std::expected, to become it later.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+
+  bool has_value() const { return state_.index() == 0; }
+  explicit operator bool() const { return has_value(); }
+  T& value() & { return *std::get_if<0>(&state_); }
+  const T& value() const& { return *std::get_if<0>(&state_); }
+  T&& value() && { return std::move(*std::get_if<0>(&state_)); }
+  T& operator*() & { return value(); }
+  const T& operator*() const& { return value(); }
+  T&& operator*() && { return std::move(*this).value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+  const Error& error() const {
+    assert(!has_value());
+    return *std::get_if<1>(&state_);
+  }
+
+ private:
+  std::variant<T, Error> state_;
+};
+
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_(std::move(error)), failed_(true) {}
+
+  bool has_value() const { return !failed_; }
+  explicit operator bool() const { return has_value(); }
+  const Error& error() const {
+    assert(failed_);
+    return error_;
+  }
+
+ private:
+  Error error_;
+  bool failed_ = false;
+};
+
+}  // namespace ostraka

@@ -1,0 +1,70 @@
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace ostraka::batch {
+
+enum class Side { Front, Back };
+const char* name(Side side);  ///< "front" or "back"
+
+/// One photograph. Cameras stand still, the plate turns: (side, camera, stop) is unique in a batch.
+struct Shot {
+  Side side = Side::Front;
+  int camera = 0;
+  int stop = 0;
+  std::filesystem::path file;       ///< the photograph, absolute; opened for reading only
+  std::filesystem::path mask_file;  ///< a mask that came with it; empty when none did
+  int width = 0, height = 0;        ///< pixels, from the file's header
+};
+
+struct Marker {
+  int id = 0;
+  std::array<Eigen::Vector3d, 4> corners;  ///< plate frame, mm, OpenCV's order
+};
+
+struct Plate {
+  std::string dictionary;  ///< OpenCV's name, as DICT_4X4_100
+  double diameter_mm = 0;
+  std::vector<Marker> markers;
+};
+
+struct Board {
+  std::string dictionary;
+  int squares_x = 0, squares_y = 0;
+  double square_mm = 0, marker_mm = 0;
+};
+
+struct CalibrationShot {
+  int camera = 0;
+  std::filesystem::path file;
+};
+
+/// A batch folder as in ../shared/batches/README.md, or the paper's layout (top_images, ...).
+struct Batch {
+  std::filesystem::path folder;
+  std::vector<Shot> shots;                     ///< sorted by side, camera, stop
+  std::vector<CalibrationShot> calibration;    ///< of the ChArUco board; may be empty
+  std::vector<CalibrationShot> empty_plates;   ///< the bare plate at stop 0; may be empty
+  std::optional<Plate> plate;                  ///< absent in the paper's layout
+  std::optional<Board> board;
+};
+
+struct ReadBatchOptions {
+  int min_views_per_side = 3;  ///< fewer usable photographs of a side cannot be reconstructed
+};
+
+/// Reads the folder's structure and the images' headers; never looks into truth/. A shot that cannot
+/// be used is left out with a warning; a missing side or too few views is an error.
+Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOptions& options, Progress& progress);
+
+Result<Plate> readPlate(const std::filesystem::path& file);
+Result<Board> readBoard(const std::filesystem::path& file);
+
+}  // namespace ostraka::batch

@@ -1,0 +1,429 @@
+#include "cloud/ply.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "base/files.h"
+
+namespace ostraka {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PLY writing assumes little endian");
+
+enum class Format { Ascii, Little, Big };
+enum class Type { I8, U8, I16, U16, I32, U32, F32, F64 };
+
+struct Property {
+  std::string name;
+  Type type = Type::F32;
+  std::optional<Type> count_type;  // set for a list
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  Format format = Format::Ascii;
+  std::vector<Element> elements;
+  std::size_t size = 0;  // bytes up to the payload
+};
+
+std::size_t bytesOf(Type type) {
+  switch (type) {
+    case Type::I8: case Type::U8: return 1;
+    case Type::I16: case Type::U16: return 2;
+    case Type::F64: return 8;
+    default: return 4;
+  }
+}
+
+std::optional<Type> typeNamed(std::string_view name) {
+  if (name == "char" || name == "int8") return Type::I8;
+  if (name == "uchar" || name == "uint8") return Type::U8;
+  if (name == "short" || name == "int16") return Type::I16;
+  if (name == "ushort" || name == "uint16") return Type::U16;
+  if (name == "int" || name == "int32") return Type::I32;
+  if (name == "uint" || name == "uint32") return Type::U32;
+  if (name == "float" || name == "float32") return Type::F32;
+  if (name == "double" || name == "float64") return Type::F64;
+  return {};
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+  std::vector<std::string_view> found;
+  std::size_t at = 0;
+  while (at < line.size()) {
+    const std::size_t begin = line.find_first_not_of(" \t\r", at);
+    if (begin == std::string_view::npos) break;
+    const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
+    found.push_back(line.substr(begin, end - begin));
+    at = end;
+  }
+  return found;
+}
+
+Error unusable(std::string what, const std::string& where) {
+  return {ErrorCode::UnusableInput, std::move(what), where};
+}
+
+// One line of the header; an empty string when it was understood, else what is wrong with it.
+std::string readHeaderLine(const std::vector<std::string_view>& w, Header& header, bool& has_format) {
+  if (w.empty() || w[0] == "comment" || w[0] == "obj_info") return {};
+  if (w[0] == "format" && w.size() >= 2) {
+    has_format = true;
+    if (w[1] == "ascii") header.format = Format::Ascii;
+    else if (w[1] == "binary_little_endian") header.format = Format::Little;
+    else if (w[1] == "binary_big_endian") header.format = Format::Big;
+    else return "its format is not known";
+    return {};
+  }
+  if (w[0] == "element" && w.size() == 3) {
+    Element element{std::string(w[1]), 0, {}};
+    const auto [end, failed] = std::from_chars(w[2].data(), w[2].data() + w[2].size(), element.count);
+    if (failed != std::errc() || end != w[2].data() + w[2].size()) return "a count is no number";
+    header.elements.push_back(std::move(element));
+    return {};
+  }
+  if (w[0] == "property" && !header.elements.empty()) {
+    const bool list = w.size() == 5 && w[1] == "list";
+    if (!list && w.size() != 3) return "a property cannot be read";
+    Property property{std::string(w.back()), Type::F32, {}};
+    const std::optional<Type> type = typeNamed(w[list ? 3 : 1]);
+    if (!type) return "a property has an unknown type";
+    property.type = *type;
+    if (list) {
+      property.count_type = typeNamed(w[2]);
+      if (!property.count_type || *property.count_type == Type::F32 || *property.count_type == Type::F64)
+        return "a list has no whole number as its length";
+    }
+    header.elements.back().properties.push_back(std::move(property));
+    return {};
+  }
+  return "a line cannot be understood";
+}
+
+Result<Header> readHeader(std::string_view bytes, const std::string& where) {
+  if (!bytes.starts_with("ply")) return unusable("This is not a PLY file.", where);
+  Header header;
+  bool has_format = false;
+  std::size_t at = 0;
+  for (int line_number = 1; line_number < 1000; ++line_number) {
+    const std::size_t end = bytes.find('\n', at);
+    if (end == std::string_view::npos) break;
+    const std::vector<std::string_view> w = words(bytes.substr(at, end - at));
+    at = end + 1;
+    if (line_number == 1) continue;
+    if (w.size() == 1 && w[0] == "end_header") {
+      if (!has_format) return unusable("The PLY header names no format.", where);
+      header.size = at;
+      return header;
+    }
+    const std::string wrong = readHeaderLine(w, header, has_format);
+    if (!wrong.empty())
+      return unusable("The PLY header is wrong in line " + std::to_string(line_number) + ": " + wrong + ".", where);
+  }
+  return unusable("The PLY header has no end.", where);
+}
+
+// The payload, value by value, whatever the format. `ok` turns false at the end of the file.
+class Values {
+ public:
+  Values(std::string_view bytes, Format format) : bytes_(bytes), format_(format) {}
+
+  double next(Type type) {
+    if (format_ == Format::Ascii) return nextWord();
+    const std::size_t n = bytesOf(type);
+    if (bytes_.size() - at_ < n) {
+      ok = false;
+      return 0;
+    }
+    unsigned char raw[8] = {};
+    std::memcpy(raw, bytes_.data() + at_, n);
+    at_ += n;
+    if (format_ == Format::Big) std::reverse(raw, raw + n);
+    return decode(raw, type);
+  }
+
+  bool ok = true;
+
+ private:
+  template <class T>
+  static double as(const unsigned char* raw) {
+    T value;
+    std::memcpy(&value, raw, sizeof value);
+    return static_cast<double>(value);
+  }
+
+  static double decode(const unsigned char* raw, Type type) {
+    switch (type) {
+      case Type::I8: return as<std::int8_t>(raw);
+      case Type::U8: return as<std::uint8_t>(raw);
+      case Type::I16: return as<std::int16_t>(raw);
+      case Type::U16: return as<std::uint16_t>(raw);
+      case Type::I32: return as<std::int32_t>(raw);
+      case Type::U32: return as<std::uint32_t>(raw);
+      case Type::F32: return as<float>(raw);
+      case Type::F64: return as<double>(raw);
+    }
+    return 0;
+  }
+
+  double nextWord() {
+    const std::size_t begin = bytes_.find_first_not_of(" \t\r\n", at_);
+    if (begin == std::string_view::npos) {
+      ok = false;
+      return 0;
+    }
+    const std::size_t end = std::min(bytes_.find_first_of(" \t\r\n", begin), bytes_.size());
+    double value = 0;
+    const char* first = bytes_.data() + begin;
+    if (*first == '+') ++first;
+    const auto [stop, failed] = std::from_chars(first, bytes_.data() + end, value);
+    if (failed == std::errc::invalid_argument || stop != bytes_.data() + end) ok = false;
+    at_ = end;
+    return value;
+  }
+
+  std::string_view bytes_;
+  Format format_;
+  std::size_t at_ = 0;
+};
+
+// The least number of bytes that one entry of this element can take.
+std::size_t leastBytes(const Element& element, Format format) {
+  std::size_t least = 0;
+  for (const Property& p : element.properties)
+    least += format == Format::Ascii ? 2 : bytesOf(p.count_type.value_or(p.type));
+  return least;
+}
+
+// Where each property of a vertex goes.
+struct VertexColumns {
+  int xyz[3] = {-1, -1, -1}, normal[3] = {-1, -1, -1}, rgb[3] = {-1, -1, -1}, quality = -1, seen = -1;
+};
+
+VertexColumns columnsOf(const Element& element) {
+  VertexColumns c;
+  const auto place = [&](int i, std::string_view name) {
+    const char* const xyz[] = {"x", "y", "z"};
+    const char* const normal[] = {"nx", "ny", "nz"};
+    const char* const long_normal[] = {"normal_x", "normal_y", "normal_z"};
+    const char* const rgb[] = {"red", "green", "blue"};
+    const char* const long_rgb[] = {"diffuse_red", "diffuse_green", "diffuse_blue"};
+    for (int k = 0; k < 3; ++k) {
+      if (name == xyz[k]) c.xyz[k] = i;
+      if (name == normal[k] || name == long_normal[k]) c.normal[k] = i;
+      if (name == rgb[k] || name == long_rgb[k]) c.rgb[k] = i;
+    }
+    if (name == "quality" || name == "confidence") c.quality = i;
+    if (name == "scalar_seen") c.seen = i;
+  };
+  for (std::size_t i = 0; i < element.properties.size(); ++i)
+    if (!element.properties[i].count_type) place(static_cast<int>(i), element.properties[i].name);
+  return c;
+}
+
+bool all(const int (&columns)[3]) { return columns[0] >= 0 && columns[1] >= 0 && columns[2] >= 0; }
+
+float unit(double value, Type type) {
+  return static_cast<float>(type == Type::F32 || type == Type::F64 ? value * 255.0 : value);
+}
+
+// Vertices; new_index gets each vertex's place after dropping those that are not finite.
+bool readVertices(const Element& element, Values& values, PlyContents& out, std::vector<int>& new_index) {
+  const VertexColumns c = columnsOf(element);
+  const bool has_normals = all(c.normal), has_colors = all(c.rgb);
+  std::vector<double> row(element.properties.size());
+  for (std::size_t v = 0; v < element.count && values.ok; ++v) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Property& p = element.properties[i];
+      if (!p.count_type) {
+        row[i] = values.next(p.type);
+        continue;
+      }
+      const double n = values.next(*p.count_type);
+      for (double k = 0; k < n && values.ok; ++k) values.next(p.type);
+    }
+    const auto vector = [&](const int (&at)[3]) {
+      return Eigen::Vector3f(static_cast<float>(row[at[0]]), static_cast<float>(row[at[1]]), static_cast<float>(row[at[2]]));
+    };
+    const Eigen::Vector3f point = vector(c.xyz);
+    Eigen::Vector3f normal = has_normals ? vector(c.normal) : Eigen::Vector3f::UnitZ();
+    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e9f) {
+      ++out.dropped_not_finite;
+      new_index.push_back(-1);
+      continue;
+    }
+    new_index.push_back(static_cast<int>(out.mesh.vertices.size()));
+    out.mesh.vertices.push_back(point);
+    if (has_normals) {
+      const float length = normal.norm();
+      out.mesh.normals.push_back(std::isfinite(length) && length > 1e-12f ? Eigen::Vector3f(normal / length)
+                                                                         : Eigen::Vector3f::Zero());
+    }
+    if (has_colors) {
+      Color color{};
+      for (int k = 0; k < 3; ++k) {
+        const float level = unit(row[c.rgb[k]], element.properties[c.rgb[k]].type);
+        color[k] = static_cast<std::uint8_t>(level >= 0 ? std::min(255.0f, level + 0.5f) : 0.0f);
+      }
+      out.mesh.colors.push_back(color);
+    }
+    if (c.quality >= 0) out.quality.push_back(static_cast<float>(row[c.quality]));
+    if (c.seen >= 0) out.mesh.seen.push_back(row[c.seen] != 0 ? 1 : 0);
+  }
+  return values.ok;
+}
+
+enum class FaceOutcome { Fine, Truncated, AbsentVertex };
+
+FaceOutcome readFaces(const Element& element, Values& values, const std::vector<int>& new_index, PlyContents& out) {
+  std::vector<int> polygon;
+  for (std::size_t f = 0; f < element.count && values.ok; ++f) {
+    for (const Property& p : element.properties) {
+      if (!p.count_type) {
+        values.next(p.type);
+        continue;
+      }
+      const bool corners = p.name == "vertex_indices" || p.name == "vertex_index";
+      const double n = values.next(*p.count_type);
+      polygon.clear();
+      for (double k = 0; k < n && values.ok; ++k) {
+        const double index = values.next(p.type);
+        if (!corners || !values.ok) continue;
+        if (!(index >= 0 && index < static_cast<double>(new_index.size()))) return FaceOutcome::AbsentVertex;
+        polygon.push_back(new_index[static_cast<std::size_t>(index)]);
+      }
+      if (!corners || !values.ok) continue;
+      for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        if (polygon[0] >= 0 && polygon[k] >= 0 && polygon[k + 1] >= 0)
+          out.mesh.triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
+    }
+  }
+  return values.ok ? FaceOutcome::Fine : FaceOutcome::Truncated;
+}
+
+bool skip(const Element& element, Values& values) {
+  for (std::size_t i = 0; i < element.count && values.ok; ++i)
+    for (const Property& p : element.properties) {
+      const double n = p.count_type ? values.next(*p.count_type) : 1;
+      for (double k = 0; k < n && values.ok; ++k) values.next(p.type);
+    }
+  return values.ok;
+}
+
+template <class T>
+void append(std::string& bytes, const T& value) {
+  const char* raw = reinterpret_cast<const char*>(&value);
+  bytes.append(raw, sizeof value);
+}
+
+std::string headerText(const TriangleMesh& mesh, bool quality, std::string_view frame, bool faces) {
+  std::string h = "ply\nformat binary_little_endian 1.0\ncomment unit mm\ncomment frame " + std::string(frame) +
+                  "\nelement vertex " + std::to_string(mesh.vertices.size()) +
+                  "\nproperty float x\nproperty float y\nproperty float z\n";
+  if (!mesh.normals.empty()) h += "property float nx\nproperty float ny\nproperty float nz\n";
+  if (!mesh.colors.empty()) h += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (quality) h += "property float quality\n";
+  if (!mesh.seen.empty()) h += "property uchar scalar_seen\n";
+  if (faces) {
+    h += "element face " + std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\n";
+    if (!mesh.seen.empty()) h += "property uchar seen\n";
+  }
+  return h + "end_header\n";
+}
+
+void appendVertices(std::string& bytes, const TriangleMesh& mesh, const std::vector<float>& quality) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    for (int k = 0; k < 3; ++k) append(bytes, mesh.vertices[i][k]);
+    if (!mesh.normals.empty())
+      for (int k = 0; k < 3; ++k) append(bytes, mesh.normals[i][k]);
+    if (!mesh.colors.empty()) append(bytes, mesh.colors[i]);
+    if (!quality.empty()) append(bytes, quality[i]);
+    if (!mesh.seen.empty()) append(bytes, mesh.seen[i]);
+  }
+}
+
+}  // namespace
+
+Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
+  const Result<Header> header = readHeader(bytes, where);
+  if (!header) return header.error();
+  PlyContents out;
+  std::vector<int> new_index;
+  Values values(bytes.substr(header->size), header->format);
+  std::size_t left = bytes.size() - header->size;
+  bool has_vertices = false;
+  for (const Element& element : header->elements) {
+    const std::size_t least = leastBytes(element, header->format);
+    // An entry without properties takes no bytes; nothing real has a million of them.
+    const bool too_many = least == 0 ? element.count > 1'000'000 : element.count > (left + 1) / least;
+    if (too_many || element.count > 0x7fffffff)
+      return unusable("The PLY header claims " + std::to_string(element.count) + " of '" + element.name +
+                          "', more than the file holds; it may be cut off.", where);
+    left -= std::min(left, element.count * least);
+    if (element.name == "vertex") {
+      if (has_vertices) return unusable("The PLY file has two lists of vertices.", where);
+      if (!all(columnsOf(element).xyz)) return unusable("The PLY vertices lack x, y or z.", where);
+      has_vertices = true;
+      if (!readVertices(element, values, out, new_index)) return unusable("The PLY file ends early or holds something not a number.", where);
+    } else if (element.name == "face") {
+      const FaceOutcome outcome = readFaces(element, values, new_index, out);
+      if (outcome == FaceOutcome::AbsentVertex) return unusable("A face of the PLY names a vertex that is not there.", where);
+      if (outcome == FaceOutcome::Truncated) return unusable("The PLY file ends within its faces.", where);
+    } else if (!skip(element, values)) {
+      return unusable("The PLY file ends within '" + element.name + "'.", where);
+    }
+  }
+  if (!has_vertices) return unusable("The PLY file has no vertices.", where);
+  return out;
+}
+
+Result<PlyContents> readPly(const std::filesystem::path& path) {
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  return parsePly(*bytes, path.string());
+}
+
+Result<PointCloud> readPlyCloud(const std::filesystem::path& path) {
+  Result<PlyContents> contents = readPly(path);
+  if (!contents) return contents.error();
+  if (contents->mesh.vertices.empty()) return unusable("The PLY file holds no usable point.", path.string());
+  return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
+                    std::move(contents->mesh.colors), std::move(contents->quality)};
+}
+
+std::string formatPly(const PointCloud& cloud, std::string_view frame) {
+  const TriangleMesh mesh{cloud.points, cloud.normals, cloud.colors, {}, {}};
+  std::string bytes = headerText(mesh, !cloud.quality.empty(), frame, false);
+  appendVertices(bytes, mesh, cloud.quality);
+  return bytes;
+}
+
+std::string formatPly(const TriangleMesh& mesh, std::string_view frame) {
+  std::string bytes = headerText(mesh, false, frame, true);
+  appendVertices(bytes, mesh, {});
+  for (const std::array<int, 3>& t : mesh.triangles) {
+    bytes += '\3';
+    append(bytes, t);
+    if (!mesh.seen.empty()) bytes += mesh.seen[t[0]] && mesh.seen[t[1]] && mesh.seen[t[2]] ? '\1' : '\0';
+  }
+  return bytes;
+}
+
+Result<void> writePly(const std::filesystem::path& path, const PointCloud& cloud, std::string_view frame) {
+  return writeFileAtomically(path, formatPly(cloud, frame));
+}
+
+Result<void> writePly(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view frame) {
+  return writeFileAtomically(path, formatPly(mesh, frame));
+}
+
+}  // namespace ostraka

@@ -1,0 +1,99 @@
+#include "cloud/point_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "cloud/nearest.h"
+
+namespace ostraka {
+namespace {
+
+void apply(const Eigen::Isometry3d& target_from_source, std::vector<Eigen::Vector3f>& points,
+           std::vector<Eigen::Vector3f>& normals) {
+  const Eigen::Matrix3d rotation = target_from_source.rotation();
+  for (Eigen::Vector3f& p : points) p = (target_from_source * p.cast<double>()).cast<float>();
+  for (Eigen::Vector3f& n : normals) n = (rotation * n.cast<double>()).cast<float>();
+}
+
+}  // namespace
+
+PointCloud transformed(const PointCloud& cloud, const Eigen::Isometry3d& target_from_source) {
+  PointCloud moved = cloud;
+  apply(target_from_source, moved.points, moved.normals);
+  return moved;
+}
+
+TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& target_from_source) {
+  TriangleMesh moved = mesh;
+  apply(target_from_source, moved.vertices, moved.normals);
+  return moved;
+}
+
+PointCloud subset(const PointCloud& cloud, const std::vector<int>& indices) {
+  PointCloud part;
+  const auto pick = [&](const auto& from, auto& to) {
+    if (from.size() != cloud.points.size()) return;
+    to.reserve(indices.size());
+    for (const int i : indices) to.push_back(from[static_cast<std::size_t>(i)]);
+  };
+  pick(cloud.points, part.points);
+  pick(cloud.normals, part.normals);
+  pick(cloud.colors, part.colors);
+  pick(cloud.quality, part.quality);
+  return part;
+}
+
+PointCloud thinned(const PointCloud& cloud, double edge_mm) {
+  struct Cube {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int count = 0, best = -1;
+    double best_distance = 0;
+  };
+  struct Hash {
+    std::size_t operator()(const Eigen::Vector3i& k) const {
+      return static_cast<std::size_t>(k.x()) * 73856093u ^
+             static_cast<std::size_t>(k.y()) * 19349663u ^
+             static_cast<std::size_t>(k.z()) * 83492791u;
+    }
+  };
+  std::unordered_map<Eigen::Vector3i, int, Hash> number;
+  std::vector<Cube> cubes;  // in order of first appearance
+  std::vector<int> cube_of(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d p = cloud.points[i].cast<double>();
+    const Eigen::Vector3i key = (p / edge_mm).array().floor().cast<int>();
+    const auto [at, is_new] = number.try_emplace(key, static_cast<int>(cubes.size()));
+    if (is_new) cubes.emplace_back();
+    Cube& cube = cubes[static_cast<std::size_t>(at->second)];
+    cube.sum += p;
+    ++cube.count;
+    cube_of[i] = at->second;
+  }
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    Cube& cube = cubes[static_cast<std::size_t>(cube_of[i])];
+    const double d = (cloud.points[i].cast<double>() - cube.sum / cube.count).squaredNorm();
+    if (cube.best < 0 || d < cube.best_distance) cube.best = static_cast<int>(i), cube.best_distance = d;
+  }
+  std::vector<int> kept;
+  kept.reserve(cubes.size());
+  for (const Cube& cube : cubes) kept.push_back(cube.best);
+  return subset(cloud, kept);
+}
+
+double medianSpacing(const PointCloud& cloud) {
+  if (cloud.size() < 2) return 0;
+  const KdTree tree(cloud.points);
+  const std::size_t step = std::max<std::size_t>(1, cloud.size() / 2000);
+  std::vector<float> distances;
+  std::vector<Neighbour> found;
+  for (std::size_t i = 0; i < cloud.size(); i += step) {
+    tree.nearest(cloud.points[i], 2, found);
+    distances.push_back(found.back().squared_distance);
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return std::sqrt(static_cast<double>(*middle));
+}
+
+}  // namespace ostraka

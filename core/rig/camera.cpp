@@ -1,0 +1,107 @@
+#include "rig/camera.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/json.h"
+
+namespace ostraka::rig {
+namespace {
+
+// OpenCV's model: radial k1 k2 k3, tangential p1 p2.
+Eigen::Vector2d distorted(const std::array<double, 5>& d, const Eigen::Vector2d& n) {
+  const double r2 = n.squaredNorm();
+  const double radial = 1 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]));
+  return {n.x() * radial + 2 * d[2] * n.x() * n.y() + d[3] * (r2 + 2 * n.x() * n.x()),
+          n.y() * radial + d[2] * (r2 + 2 * n.y() * n.y()) + 2 * d[3] * n.x() * n.y()};
+}
+
+Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string& where) {
+  PosedImage image;
+  try {
+    image.file = value.at("file").get<std::string>();
+    if (value.contains("side") && value["side"] == "back") image.side = batch::Side::Back;
+    image.camera = value.value("camera", 0);
+    image.stop = value.value("stop", 0);
+    image.intrinsics.width = value.at("width").get<int>();
+    image.intrinsics.height = value.at("height").get<int>();
+    const auto& k = value.at("K");
+    image.intrinsics.fx = k.at(0).at(0).get<double>();
+    image.intrinsics.fy = k.at(1).at(1).get<double>();
+    image.intrinsics.cx = k.at(0).at(2).get<double>();
+    image.intrinsics.cy = k.at(1).at(2).get<double>();
+    const std::vector<double> d = value.value("dist", std::vector<double>{});
+    if (d.size() > 5) return Error{ErrorCode::UnusableInput, "More than five distortion terms for '" + image.file + "' are not understood; undistort its photographs first.", where};
+    std::copy(d.begin(), d.end(), image.intrinsics.distortion.begin());
+    Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) pose(r, c) = value.at("R").at(r).at(c).get<double>();
+      pose(r, 3) = value.at("t").at(r).get<double>();
+    }
+    const Eigen::Matrix3d rotation = pose.topLeftCorner<3, 3>();
+    const bool rigid = pose.allFinite() && (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && rotation.determinant() > 0;
+    const Intrinsics& i = image.intrinsics;
+    if (!rigid || !(i.fx > 0 && i.fy > 0) || i.width < 8 || i.height < 8 || i.width > 100'000 || i.height > 100'000 || !std::isfinite(i.cx + i.cy))
+      return Error{ErrorCode::UnusableInput, "The camera of '" + image.file + "' has no valid K, R, t or size.", where};
+    image.camera_from_plate.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+    image.camera_from_plate.translation() = pose.topRightCorner<3, 1>();
+  } catch (const nlohmann::json::exception&) {
+    return Error{ErrorCode::UnusableInput, "An image lacks file, width, height, K, R or t" + (image.file.empty() ? std::string() : " (" + image.file + ")") + ".", where};
+  }
+  return image;
+}
+
+}  // namespace
+
+bool Intrinsics::hasDistortion() const {
+  for (const double d : distortion)
+    if (d != 0) return true;
+  return false;
+}
+
+Eigen::Vector2d Intrinsics::project(const Eigen::Vector3d& p) const {
+  const Eigen::Vector2d n = distorted(distortion, {p.x() / p.z(), p.y() / p.z()});
+  return {fx * n.x() + cx, fy * n.y() + cy};
+}
+
+Eigen::Vector2d Intrinsics::unproject(const Eigen::Vector2d& pixel) const {
+  const Eigen::Vector2d target((pixel.x() - cx) / fx, (pixel.y() - cy) / fy);
+  Eigen::Vector2d n = target;
+  for (int round = 0; round < 50; ++round) {
+    const Eigen::Vector2d error = distorted(distortion, n) - target;
+    n -= error;
+    if (error.squaredNorm() < 1e-24) break;
+  }
+  return n;
+}
+
+Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file) {
+  const Result<nlohmann::json> json = readJson(file);
+  if (!json) return json.error();
+  if (!json->is_object() || !json->contains("images") || !(*json)["images"].is_array() || (*json)["images"].empty())
+    return Error{ErrorCode::UnusableInput, "The camera file holds no list 'images'.", file.string()};
+  std::vector<PosedImage> images;
+  for (const nlohmann::json& value : (*json)["images"]) {
+    Result<PosedImage> image = imageFromJson(value, file.string());
+    if (!image) return image.error();
+    images.push_back(std::move(*image));
+  }
+  return images;
+}
+
+Result<void> writeCameras(const std::filesystem::path& file, const std::vector<PosedImage>& images) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const PosedImage& image : images) {
+    const Intrinsics& i = image.intrinsics;
+    const Eigen::Matrix3d r = image.camera_from_plate.linear();
+    const Eigen::Vector3d t = image.camera_from_plate.translation();
+    list.push_back({{"file", image.file}, {"side", batch::name(image.side)}, {"camera", image.camera}, {"stop", image.stop},
+                    {"width", i.width}, {"height", i.height},
+                    {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}}, {"dist", i.distortion},
+                    {"R", {{r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}}},
+                    {"t", {t.x(), t.y(), t.z()}}});
+  }
+  return writeJson(file, {{"unit", "mm"}, {"images", list}});
+}
+
+}  // namespace ostraka::rig

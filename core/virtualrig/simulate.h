@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string_view>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+/// A rig for everybody: vessels are made, broken, laid on a plate and photographed, with the truth.
+namespace ostraka::virtualrig {
+
+enum class PlateColor { Dark, Grey };
+
+/// What goes wrong on purpose, to train people and to test the program.
+enum class Fault {
+  Blur,      ///< one camera is out of focus at three stops of the front
+  Missing,   ///< three photographs are not there
+  Moved,     ///< a sherd was pushed by 4 mm and 6 degrees in mid-turn of the front
+  Covered,   ///< a cloth lies on a third of the markers in the front
+  Shadow,    ///< a hand's shadow falls on the plate in three photographs
+  Truncated  ///< the files of two photographs end in the middle
+};
+std::optional<Fault> faultFromName(std::string_view name);
+std::optional<PlateColor> plateColorFromName(std::string_view name);
+
+struct SimulateOptions {
+  std::uint64_t seed = 1;
+  int sherds = 8;
+  int width = 1600;  ///< pixels; the height is 3/4 of it and the lens scales along
+  std::filesystem::path output;
+  PlateColor plate = PlateColor::Dark;
+  bool plain = false;     ///< neither slip nor paint, fine temper only
+  bool scramble = false;  ///< the sherds change places at the flip
+  int lookalikes = 0;     ///< groups of two with nearly the same outline; their breaks differ
+  int touching = 0;       ///< pairs that lie against each other on both sides
+  int stops = 8;
+  bool scans_only = false;  ///< noisy scans of both sides instead of photographs
+  int threads = 0;          ///< 0: all processors; the files do not depend on it
+  std::optional<Fault> fault;
+
+  /// Names the field that cannot be; nothing else fails before the first file is written.
+  Result<void> check() const;
+};
+
+/// Writes a batch folder with truth/, as ../shared/batches/README.md tells, or with scans_only one
+/// as ../shared/scans. Millimetres, OpenCV cameras, the plate's frame of that side.
+/// Errors: UnusableInput (an option, or more sherds than fit), CannotWrite, Cancelled.
+Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
+                           std::stop_token stop);
+
+}  // namespace ostraka::virtualrig

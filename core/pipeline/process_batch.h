@@ -1,0 +1,54 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace ostraka::pipeline {
+
+enum class DenseMethod { Builtin, Colmap, OpenMvs };
+enum class PairingForm { Default, Paper };
+
+struct ProcessOptions {
+  std::filesystem::path batch;               ///< batch folder; nothing in it is ever written
+  std::filesystem::path output;              ///< OUT; created, or continued when of the same batch
+  std::optional<std::filesystem::path> rig;  ///< RIG.json of an earlier calibration
+  DenseMethod dense = DenseMethod::Builtin;
+  std::string masks = "auto";  ///< "auto", "given", or the path of an ONNX network
+  PairingForm pairing = PairingForm::Default;
+  int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
+
+  Result<void> check() const;
+};
+
+/// One line of the pair table.
+struct SherdSummary {
+  std::string number;  ///< "01": folder under OUT/sherds
+  std::string front, back;
+  double score = 0, rim_rms_mm = 0, uncertainty_mm = 0;
+  bool ambiguous = false;
+  bool has_model = false;
+  std::string remark;  ///< why a person must look, or why there is no model; else empty
+};
+
+struct ProcessSummary {
+  std::vector<SherdSummary> sherds;
+  std::vector<std::string> unpaired_front, unpaired_back;
+  std::vector<std::string> warnings;
+  double reprojection_rms_px = 0;
+  double seconds = 0;  ///< of this run, not of stages done earlier
+  std::filesystem::path report;
+  int ambiguous() const;
+  bool whole() const;  ///< every sherd has a model and nothing failed
+};
+
+/// Photographs to complete sherds, stage by stage (OUT/work), going on from the last whole stage.
+/// Errors: UnusableInput (the batch, or an OUT of another batch), CannotWrite, NotEnough, Cancelled.
+Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& progress,
+                                    std::stop_token stop);
+
+}  // namespace ostraka::pipeline

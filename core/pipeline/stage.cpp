@@ -1,0 +1,105 @@
+#include "pipeline/stage.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/files.h"
+#include "base/json.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr int kFormat = 1;                // of stage.json and the artefacts beside it
+constexpr const char* kProgram = "0.1.0"; // a new version computes anew: its results may differ
+
+// Names (relative) and SHA-256 of all files of a stage but stage.json, in the order of their names.
+Result<ordered_json> hashesOf(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) names.push_back(fs::relative(entry.path(), folder).generic_string());
+  std::sort(names.begin(), names.end());
+  ordered_json hashes = ordered_json::object();
+  for (const std::string& name : names) {
+    if (name == "stage.json") continue;
+    const Result<std::string> bytes = readFile(folder / name);
+    if (!bytes) return bytes.error();
+    hashes[name] = sha256(*bytes);
+  }
+  return hashes;
+}
+
+std::string outputsHash(const ordered_json& files, const ordered_json& figures) {
+  return sha256(files.dump() + figures.dump());
+}
+
+std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string& key_hash) {
+  const Result<std::string> text = readFile(folder / "stage.json");
+  if (!text) return {};
+  const ordered_json stage = ordered_json::parse(*text, nullptr, false);
+  if (!stage.is_object() || stage.value("key", "") != key_hash) return {};
+  const Result<ordered_json> files = hashesOf(folder);
+  if (!files || !stage.contains("files") || *files != stage["files"]) return {};
+  StageRecord record;
+  try {
+    record.notes.figures = stage.at("figures");
+    record.notes.warnings = stage.at("warnings").get<std::vector<std::string>>();
+    record.seconds = stage.at("seconds").get<double>();
+    record.peak_memory_mb = stage.at("peak_memory_mb").get<double>();
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
+  record.outputs_hash = outputsHash(*files, record.notes.figures);
+  record.resumed = true;
+  return record;
+}
+
+}  // namespace
+
+double peakMemoryMb() {
+  struct rusage usage {};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+Result<StageRecord> runStage(const fs::path& work_folder, const std::string& name,
+                             const ordered_json& key,
+                             const std::function<Result<StageNotes>(const fs::path&)>& work,
+                             Progress& progress) {
+  const fs::path folder = work_folder / name;
+  const std::string key_hash =
+      sha256(ordered_json{{"stage", name}, {"format", kFormat}, {"program", kProgram}, {"key", key}}.dump());
+  if (std::optional<StageRecord> record = wholeRecord(folder, key_hash)) {
+    progress.note(NoteLevel::Info, name + ": whole from an earlier run");
+    return std::move(*record);
+  }
+  std::error_code failed;
+  fs::remove(folder / "stage.json", failed);  // first, so that nothing half removed looks whole
+  fs::remove_all(folder, failed);
+  fs::create_directories(folder, failed);
+  if (failed)
+    return Error{ErrorCode::CannotWrite, "The folder cannot be made (" + failed.message() + ").", folder.string()};
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<StageNotes> notes = work(folder);
+  if (!notes) return notes.error();
+  StageRecord record;
+  record.notes = *notes;
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.peak_memory_mb = peakMemoryMb();
+  const Result<ordered_json> files = hashesOf(folder);
+  if (!files) return files.error();
+  record.outputs_hash = outputsHash(*files, record.notes.figures);
+  const Result<void> written = writeJson(
+      folder / "stage.json", {{"format", kFormat}, {"program", kProgram}, {"stage", name}, {"key", key_hash},
+                              {"inputs", key}, {"seconds", record.seconds},
+                              {"peak_memory_mb", record.peak_memory_mb}, {"files", *files},
+                              {"figures", record.notes.figures}, {"warnings", record.notes.warnings}});
+  if (!written) return written.error();
+  return record;
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,40 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace ostraka::pipeline {
+
+/// What a stage leaves behind besides its files: figures for the report and warnings in words.
+struct StageNotes {
+  nlohmann::ordered_json figures = nlohmann::ordered_json::object();
+  std::vector<std::string> warnings;
+};
+
+/// A stage that is whole: its notes, its cost, and the hash that names exactly these results.
+struct StageRecord {
+  StageNotes notes;
+  double seconds = 0;
+  double peak_memory_mb = 0;  ///< of the process up to the stage's end
+  std::string outputs_hash;   ///< over names and contents of the files left, and the notes
+  bool resumed = false;       ///< found whole from an earlier run
+};
+
+/// One folder OUT/work/<name> per stage. The stage runs only if its stage.json does not match `key`
+/// (program and format version, options, hashes of inputs) or a file it names is missing or changed.
+/// `work` writes its files into the folder it is given, which is empty; stage.json is written last, so that
+/// a run killed at any moment leaves the stage either whole or to be done again.
+Result<StageRecord> runStage(const std::filesystem::path& work_folder, const std::string& name,
+                             const nlohmann::ordered_json& key,
+                             const std::function<Result<StageNotes>(const std::filesystem::path&)>& work,
+                             Progress& progress);
+
+/// Peak resident memory of this process so far, MB.
+double peakMemoryMb();
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,36 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <vector>
+
+#include "base/result.h"
+#include "rig/camera.h"
+
+namespace ostraka::rig {
+
+/// A camera that stands still beside the turntable.
+struct RigCamera {
+  int camera = 0;  ///< number in the batch
+  Intrinsics intrinsics;
+  /// x_camera = camera_from_turntable * x_turntable, mm. z of the turntable frame is the axis, up.
+  Eigen::Isometry3d camera_from_turntable = Eigen::Isometry3d::Identity();
+  double focal_sd_px = 0;     ///< standard deviation of fx; 0 = not known
+  double intrinsics_rms_px = 0;  ///< of the board's corners; 0 = no board
+  double marker_inset_px = 0;    ///< by which this camera shows black marker edges too far inside
+};
+
+/// The cameras and the turntable of one laboratory: RIG.json.
+struct Rig {
+  std::vector<RigCamera> cameras;       ///< sorted by number
+  std::vector<int> stops;               ///< numbers of the stops, ascending
+  std::vector<double> stop_angles_rad;  ///< one per stop, counter-clockwise from above, first = 0
+  double reprojection_rms_px = 0;
+
+  const RigCamera* find(int camera) const;  ///< nullptr when there is none of this number
+};
+
+/// Errors: UnusableInput (not a rig, another version, a camera twice, numbers that are no camera).
+Result<Rig> readRig(const std::filesystem::path& file);
+Result<void> writeRig(const std::filesystem::path& file, const Rig& rig);
+
+}  // namespace ostraka::rig

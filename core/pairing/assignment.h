@@ -1,0 +1,56 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace ostraka::pairing {
+
+/// What is known about one pair after its registration. All log-likelihoods are natural logarithms
+/// of ratios: 'two sides of one sherd' against 'two sherds at random'.
+struct Evidence {
+  int front = 0, back = 0;
+  double log_likelihood = 0;  ///< contour, rim and position together, of the best start
+  double rim_rms_mm = 0;      ///< of the registered strips; for reasons and reports only
+  double overlap = 0;         ///< share of the strip that met the other side, 0..1
+  bool slipped = false;       ///< the registration's self-check says that the pose may be wrong
+  double runner_up_start_log_likelihood = -1e9;  ///< second distinct pose of this same pair
+};
+
+struct Alternative {
+  int front = 0, back = 0;
+  double score = 0;  ///< probability, 0..1
+};
+
+struct Decision {
+  int front = 0, back = 0;
+  double score = 0;   ///< probability that the pair and its pose are right
+  double margin = 0;  ///< score minus the probability of the best alternative
+  bool ambiguous = false;
+  std::vector<Alternative> alternatives;  ///< other partners of these two scans, likeliest first
+  std::string reason;                     ///< one sentence when ambiguous
+};
+
+struct AssignOptions {
+  double lone_log_likelihood = 0.0;  ///< a pair must beat this to be proposed: 0 = even odds
+  double flag_below = 0.99;          ///< pairs less certain than this are for a person to decide
+  double propose_above = 0.5;        ///< below it, the scans stay unpaired
+  int max_alternatives = 3;
+  Result<void> check() const;
+};
+
+struct Assignment {
+  std::vector<Decision> pairs;      ///< by front
+  std::vector<int> unpaired_front;  ///< rising
+  std::vector<int> unpaired_back;
+};
+
+/// One-to-one, of greatest total log-likelihood over the whole batch; a scan may stay alone.
+/// Probabilities come from the best assignment with each other pair (or none) forced.
+/// Errors: UnusableInput for indices out of range or figures that are not finite.
+/// O(pairs * n^2) for n scans.
+Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, int n_back,
+                               const AssignOptions& options);
+
+}  // namespace ostraka::pairing

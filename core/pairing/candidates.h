@@ -1,0 +1,54 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "pairing/contour.h"
+#include "scan/scan.h"
+
+namespace ostraka::pairing {
+
+/// A pose to start the registration from. The tilt and the height come from the outlines' own
+/// heights; they hold to a few degrees and to about a third of a wall.
+struct StartPose {
+  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
+  double contour_rms_mm = 0;  ///< trimmed, both directions, after the planar alignment
+  double log_likelihood = 0;  ///< ratio: these two outlines are one, against two sherds at random
+  int shift = 0;              ///< start point on the back's contour, in 1/200 of its length
+  double scale = 1;           ///< front size / back size; 1 unless CandidateOptions::scale is Free
+};
+
+struct PairCandidate {
+  int front = 0, back = 0;        ///< indices of the scans handed in
+  std::vector<StartPose> starts;  ///< best first, distinct; several for symmetric contours
+  double log_likelihood = 0;      ///< of the best start
+};
+
+enum class Method { Default, Paper };
+enum class Scale {
+  Fixed,
+  Free
+};  ///< Free: sizes of the two sides do not compare (no known length)
+
+struct CandidateOptions {
+  ContourOptions contour;
+  Method method = Method::Default;
+  Scale scale = Scale::Fixed;
+  int max_starts = 8;    ///< per pair; the registration pays for each
+  double reach = -15.0;  ///< pairs below this log-likelihood ratio are left out ...
+  int min_per_scan = 3;  ///< ... but each scan keeps its best so many
+  int threads = 0;       ///< 0 = all
+  Result<void> check() const;
+};
+
+/// All pairs within reach, sorted by front, then back. Scans without a usable contour take no part
+/// (a note says so). Errors: Cancelled, UnusableInput for options. About 2 ms a pair.
+Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fronts,
+                                                  std::span<const scan::Scan> backs,
+                                                  const CandidateOptions& options,
+                                                  Progress& progress, std::stop_token stop);
+
+}  // namespace ostraka::pairing

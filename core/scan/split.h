@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "batch/batch.h"
+#include "scan/scan.h"
+
+namespace ostraka::scan {
+
+struct SplitOptions {
+  double plate_mm = 0.25;       ///< points this low belong to the plate (stereo's height noise)
+  double plate_flat_mm = 0.6;   ///< so do points this low that look straight up
+  double gap_mm = 1.2;          ///< wider gaps separate sherds; 5 pixels at 0.24 mm per pixel
+  double min_extent_mm = 10.0;  ///< smaller pieces are crumbs: no sherd is sorted below 1 cm
+  double min_height_mm = 1.5;   ///< flatter pieces are markers or dirt: walls are 3 mm and more
+  double neck_share = 0.35;     ///< pieces touch where the outline narrows below this share of the
+                                ///< smaller part's width; a sherd's own waist is wider
+  Result<void> check() const;
+};
+
+struct SplitResult {
+  std::vector<Scan> scans;  ///< f001 ... or b001 ..., by rows from far (+y) to near, rim found
+  std::vector<std::string> warnings;  ///< whole sentences with places on the plate in mm
+};
+
+/// One cloud per sherd: connected pieces above the plate. Crumbs, plate points, markers and flying
+/// points are dropped; touching sherds are cut at an evident neck; all of it is reported.
+/// plate_cloud: oriented points in the side's plate frame, mm. Errors: NotEnough when nothing is
+/// left, UnusableInput without normals. Deterministic; numbers follow the places on the plate.
+Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
+                               const SplitOptions& options, Progress& progress);
+
+}  // namespace ostraka::scan

@@ -1,0 +1,56 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "cloud/point_cloud.h"
+#include "rig/camera.h"
+
+namespace ostraka::stereo {
+
+/// One photograph with its camera. The mask has the photograph's size: share of each pixel that the
+/// sherds cover, 0..255; an empty mask means that every pixel may show the object.
+struct View {
+  rig::PosedImage camera;
+  cv::Mat photograph;  ///< CV_8UC3, BGR, as it was shot (with the lens's distortion)
+  cv::Mat1b mask;
+};
+
+struct DenseOptions {
+  int threads = 1;
+  std::optional<double> floor_z_mm;             ///< the plate's surface; nothing lies below it
+  std::optional<Eigen::AlignedBox3d> bounds;    ///< plate frame, mm; found from the masks when absent
+  /// Angles at the object between a view and the views it is compared with. Below the first depth is
+  /// poorly determined, above the second a rough surface looks too different.
+  double min_source_angle_rad = 0.07;
+  double max_source_angle_rad = 0.87;
+  int max_sources = 8;  ///< per view: both other cameras of a stop and three at each stop beside it
+  /// A point needs this many views that agree on it, its own included.
+  int min_agreeing_views = 2;
+  std::uint64_t seed = 1;
+
+  Result<void> check() const;
+};
+
+/// One view's depths along its optical axis, mm, at the photograph's size without its distortion;
+/// 0 where nothing was found. Normals are unit vectors in the camera's frame, towards the camera.
+struct DepthMap {
+  cv::Mat1f depth;
+  cv::Mat3f normal;
+  cv::Mat1f confidence;  ///< 0..1
+};
+
+/// Oriented, coloured points of everything inside the masks, plate frame, mm; quality is the
+/// confidence. PatchMatch stereo with slanted windows (Bleyer et al., BMVC 2011; Galliani et al.,
+/// ICCV 2015) from coarse to fine, then a continuous refinement of all depths against all sources.
+/// Errors: NotEnough for fewer than 3 views or nothing found, UnusableInput for sizes that differ,
+/// Cancelled. Memory is about 90 bytes per pixel of all photographs.
+Result<PointCloud> reconstruct(std::span<const View> views, const DenseOptions& options,
+                               Progress& progress, std::stop_token stop);
+
+}  // namespace ostraka::stereo

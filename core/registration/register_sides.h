@@ -1,0 +1,82 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+#include <span>
+#include <stop_token>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "registration/strip.h"
+#include "rig/camera.h"
+#include "scan/scan.h"
+
+namespace ostraka::registration {
+
+/// A photograph's mask as a witness: the registered sherd must fill it and stay inside.
+struct SilhouetteView {
+  rig::PosedImage camera;
+  cv::Mat1b mask;  ///< coverage 0..255; of this sherd, or of all sherds of that side
+};
+
+/// What is known beside the two scans.
+struct Witnesses {
+  std::span<const SilhouetteView> front, back;  ///< in the scans' own frames; may be empty
+  /// The scan's frame is a plate's: z = 0 is the plate that the sherd rested on, z up.
+  bool front_on_plate = false, back_on_plate = false;
+};
+
+enum class Method {
+  Default,           ///< strip, rest on the plate and silhouettes in one estimate
+  BilateralBoundary  ///< the paper's BBICP, equation 2, point to point
+};
+enum class Scale { Fixed, Free };  ///< Free: BilateralBoundary also finds the back's size
+
+struct RegistrationOptions {
+  Method method = Method::Default;
+  Scale scale = Scale::Fixed;
+  StripOptions strip;
+  double first_radius_mm = 3.0;  ///< start poses hold to a third of a wall in height
+  double last_radius_mm = 0.35;  ///< about one scan spacing; grows with the strips' own noise
+  double max_normal_angle_rad = 0.785;  ///< 45 degrees: beyond, it is another face
+  double height_step_mm = 2.0;          ///< starts are also tried this much higher and lower
+  int max_survivors = 3;                ///< starts that go on to the fine rounds
+  int threads = 1;
+  Result<void> check() const;
+};
+
+/// Where the back belongs, and how far that can be trusted.
+struct Registration {
+  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
+  double scale = 1;           ///< front size / back size; 1 unless Scale::Free
+  double rim_rms_mm = 0;      ///< normal-checked closest pairs of the strips, point to plane
+  double rim_overlap = 0;     ///< share of the strip points in reach that have a partner
+  double log_likelihood = 0;  ///< of the rims being one against being two similar rims
+  /// Of front_from_back, for a small turn (rad) then shift (mm) in the front's frame about the
+  /// strip's centre `pivot`; inverse covariance.
+  Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
+  double uncertainty_mm = 0;  ///< 1-sigma RMS displacement over the back scan's points
+  double runner_up_gap = 0;   ///< log-likelihood above the best pose that differs; 1e9: none
+  double runner_up_mm = 0;    ///< RMS distance to that pose over the back's points
+  double crossing_share = 0;  ///< share of faces that lie behind the other side's face
+  bool slipped = false;       ///< the pose must not be believed
+  std::string reason;         ///< why slipped, one sentence; empty otherwise
+  int start = -1;             ///< index of the start it came from
+};
+
+/// Registers two scans that show the two sides of one sherd, from rough start poses (within about
+/// 3 mm along the rim and in height, and 5 degrees). The strips need normals. Errors: Cancelled,
+/// UnusableInput (options), NotEnough (no start, strip too small). About 0.3 s a pair, 1 thread.
+Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,
+                                   std::span<const Eigen::Isometry3d> front_from_back_starts,
+                                   const Witnesses& witnesses, const RegistrationOptions& options,
+                                   Progress& progress, std::stop_token stop);
+
+/// The same for strips prepared once with prepareStrip(scan, options.strip).
+Result<Registration> registerSides(const Strip& front, const Strip& back,
+                                   std::span<const Eigen::Isometry3d> front_from_back_starts,
+                                   const Witnesses& witnesses, const RegistrationOptions& options,
+                                   Progress& progress, std::stop_token stop);
+
+}  // namespace ostraka::registration

@@ -1,0 +1,47 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "cloud/nearest.h"
+#include "cloud/point_cloud.h"
+#include "scan/scan.h"
+
+namespace ostraka::registration {
+
+struct StripOptions {
+  double normal_radius_mm = 0.9;  ///< normals are averaged this far: two or three scan spacings
+  double coarse_mm = 1.2;         ///< spacing of the first rounds: a third of the thinnest wall
+  double max_up = 0.85;  ///< points whose normal leans more than this towards the viewer are face:
+                         ///< the other side's views stop at 75 degrees of incidence
+  Result<void> check() const;
+};
+
+/// Points of one level of detail that the other side can have seen, with a tree over them.
+struct StripLevel {
+  std::vector<Eigen::Vector3f> points;   ///< mm, frame of the scan
+  std::vector<Eigen::Vector3f> normals;  ///< unit, outward, averaged over neighbours
+  std::vector<float> weights;            ///< 0..1, lower in the lowest, fattest band
+  std::vector<std::uint8_t> end;         ///< 1 where the scan ends: the row that BBICP uses
+  KdTree tree{{}};
+};
+
+/// A scan made ready to be registered, once for all its pairs.
+struct Strip {
+  StripLevel coarse, fine;
+  std::vector<Eigen::Vector3f> shell;  ///< whole scan thinned and smoothed, for rest and crossing
+  std::vector<Eigen::Vector3f> shell_normals;
+  std::vector<std::uint8_t> shell_inside;  ///< 1 = all around is scanned face, not near the strip
+  KdTree shell_tree{{}};
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();     ///< towards the viewer, frame of the scan
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of the shell, mm
+  double radius_mm = 0;                              ///< RMS distance of the shell from the centre
+  double noise_mm = 0;    ///< robust SD of the strip's points about their neighbours' planes
+  double spacing_mm = 0;  ///< median distance of neighbours
+};
+
+/// Errors: NotEnough (fewer than 50 points on the strip, or no normals). O(n log n), ~20 ms.
+Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options);
+
+}  // namespace ostraka::registration

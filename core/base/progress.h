@@ -10,6 +10,9 @@ enum class NoteLevel { Info, Warning };
 class Progress {
  public:
   virtual ~Progress() = default;
+  /// A new stage of a longer job begins; share is its part of the whole job's time, 0..1, as
+  /// expected. Stages themselves never call this, only who runs several of them.
+  virtual void begin(std::string_view /*stage*/, double /*share*/) {}
   virtual void report(std::int64_t done, std::int64_t total) = 0;
   /// One line for the log: stage, ids, figure with unit. A warning asks a person to act.
   virtual void note(NoteLevel level, std::string_view text) = 0;

@@ -47,7 +47,8 @@ struct ProcessSummary {
 };
 
 /// Photographs to complete sherds, stage by stage (OUT/work), going on from the last whole stage.
-/// Errors: UnusableInput (the batch, or an OUT of another batch), CannotWrite, NotEnough, Cancelled.
+/// Errors: UnusableInput (the batch, or an OUT of another batch), CannotWrite, NotEnough,
+/// Cancelled.
 Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& progress,
                                     std::stop_token stop);
 

@@ -14,14 +14,15 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 1;                // of stage.json and the artefacts beside it
-constexpr const char* kProgram = "0.1.0"; // a new version computes anew: its results may differ
+constexpr int kFormat = 1;                 // of stage.json and the artefacts beside it
+constexpr const char* kProgram = "0.1.0";  // a new version computes anew: its results may differ
 
 // Names (relative) and SHA-256 of all files of a stage but stage.json, in the order of their names.
 Result<ordered_json> hashesOf(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) names.push_back(fs::relative(entry.path(), folder).generic_string());
+    if (entry.is_regular_file())
+      names.push_back(fs::relative(entry.path(), folder).generic_string());
   std::sort(names.begin(), names.end());
   ordered_json hashes = ordered_json::object();
   for (const std::string& name : names) {
@@ -72,7 +73,8 @@ Result<StageRecord> runStage(const fs::path& work_folder, const std::string& nam
                              Progress& progress) {
   const fs::path folder = work_folder / name;
   const std::string key_hash =
-      sha256(ordered_json{{"stage", name}, {"format", kFormat}, {"program", kProgram}, {"key", key}}.dump());
+      sha256(ordered_json{{"stage", name}, {"format", kFormat}, {"program", kProgram}, {"key", key}}
+                 .dump());
   if (std::optional<StageRecord> record = wholeRecord(folder, key_hash)) {
     progress.note(NoteLevel::Info, name + ": whole from an earlier run");
     return std::move(*record);
@@ -82,7 +84,8 @@ Result<StageRecord> runStage(const fs::path& work_folder, const std::string& nam
   fs::remove_all(folder, failed);
   fs::create_directories(folder, failed);
   if (failed)
-    return Error{ErrorCode::CannotWrite, "The folder cannot be made (" + failed.message() + ").", folder.string()};
+    return Error{ErrorCode::CannotWrite, "The folder cannot be made (" + failed.message() + ").",
+                 folder.string()};
   const auto begin = std::chrono::steady_clock::now();
   const Result<StageNotes> notes = work(folder);
   if (!notes) return notes.error();
@@ -93,11 +96,17 @@ Result<StageRecord> runStage(const fs::path& work_folder, const std::string& nam
   const Result<ordered_json> files = hashesOf(folder);
   if (!files) return files.error();
   record.outputs_hash = outputsHash(*files, record.notes.figures);
-  const Result<void> written = writeJson(
-      folder / "stage.json", {{"format", kFormat}, {"program", kProgram}, {"stage", name}, {"key", key_hash},
-                              {"inputs", key}, {"seconds", record.seconds},
-                              {"peak_memory_mb", record.peak_memory_mb}, {"files", *files},
-                              {"figures", record.notes.figures}, {"warnings", record.notes.warnings}});
+  const Result<void> written =
+      writeJson(folder / "stage.json", {{"format", kFormat},
+                                        {"program", kProgram},
+                                        {"stage", name},
+                                        {"key", key_hash},
+                                        {"inputs", key},
+                                        {"seconds", record.seconds},
+                                        {"peak_memory_mb", record.peak_memory_mb},
+                                        {"files", *files},
+                                        {"figures", record.notes.figures},
+                                        {"warnings", record.notes.warnings}});
   if (!written) return written.error();
   return record;
 }

@@ -26,13 +26,15 @@ struct StageRecord {
 };
 
 /// One folder OUT/work/<name> per stage. The stage runs only if its stage.json does not match `key`
-/// (program and format version, options, hashes of inputs) or a file it names is missing or changed.
-/// `work` writes its files into the folder it is given, which is empty; stage.json is written last, so that
-/// a run killed at any moment leaves the stage either whole or to be done again.
-Result<StageRecord> runStage(const std::filesystem::path& work_folder, const std::string& name,
-                             const nlohmann::ordered_json& key,
-                             const std::function<Result<StageNotes>(const std::filesystem::path&)>& work,
-                             Progress& progress);
+/// (program and format version, options, hashes of inputs) or a file it names is missing or
+/// changed. `work` writes its files into the folder it is given, which is empty; stage.json is
+/// written last, so that a run killed at any moment leaves the stage either whole or to be done
+/// again.
+Result<StageRecord> runStage(
+    const std::filesystem::path& work_folder, const std::string& name,
+    const nlohmann::ordered_json& key,
+    const std::function<Result<StageNotes>(const std::filesystem::path&)>& work,
+    Progress& progress);
 
 /// Peak resident memory of this process so far, MB.
 double peakMemoryMb();

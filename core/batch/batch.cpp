@@ -1,7 +1,286 @@
 #include "batch/batch.h"
 
-namespace ostraka::batch {
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <tuple>
 
-const char* name(Side side) { return side == Side::Front ? "front" : "back"; }
+#include "batch/image_header.h"
+
+namespace ostraka::batch {
+namespace fs = std::filesystem;
+namespace {
+
+using Key = std::tuple<Side, int, int>;  // side, camera, stop
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool isImage(const fs::path& file) {
+  const std::string extension = lower(file.extension().string());
+  return extension == ".jpg" || extension == ".jpeg" || extension == ".png" ||
+         extension == ".tif" || extension == ".tiff";
+}
+
+// Takes a literal or a number of at most six digits from the front of a name.
+bool take(std::string_view& name, std::string_view literal) {
+  if (!name.starts_with(literal)) return false;
+  name.remove_prefix(literal.size());
+  return true;
+}
+
+bool take(std::string_view& name, int& number) {
+  std::size_t digits = 0;
+  number = 0;
+  while (digits < name.size() && digits < 6 && name[digits] >= '0' && name[digits] <= '9')
+    number = number * 10 + (name[digits++] - '0');
+  name.remove_prefix(digits);
+  return digits > 0;
+}
+
+// "cam3_pos07" gives {3, 7} for between = "_pos".
+bool camNumbers(const fs::path& file, std::string_view between, int& camera, int& number) {
+  const std::string stem = lower(file.stem().string());
+  std::string_view name = stem;
+  return take(name, "cam") && take(name, camera) && take(name, between) && take(name, number) &&
+         name.empty();
+}
+
+bool emptyPlateCamera(const fs::path& file, int& camera) {
+  const std::string stem = lower(file.stem().string());
+  std::string_view name = stem;
+  return take(name, "empty_cam") && take(name, camera) && name.empty();
+}
+
+std::vector<fs::path> imagesIn(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+    if (isImage(it->path()) && !it->path().filename().string().starts_with("."))
+      files.push_back(it->path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+struct Layout {
+  const char* folder[2];  // by side
+  const char* masks[2];
+  const char* between;  // of the numbers in a photograph's name
+  const char* pattern;
+  int first_camera;  // number of the first camera in the names
+};
+
+constexpr Layout kOurs{
+    {"front", "back"}, {"front_masks", "back_masks"}, "_pos", "cam<C>_pos<PP>.jpg", 0};
+constexpr Layout kPaper{{"top_images", "bottom_images"},
+                        {"top_masks", "bottom_masks"},
+                        "_image",
+                        "cam<C>_image<NNN>.tif",
+                        1};
+
+class Reader {
+ public:
+  Reader(const fs::path& folder, const ReadBatchOptions& options, Progress& progress)
+      : options_(options), progress_(progress) {
+    batch_.folder = fs::absolute(folder);
+  }
+
+  Result<Batch> read() {
+    std::error_code ignored;
+    if (!fs::is_directory(batch_.folder, ignored))
+      return unusable("There is no such folder; name the folder of a batch.", batch_.folder);
+    const Result<Layout> layout = findLayout();
+    if (!layout) return layout.error();
+    for (const Side side : {Side::Front, Side::Back}) collectShots(*layout, side);
+    keepOneSizePerCamera();
+    for (const Side side : {Side::Front, Side::Back})
+      if (const Result<void> enough = checkViews(*layout, side); !enough) return enough.error();
+    collectCalibration();
+    if (const Result<void> read = readPlateAndBoard(); !read) return read.error();
+    return std::move(batch_);
+  }
+
+ private:
+  static Error unusable(const std::string& what, const fs::path& file) {
+    return {ErrorCode::UnusableInput, what, file.string()};
+  }
+  void warn(const fs::path& file, const std::string& what) {
+    progress_.note(NoteLevel::Warning, file.string() + ": " + what);
+  }
+
+  Result<Layout> findLayout() const {
+    std::error_code ignored;
+    for (const Layout& layout : {kOurs, kPaper}) {
+      bool there[2];
+      for (int s = 0; s < 2; ++s)
+        there[s] = fs::is_directory(batch_.folder / layout.folder[s], ignored);
+      if (there[0] && there[1]) return layout;
+      if (there[0] || there[1]) {
+        const int s = there[0] ? 1 : 0;
+        return unusable(std::string("The ") + name(s ? Side::Back : Side::Front) +
+                            " side is missing; put its photographs into the folder '" +
+                            layout.folder[s] + "'.",
+                        batch_.folder / layout.folder[s]);
+      }
+    }
+    return unusable(
+        "This is no batch: it has neither the folders 'front' and 'back' nor "
+        "'top_images' and 'bottom_images'; name the folder of a batch.",
+        batch_.folder);
+  }
+
+  void collectShots(const Layout& layout, Side side) {
+    const int s = side == Side::Front ? 0 : 1;
+    std::map<std::string, fs::path> masks;
+    for (const fs::path& mask : imagesIn(batch_.folder / layout.masks[s]))
+      masks.emplace(lower(mask.stem().string()), mask);
+    std::set<Key> taken;
+    for (const fs::path& file : imagesIn(batch_.folder / layout.folder[s])) {
+      Shot shot;
+      shot.side = side;
+      shot.file = file;
+      if (!camNumbers(file, layout.between, shot.camera, shot.stop) ||
+          shot.camera < layout.first_camera) {
+        warn(file, std::string("The name is not of the form ") + layout.pattern +
+                       "; this photograph is left out.");
+        continue;
+      }
+      shot.camera -= layout.first_camera;
+      if (!taken.insert({side, shot.camera, shot.stop}).second) {
+        warn(file, "Another photograph has the same camera and stop; this one is left out.");
+        continue;
+      }
+      const Result<ImageSize> size = readImageSize(file);
+      if (!size) {
+        progress_.note(NoteLevel::Warning,
+                       size.error().sentence() + " This photograph is left out.");
+        continue;
+      }
+      shot.width = size->width;
+      shot.height = size->height;
+      attachMask(shot, masks);
+      batch_.shots.push_back(std::move(shot));
+    }
+    std::sort(batch_.shots.begin(), batch_.shots.end(), [](const Shot& a, const Shot& b) {
+      return Key(a.side, a.camera, a.stop) < Key(b.side, b.camera, b.stop);
+    });
+  }
+
+  void attachMask(Shot& shot, const std::map<std::string, fs::path>& masks) {
+    const auto found = masks.find(lower(shot.file.stem().string()));
+    if (found == masks.end()) return;
+    const Result<ImageSize> size = readImageSize(found->second);
+    if (!size)
+      progress_.note(NoteLevel::Warning, size.error().sentence() + " This mask is not used.");
+    else if (*size != ImageSize{shot.width, shot.height})
+      warn(found->second, "The mask's size is not its photograph's; it is not used.");
+    else
+      shot.mask_file = found->second;
+  }
+
+  // The size that most photographs of a camera have; the smaller one where two are as frequent, so
+  // that the outcome does not depend on an order.
+  std::map<int, ImageSize> usualSizes() const {
+    std::map<int, std::map<std::pair<int, int>, int>> counts;
+    for (const Shot& shot : batch_.shots) ++counts[shot.camera][{shot.width, shot.height}];
+    std::map<int, ImageSize> usual;
+    for (const auto& [camera, sizes] : counts) {
+      const auto most =
+          std::max_element(sizes.begin(), sizes.end(),
+                           [](const auto& a, const auto& b) { return a.second < b.second; });
+      usual[camera] = {most->first.first, most->first.second};
+    }
+    return usual;
+  }
+
+  static std::string words(ImageSize size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+  }
+
+  void keepOneSizePerCamera() {
+    const std::map<int, ImageSize> usual = usualSizes();
+    std::erase_if(batch_.shots, [&](const Shot& shot) {
+      const ImageSize size{shot.width, shot.height}, expected = usual.at(shot.camera);
+      if (size == expected) return false;
+      warn(shot.file, "The image has " + words(size) + " pixels, the others of its camera have " +
+                          words(expected) + "; this photograph is left out.");
+      return true;
+    });
+  }
+
+  Result<void> checkViews(const Layout& layout, Side side) const {
+    const auto views = std::count_if(batch_.shots.begin(), batch_.shots.end(),
+                                     [&](const Shot& shot) { return shot.side == side; });
+    if (views >= options_.min_views_per_side) return {};
+    return Error{ErrorCode::NotEnough,
+                 std::string("The ") + name(side) + " side has " + std::to_string(views) +
+                     " usable photographs, at least " +
+                     std::to_string(options_.min_views_per_side) +
+                     " are needed; put photographs named " + layout.pattern + " there.",
+                 (batch_.folder / layout.folder[side == Side::Front ? 0 : 1]).string()};
+  }
+
+  void collectCalibration() {
+    const std::map<int, ImageSize> usual = usualSizes();
+    for (const fs::path& file : imagesIn(batch_.folder / "calib")) {
+      CalibrationShot shot;
+      shot.file = file;
+      int number = 0;
+      const bool empty = emptyPlateCamera(file, shot.camera);
+      if (!empty && !camNumbers(file, "_cal", shot.camera, number)) {
+        warn(file,
+             "The name is neither cam<C>_cal<NN>.jpg nor empty_cam<C>.jpg; this picture is "
+             "left out.");
+        continue;
+      }
+      const auto expected = usual.find(shot.camera);
+      if (expected == usual.end()) continue;  // of a camera that took no photograph
+      const Result<ImageSize> size = readImageSize(file);
+      if (!size)
+        progress_.note(NoteLevel::Warning, size.error().sentence() + " This picture is left out.");
+      else if (*size != expected->second)
+        warn(file, "The image has " + words(*size) +
+                       " pixels, the photographs of its camera have " + words(expected->second) +
+                       "; this picture is left out.");
+      else
+        (empty ? batch_.empty_plates : batch_.calibration).push_back(std::move(shot));
+    }
+  }
+
+  Result<void> readPlateAndBoard() {
+    std::error_code ignored;
+    if (const fs::path file = batch_.folder / "plate.json"; fs::exists(file, ignored)) {
+      Result<Plate> plate = readPlate(file);
+      if (!plate) return plate.error();
+      batch_.plate = std::move(*plate);
+    }
+    if (const fs::path file = batch_.folder / "board.json"; fs::exists(file, ignored)) {
+      Result<Board> board = readBoard(file);
+      if (!board) return board.error();
+      batch_.board = std::move(*board);
+    }
+    return {};
+  }
+
+  ReadBatchOptions options_;
+  Progress& progress_;
+  Batch batch_;
+};
+
+}  // namespace
+
+const char* name(Side side) {
+  return side == Side::Front ? "front" : "back";
+}
+
+Result<Batch> readBatch(const fs::path& folder, const ReadBatchOptions& options,
+                        Progress& progress) {
+  return Reader(folder, options, progress).read();
+}
 
 }  // namespace ostraka::batch

@@ -49,10 +49,10 @@ struct CalibrationShot {
 /// A batch folder as in ../shared/batches/README.md, or the paper's layout (top_images, ...).
 struct Batch {
   std::filesystem::path folder;
-  std::vector<Shot> shots;                     ///< sorted by side, camera, stop
-  std::vector<CalibrationShot> calibration;    ///< of the ChArUco board; may be empty
-  std::vector<CalibrationShot> empty_plates;   ///< the bare plate at stop 0; may be empty
-  std::optional<Plate> plate;                  ///< absent in the paper's layout
+  std::vector<Shot> shots;                    ///< sorted by side, camera, stop
+  std::vector<CalibrationShot> calibration;   ///< of the ChArUco board; may be empty
+  std::vector<CalibrationShot> empty_plates;  ///< the bare plate at stop 0; may be empty
+  std::optional<Plate> plate;                 ///< absent in the paper's layout
   std::optional<Board> board;
 };
 
@@ -60,9 +60,10 @@ struct ReadBatchOptions {
   int min_views_per_side = 3;  ///< fewer usable photographs of a side cannot be reconstructed
 };
 
-/// Reads the folder's structure and the images' headers; never looks into truth/. A shot that cannot
-/// be used is left out with a warning; a missing side or too few views is an error.
-Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOptions& options, Progress& progress);
+/// Reads the folder's structure and the images' headers; never looks into truth/. A shot that
+/// cannot be used is left out with a warning; a missing side or too few views is an error.
+Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOptions& options,
+                        Progress& progress);
 
 Result<Plate> readPlate(const std::filesystem::path& file);
 Result<Board> readBoard(const std::filesystem::path& file);

@@ -13,8 +13,9 @@ struct ImageSize {
 };
 
 /// Size of a JPEG, PNG or TIFF image from its bytes, without decoding, and whether the file goes on
-/// to its own end: a JPEG without end marker, a PNG without IEND and a TIFF whose strips lie outside
-/// of the file are cut off. Never reads outside of `bytes`. Errors: UnusableInput, one sentence.
+/// to its own end: a JPEG without end marker, a PNG without IEND and a TIFF whose strips lie
+/// outside of the file are cut off. Never reads outside of `bytes`. Errors: UnusableInput, one
+/// sentence.
 Result<ImageSize> imageSize(std::string_view bytes, const std::string& where);
 
 /// The same for a file.

@@ -1,0 +1,75 @@
+#pragma once
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "batch/batch.h"
+#include "model/model.h"
+#include "pipeline/pair_sides.h"
+#include "pipeline/process_batch.h"
+#include "pipeline/stage.h"
+#include "rig/camera.h"
+#include "rig/rig.h"
+
+namespace ostraka::pipeline {
+
+/// What all stages of one run share.
+struct Run {
+  const ProcessOptions& options;
+  const batch::Batch& batch;
+  std::filesystem::path work;  ///< OUT/work
+  std::string batch_hash;      ///< names and contents of everything that is read from the batch
+  Progress& progress;
+  std::stop_token stop;
+};
+
+/// A stage's outcome: what it left, as read back from its files, and its record.
+template <class T>
+struct Staged {
+  T value;
+  StageRecord record;
+};
+
+struct Poses {
+  std::vector<rig::PosedImage> images;  ///< both sides, plate frame
+  rig::Rig rig;
+  std::vector<rig::PosedImage> of(batch::Side side) const;
+};
+
+/// The masks of one side, in the order of poses.of(side).
+using Masks = std::vector<cv::Mat1b>;
+
+/// One pair as decided, with scans by index; what pairs.json says, read back.
+struct DecidedPair {
+  int front = 0, back = 0;
+  double score = 0, margin = 0;
+  bool ambiguous = false, slipped = false;
+  std::string reason;
+  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
+  double rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
+};
+
+struct Pairs {
+  nlohmann::ordered_json json;  ///< as pairs.json
+  std::vector<DecidedPair> pairs;
+  std::vector<std::string> unpaired_front, unpaired_back;
+};
+
+/// The chain, one call per arrow (design.md). Each runs its stage or finds it whole.
+Result<Staged<Poses>> poseStage(const Run& run);
+Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses);
+Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                                      const Staged<Masks>& masks);
+Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
+                                                  const Staged<PointCloud>& cloud);
+Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses,
+                                const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
+                                const Staged<std::vector<scan::Scan>>& fronts,
+                                const Staged<std::vector<scan::Scan>>& backs);
+/// Leaves front.ply, back.ply, model.ply, model.glb and preview.png in OUT/work/model_<number>.
+Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,
+                               const scan::Scan& front, const scan::Scan& back,
+                               const std::string& inputs_hash);
+
+}  // namespace ostraka::pipeline

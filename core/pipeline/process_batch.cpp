@@ -1,0 +1,288 @@
+#include "pipeline/process_batch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "base/parallel.h"
+#include "cloud/ply.h"
+#include "pipeline/report.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+// Passes everything on and keeps OUT/log.txt.
+class LoggedProgress final : public Progress {
+ public:
+  LoggedProgress(Progress& outer, const fs::path& file)
+      : outer_(outer), log_(file, std::ios::app) {}
+  void begin(std::string_view stage, double share) override {
+    log_ << "stage " << stage << std::endl;
+    outer_.begin(stage, share);
+  }
+  void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
+  void note(NoteLevel level, std::string_view text) override {
+    log_ << (level == NoteLevel::Warning ? "warning: " : "") << text << std::endl;
+    outer_.note(level, text);
+  }
+
+ private:
+  Progress& outer_;
+  std::ofstream log_;
+};
+
+// Names (relative to the batch) and SHA-256 of all that is read from it.
+ordered_json hashesOf(const batch::Batch& batch, int threads) {
+  std::vector<fs::path> files;
+  for (const batch::Shot& shot : batch.shots) {
+    files.push_back(shot.file);
+    if (!shot.mask_file.empty()) files.push_back(shot.mask_file);
+  }
+  for (const batch::CalibrationShot& shot : batch.calibration) files.push_back(shot.file);
+  for (const batch::CalibrationShot& shot : batch.empty_plates) files.push_back(shot.file);
+  for (const char* name : {"plate.json", "board.json"})
+    if (fs::exists(batch.folder / name)) files.push_back(batch.folder / name);
+  std::vector<std::string> hashes(files.size());
+  parallelFor(files.size(), threads, [&](std::size_t i) {
+    const Result<std::string> bytes = readFile(files[i]);
+    hashes[i] = bytes ? sha256(*bytes) : "unreadable";
+  });
+  ordered_json named = ordered_json::object();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    named[files[i].lexically_proximate(batch.folder).generic_string()] = hashes[i];
+  return named;
+}
+
+// An OUT belongs to one batch. A photograph shot again is the same batch; half of them is not.
+Result<void> claimOutput(const fs::path& output, const ordered_json& hashes) {
+  const fs::path file = output / "work" / "batch.json";
+  std::error_code failed;
+  if (!fs::exists(file, failed)) {
+    if (fs::exists(output, failed) && !fs::is_empty(output, failed))
+      return Error{ErrorCode::UnusableInput,
+                   "The output folder holds something that is not from this program; choose "
+                   "another or an empty one.",
+                   output.string()};
+  } else if (const Result<std::string> text = readFile(file)) {
+    const ordered_json earlier = ordered_json::parse(*text, nullptr, false);
+    std::size_t same = 0;
+    if (earlier.is_object())
+      for (const auto& [name, hash] : hashes.items())
+        if (earlier.contains(name) && earlier[name] == hash) ++same;
+    if (2 * same < hashes.size())
+      return Error{ErrorCode::UnusableInput,
+                   "The output folder holds another batch; choose another folder.",
+                   output.string()};
+  }
+  return writeJson(file, hashes);
+}
+
+struct Sides {
+  Staged<Masks> masks;
+  Staged<std::vector<scan::Scan>> scans;
+};
+
+Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                          std::vector<ReportStage>& stages) {
+  const std::string name = batch::name(side);
+  const auto cancelled = [&] { return run.stop.stop_requested(); };
+  run.progress.begin("masks of the " + name + " side", 0.08);
+  Result<Staged<Masks>> masks = maskStage(run, side, poses);
+  if (!masks) return masks.error();
+  stages.push_back({"masks, " + name, masks->record});
+  if (cancelled()) return Error::cancelled();
+  run.progress.begin("stereo of the " + name + " side", 0.28);
+  Result<Staged<PointCloud>> cloud = denseStage(run, side, poses, *masks);
+  if (!cloud) return cloud.error();
+  stages.push_back({"stereo, " + name, cloud->record});
+  if (cancelled()) return Error::cancelled();
+  run.progress.begin("scans of the " + name + " side", 0.02);
+  Result<Staged<std::vector<scan::Scan>>> scans = scanStage(run, side, *cloud);
+  if (!scans) return scans.error();
+  stages.push_back({"scans, " + name, scans->record});
+  return Sides{std::move(*masks), std::move(*scans)};
+}
+
+// Copies what a model stage left to OUT/sherds/<number>; without a model only the scans.
+Result<void> publish(const Run& run, const std::string& number) {
+  const fs::path from = run.work / ("model_" + number), to = run.options.output / "sherds" / number;
+  for (const char* name : {"front.ply", "back.ply", "model.ply", "model.glb", "preview.png"}) {
+    std::error_code failed;
+    if (!fs::exists(from / name, failed)) {
+      fs::remove(to / name, failed);
+      continue;
+    }
+    const Result<std::string> bytes = readFile(from / name);
+    if (!bytes) return bytes.error();
+    if (const Result<void> written = writeFileAtomically(to / name, *bytes); !written)
+      return written;
+  }
+  return {};
+}
+
+Result<void> publishLone(const Run& run, const std::vector<std::string>& ids,
+                         const std::vector<scan::Scan>& scans, batch::Side side) {
+  for (const scan::Scan& scan : scans)
+    if (std::find(ids.begin(), ids.end(), scan.id) != ids.end()) {
+      const Result<void> written = writePly(run.options.output / "unpaired" / (scan.id + ".ply"),
+                                            scan.cloud, std::string("plate_") + batch::name(side));
+      if (!written) return written;
+    }
+  return {};
+}
+
+std::string numbered(std::size_t index) {
+  const std::string number = std::to_string(index + 1);
+  return number.size() < 2 ? "0" + number : number;
+}
+
+// What an earlier run left on top must not look whole while this one may change it.
+void withdrawResults(const fs::path& output) {
+  std::error_code ignored;
+  for (const char* name : {"report.json", "report.html", "pairs.json"})
+    fs::remove(output / name, ignored);
+  fs::remove_all(output / "unpaired", ignored);
+}
+
+void removeStaleSherds(const fs::path& output, std::size_t count) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output / "sherds", ignored)) {
+    bool current = false;
+    for (std::size_t i = 0; i < count; ++i)
+      current = current || entry.path().filename() == numbered(i);
+    if (!current) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
+  SherdSummary line;
+  line.number = sherd.number;
+  line.front = sherd.front->id;
+  line.back = sherd.back->id;
+  line.score = sherd.pair->score;
+  line.rim_rms_mm = sherd.pair->rim_rms_mm;
+  line.uncertainty_mm = sherd.pair->uncertainty_mm;
+  line.ambiguous = sherd.pair->ambiguous;
+  line.has_model = sherd.figures.value("model", false);
+  line.remark = sherd.pair->ambiguous ? sherd.pair->reason : "";
+  if (!line.has_model && !record.notes.warnings.empty())
+    line.remark = record.notes.warnings.front();
+  return line;
+}
+
+Result<ProcessSummary> runChain(const Run& run) {
+  std::vector<ReportStage> stages;
+  run.progress.begin("cameras", 0.05);
+  const Result<Staged<Poses>> poses = poseStage(run);
+  if (!poses) return poses.error();
+  stages.push_back({"cameras", poses->record});
+  const Result<Sides> front = processSide(run, batch::Side::Front, *poses, stages);
+  if (!front) return front.error();
+  const Result<Sides> back = processSide(run, batch::Side::Back, *poses, stages);
+  if (!back) return back.error();
+  run.progress.begin("pairs", 0.07);
+  const Result<Staged<Pairs>> pairs =
+      pairStage(run, *poses, front->masks, back->masks, front->scans, back->scans);
+  if (!pairs) return pairs.error();
+  stages.push_back({"pairs", pairs->record});
+
+  ReportInput report;
+  report.batch_name = fs::weakly_canonical(run.batch.folder).filename().string();
+  report.unpaired_front = pairs->value.unpaired_front;
+  report.unpaired_back = pairs->value.unpaired_back;
+  report.poses = &poses->value;
+  report.front_masks = &front->masks.value;
+  report.back_masks = &back->masks.value;
+  ProcessSummary summary;
+  run.progress.begin("models", 0.12);
+  const std::vector<DecidedPair>& decided = pairs->value.pairs;
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    if (run.stop.stop_requested()) return Error::cancelled();
+    const scan::Scan& f = front->scans.value[static_cast<std::size_t>(decided[i].front)];
+    const scan::Scan& b = back->scans.value[static_cast<std::size_t>(decided[i].back)];
+    const std::string number = numbered(i);
+    const Result<StageRecord> record =
+        modelStage(run, number, decided[i], f, b,
+                   front->scans.record.outputs_hash + back->scans.record.outputs_hash);
+    if (!record) return record.error();
+    if (const Result<void> published = publish(run, number); !published) return published.error();
+    stages.push_back({"model " + number, *record});
+    report.sherds.push_back({number, &decided[i], &f, &b, record->notes.figures,
+                             run.work / ("model_" + number) / "preview.png"});
+    summary.sherds.push_back(summaryOf(report.sherds.back(), *record));
+    run.progress.report(static_cast<std::int64_t>(i) + 1,
+                        static_cast<std::int64_t>(decided.size()));
+  }
+  removeStaleSherds(run.options.output, decided.size());
+  if (const auto r =
+          publishLone(run, report.unpaired_front, front->scans.value, batch::Side::Front);
+      !r)
+    return r.error();
+  if (const auto r = publishLone(run, report.unpaired_back, back->scans.value, batch::Side::Back);
+      !r)
+    return r.error();
+  for (const ReportStage& stage : stages)
+    report.warnings.insert(report.warnings.end(), stage.record.notes.warnings.begin(),
+                           stage.record.notes.warnings.end());
+  report.stages = std::move(stages);
+
+  run.progress.begin("report", 0.02);
+  const fs::path& output = run.options.output;
+  if (const auto r = writeJson(output / "pairs.json", pairs->value.json); !r) return r.error();
+  if (const auto r = writeFileAtomically(output / "report.html", reportHtml(report)); !r)
+    return r.error();
+  if (const auto r = writeJson(output / "report.json", reportJson(report)); !r) return r.error();
+  summary.unpaired_front = report.unpaired_front;
+  summary.unpaired_back = report.unpaired_back;
+  summary.warnings = report.warnings;
+  summary.reprojection_rms_px = poses->record.notes.figures.value("reprojection_rms_px", 0.0);
+  summary.report = output / "report.html";
+  return summary;
+}
+
+}  // namespace
+
+Result<void> ProcessOptions::check() const {
+  if (batch.empty()) return Error{ErrorCode::UnusableInput, "No batch folder was given.", {}};
+  if (output.empty())
+    return Error{ErrorCode::UnusableInput, "No output folder was given (--output OUT).", {}};
+  return {};
+}
+
+int ProcessSummary::ambiguous() const {
+  return static_cast<int>(std::count_if(sherds.begin(), sherds.end(),
+                                        [](const SherdSummary& s) { return s.ambiguous; }));
+}
+
+bool ProcessSummary::whole() const {
+  return !sherds.empty() && unpaired_front.empty() && unpaired_back.empty() &&
+         std::all_of(sherds.begin(), sherds.end(),
+                     [](const SherdSummary& s) { return s.has_model; });
+}
+
+Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& progress,
+                                    std::stop_token stop) {
+  if (const Result<void> checked = options.check(); !checked) return checked.error();
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<batch::Batch> batch = batch::readBatch(options.batch, {}, progress);
+  if (!batch) return batch.error();
+  const ordered_json hashes = hashesOf(*batch, options.threads);
+  if (const Result<void> claimed = claimOutput(options.output, hashes); !claimed)
+    return claimed.error();
+  withdrawResults(options.output);
+  LoggedProgress logged(progress, options.output / "log.txt");
+  const Run run{options, *batch, options.output / "work", sha256(hashes.dump()), logged, stop};
+  Result<ProcessSummary> summary = runChain(run);
+  if (summary)
+    summary->seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return summary;
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,293 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <sstream>
+
+#include "base/files.h"
+#include "batch/photograph.h"
+#include "pairing/contour.h"
+#include "pairing/turning_angles.h"
+#include "pipeline/report.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+constexpr const char* kStyle = R"(
+body{font:16px/1.45 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:1180px;margin:24px auto;padding:0 16px}
+h1{font-size:26px}h2{font-size:20px;margin-top:32px;border-bottom:2px solid #ddd}
+table{border-collapse:collapse;font-variant-numeric:tabular-nums}td,th{padding:4px 10px;border-bottom:1px solid #ddd;text-align:right}
+td.words,th.words{text-align:left}img{max-width:100%;border:1px solid #ccc}
+.sides{display:flex;gap:12px;flex-wrap:wrap}.sides figure{margin:0;flex:1 1 480px}
+.sherd{display:flex;gap:16px;flex-wrap:wrap;align-items:flex-start;margin:12px 0;padding:12px;border:1px solid #ddd}
+.doubt{border-left:8px solid #b35900}.ask{color:#8a4300;font-weight:600}figcaption{color:#555;font-size:14px}
+)";
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string fixed(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr char kLetters[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool padding = i + k > bytes.size();
+      out += padding ? '=' : kLetters[group >> (18 - 6 * k) & 63];
+    }
+  }
+  return out;
+}
+
+std::string picture(const std::string& bytes, const char* type, const std::string& words) {
+  return "<img alt=\"" + escaped(words) + "\" src=\"data:image/" + type + ";base64," +
+         base64(bytes) + "\">";
+}
+
+// The view from highest above: there the sherds hide each other least.
+int highestView(const std::vector<rig::PosedImage>& images) {
+  int best = -1;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    if (best < 0 || images[i].centre().normalized().z() >
+                        images[static_cast<std::size_t>(best)].centre().normalized().z() + 1e-3)
+      best = static_cast<int>(i);
+  return best;
+}
+
+void label(cv::Mat& photograph, const std::string& text, const cv::Point& at) {
+  const double size = photograph.cols / 1000.0;
+  const int thick = std::max(1, static_cast<int>(2 * size));
+  cv::putText(photograph, text, at, cv::FONT_HERSHEY_SIMPLEX, size, {0, 0, 0}, 3 * thick,
+              cv::LINE_AA);
+  cv::putText(photograph, text, at, cv::FONT_HERSHEY_SIMPLEX, size, {255, 255, 255}, thick,
+              cv::LINE_AA);
+}
+
+std::string sidePicture(const ReportInput& input, batch::Side side) {
+  const std::vector<rig::PosedImage> images = input.poses->of(side);
+  const int view = highestView(images);
+  if (view < 0) return {};
+  const rig::PosedImage& image = images[static_cast<std::size_t>(view)];
+  Result<cv::Mat> photograph = batch::readPhotograph(image.file);
+  if (!photograph) return "<p>" + escaped(photograph.error().sentence()) + "</p>";
+  cv::Mat drawn = photograph->clone();
+  const Masks& masks = side == batch::Side::Front ? *input.front_masks : *input.back_masks;
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(masks[static_cast<std::size_t>(view)] >= 128, outlines, cv::RETR_EXTERNAL,
+                   cv::CHAIN_APPROX_NONE);
+  cv::drawContours(drawn, outlines, -1, {80, 220, 255}, 2, cv::LINE_AA);
+  for (const ReportSherd& sherd : input.sherds) {
+    const PointCloud& cloud = (side == batch::Side::Front ? sherd.front : sherd.back)->cloud;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3f& p : cloud.points)
+      mean += p.cast<double>() / static_cast<double>(cloud.size());
+    const Eigen::Vector2d pixel = image.project(mean);
+    label(drawn, sherd.number, {static_cast<int>(pixel.x()) - 12, static_cast<int>(pixel.y()) + 8});
+  }
+  std::vector<unsigned char> bytes;
+  cv::imencode(".jpg", drawn, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
+  const std::string words = std::string(batch::name(side)) + " side, camera " +
+                            std::to_string(image.camera) + ", stop " + std::to_string(image.stop);
+  return "<figure>" + picture({bytes.begin(), bytes.end()}, "jpeg", words) + "<figcaption>" +
+         words + "</figcaption></figure>";
+}
+
+using Line = std::vector<Eigen::Vector2d>;
+
+// Both outlines seen from above the front, mm; the back's through the registration.
+Line outlineInFront(const scan::Scan& scan, const Eigen::Isometry3d& front_from_scan) {
+  const Result<pairing::Contour> contour = pairing::traceContour(scan.cloud, scan.up, {});
+  if (!contour) return {};
+  const Eigen::Isometry3d scan_from_plane = contour->plane_from_scan.inverse();
+  Line line;
+  for (std::size_t i = 0; i < contour->points.size(); ++i) {
+    const double height = i < contour->heights.size() ? contour->heights[i] : 0.0;
+    const Eigen::Vector3d p =
+        front_from_scan *
+        (scan_from_plane * Eigen::Vector3d(contour->points[i].x(), contour->points[i].y(), height));
+    line.push_back(p.head<2>());
+  }
+  return line;
+}
+
+std::string svgLine(const Line& line, const Eigen::Vector2d& low, double scale, double height,
+                    const char* style, bool closed) {
+  std::ostringstream path;
+  path.setf(std::ios::fixed);
+  path.precision(1);
+  path << "<path fill=\"none\" " << style << " d=\"";
+  for (std::size_t i = 0; i < line.size(); ++i)
+    path << (i ? 'L' : 'M') << (line[i].x() - low.x()) * scale + 8 << ' '
+         << height - 8 - (line[i].y() - low.y()) * scale;
+  path << (closed ? "Z" : "") << "\"/>";
+  return path.str();
+}
+
+std::string overlay(const Line& front, const Line& back) {
+  if (front.empty() || back.empty()) return "<p>No outline.</p>";
+  Eigen::Vector2d low = front[0], high = front[0];
+  for (const Line* line : {&front, &back})
+    for (const Eigen::Vector2d& p : *line) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double scale = 284 / std::max(1.0, (high - low).maxCoeff());
+  const std::string bar = fixed(10 * scale, 1);
+  return "<figure style=\"margin:0\"><svg width=\"300\" height=\"320\" role=\"img\" "
+         "aria-label=\"outlines laid over each other\">" +
+         svgLine(front, low, scale, 300, "stroke=\"#0050c8\" stroke-width=\"1.6\"", true) +
+         svgLine(back, low, scale, 300,
+                 "stroke=\"#c81e1e\" stroke-width=\"1.6\" stroke-dasharray=\"5 3\"", true) +
+         "<path d=\"M8 310h" + bar + "\" stroke=\"#000\" stroke-width=\"3\"/><text x=\"" +
+         fixed(14 + 10 * scale, 1) +
+         "\" y=\"315\" font-size=\"13\">10 mm</text></svg><figcaption>Outlines: front solid, back "
+         "dashed</figcaption></figure>";
+}
+
+// Accumulated turning angles of both outlines, the back's from its best start point.
+std::string descriptors(const Line& front, Line back) {
+  constexpr int kSamples = 200;
+  if (front.empty() || back.empty()) return {};
+  const auto area = [](const Line& line) {
+    double twice = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Eigen::Vector2d &a = line[i], &b = line[(i + 1) % line.size()];
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return twice;
+  };
+  if (area(back) < 0) std::reverse(back.begin(), back.end());
+  const auto a = pairing::turningAngles(front, kSamples),
+             b = pairing::turningAngles(back, kSamples);
+  if (!a || !b) return {};
+  const std::vector<double> costs = pairing::shiftCosts(*a, *b, pairing::Offset::None);
+  const int shift = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
+  const auto curve = [](const std::vector<double>& sums) {
+    Line line;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      line.emplace_back(static_cast<double>(i) * 284 / kSamples, sums[i] * 284 / 9.0);
+    return line;
+  };
+  return "<figure style=\"margin:0\"><svg width=\"300\" height=\"300\" role=\"img\" "
+         "aria-label=\"turning angles\">" +
+         svgLine(curve(pairing::accumulated(*a, 0)), {0, -20}, 1, 300,
+                 "stroke=\"#0050c8\" stroke-width=\"1.4\"", false) +
+         svgLine(curve(pairing::accumulated(*b, shift)), {0, -20}, 1, 300,
+                 "stroke=\"#c81e1e\" stroke-width=\"1.4\" stroke-dasharray=\"5 3\"", false) +
+         "</svg><figcaption>Accumulated turning angles along the outline, difference " +
+         fixed(costs[static_cast<std::size_t>(shift)], 3) + " rad</figcaption></figure>";
+}
+
+std::string measureLine(const nlohmann::ordered_json& figures) {
+  if (!figures.value("model", false)) return "<p class=\"ask\">No model.</p>";
+  const nlohmann::ordered_json& m = figures.at("measures");
+  const auto get = [&](const char* name, int digits) {
+    return fixed(m.at(name).get<double>(), digits);
+  };
+  return "<p>Length " + get("length_mm", 1) + " mm, width " + get("width_mm", 1) +
+         " mm, thickness " + get("thickness_min_mm", 1) + " to " + get("thickness_max_mm", 1) +
+         " mm (mean " + get("thickness_mean_mm", 1) + "), area " + get("area_mm2", 0) +
+         " mm&sup2;, volume " + get("volume_mm3", 0) + " mm&sup3;. Not seen by any camera: " +
+         fixed(100 * figures.value("filled_share", 0.0), 1) + " % of the surface.</p>";
+}
+
+std::string sherdSection(const ReportSherd& sherd) {
+  const DecidedPair& pair = *sherd.pair;
+  std::string html = "<section class=\"sherd" + std::string(pair.ambiguous ? " doubt" : "") +
+                     "\"><div><h3>Sherd " + sherd.number + "</h3><p>" + escaped(sherd.front->id) +
+                     " and " + escaped(sherd.back->id) + ", certainty " +
+                     fixed(100 * pair.score, 1) + " %</p>";
+  if (pair.ambiguous)
+    html += "<p class=\"ask\">A person must look: " + escaped(pair.reason) + "</p>";
+  html += measureLine(sherd.figures);
+  if (const Result<std::string> preview = readFile(sherd.preview))
+    html += picture(*preview, "png", "model of sherd " + sherd.number);
+  const Line front = outlineInFront(*sherd.front, Eigen::Isometry3d::Identity()),
+             back = outlineInFront(*sherd.back, pair.front_from_back);
+  return html + "</div>" + overlay(front, back) + descriptors(front, back) + "</section>\n";
+}
+
+std::string pairTable(const ReportInput& input) {
+  std::string html =
+      "<table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Certainty</th><th>Margin</"
+      "th><th>Rim RMS mm</th><th>Rim met</th>"
+      "<th>Uncertainty mm</th><th class=\"words\">Remark</th></tr>";
+  for (const ReportSherd& sherd : input.sherds) {
+    const DecidedPair& p = *sherd.pair;
+    html += "<tr><td>" + sherd.number + "</td><td>" + escaped(sherd.front->id) + "</td><td>" +
+            escaped(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
+            fixed(p.margin, 2) + "</td><td>" + fixed(p.rim_rms_mm, 3) + "</td><td>" +
+            fixed(100 * p.rim_overlap, 0) + " %</td><td>" + fixed(p.uncertainty_mm, 3) +
+            "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
+            escaped(p.reason) + "</td></tr>";
+  }
+  html += "</table>";
+  const auto lone = [&](const std::vector<std::string>& ids, const char* words) {
+    if (ids.empty()) return;
+    html += std::string("<p class=\"ask\">") + words;
+    for (const std::string& id : ids) html += " " + escaped(id);
+    html += "</p>";
+  };
+  lone(input.unpaired_front, "Fronts without a back:");
+  lone(input.unpaired_back, "Backs without a front:");
+  return html;
+}
+
+std::string stageTable(const ReportInput& input) {
+  std::string html =
+      "<table><tr><th class=\"words\">Stage</th><th>Seconds</th><th>Peak memory MB</th></tr>";
+  for (const ReportStage& stage : input.stages)
+    html += "<tr><td class=\"words\">" + escaped(stage.name) + "</td><td>" +
+            fixed(stage.record.seconds, 1) + "</td><td>" + fixed(stage.record.peak_memory_mb, 0) +
+            "</td></tr>";
+  return html + "</table>";
+}
+
+}  // namespace
+
+std::string reportHtml(const ReportInput& input) {
+  const auto doubtful = std::count_if(input.sherds.begin(), input.sherds.end(),
+                                      [](const ReportSherd& s) { return s.pair->ambiguous; });
+  std::string html = "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Ostraka: " +
+                     escaped(input.batch_name) + "</title><style>" + kStyle + "</style><h1>Batch " +
+                     escaped(input.batch_name) + "</h1><p>" + std::to_string(input.sherds.size()) +
+                     " sherds, " +
+                     (doubtful == 0 ? std::string("all pairs certain.")
+                                    : "<span class=\"ask\">" + std::to_string(doubtful) +
+                                          " for a person to decide.</span>") +
+                     "</p>";
+  if (!input.warnings.empty()) {
+    html += "<h2>Warnings</h2><ul>";
+    for (const std::string& warning : input.warnings) html += "<li>" + escaped(warning) + "</li>";
+    html += "</ul>";
+  }
+  html += "<h2>The plate</h2><div class=\"sides\">" + sidePicture(input, batch::Side::Front) +
+          sidePicture(input, batch::Side::Back) + "</div>";
+  html += "<h2>Pairs</h2>" + pairTable(input) + "<h2>Sherds</h2>";
+  for (const ReportSherd& sherd : input.sherds) html += sherdSection(sherd);
+  return html + "<h2>How long it took</h2>" + stageTable(input) + "</html>\n";
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,39 @@
+#include "pipeline/report.h"
+
+namespace ostraka::pipeline {
+
+using nlohmann::ordered_json;
+
+ordered_json reportJson(const ReportInput& input) {
+  ordered_json stages = ordered_json::array();
+  for (const ReportStage& stage : input.stages)
+    stages.push_back({{"stage", stage.name},
+                      {"seconds", stage.record.seconds},
+                      {"peak_memory_mb", stage.record.peak_memory_mb},
+                      {"figures", stage.record.notes.figures}});
+  ordered_json sherds = ordered_json::array();
+  for (const ReportSherd& sherd : input.sherds) {
+    const DecidedPair& pair = *sherd.pair;
+    sherds.push_back({{"number", sherd.number},
+                      {"front", sherd.front->id},
+                      {"back", sherd.back->id},
+                      {"score", pair.score},
+                      {"margin", pair.margin},
+                      {"ambiguous", pair.ambiguous},
+                      {"reason", pair.reason},
+                      {"rim_rms_mm", pair.rim_rms_mm},
+                      {"rim_overlap", pair.rim_overlap},
+                      {"uncertainty_mm", pair.uncertainty_mm},
+                      {"figures", sherd.figures}});
+  }
+  return {{"format", "ostraka-report/1"},
+          {"unit", "mm"},
+          {"batch", input.batch_name},
+          {"stages", stages},
+          {"sherds", sherds},
+          {"unpaired_front", input.unpaired_front},
+          {"unpaired_back", input.unpaired_back},
+          {"warnings", input.warnings}};
+}
+
+}  // namespace ostraka::pipeline

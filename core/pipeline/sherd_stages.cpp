@@ -1,0 +1,168 @@
+// Pairing with registration, and the models: both sides together.
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "cloud/glb.h"
+#include "cloud/ply.h"
+#include "model/preview.h"
+#include "pipeline/chain.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+// The GLB is for showing: a tenth of a pixel's size off the model at most.
+constexpr double kGlbDeviation_mm = 0.03;
+
+std::vector<registration::SilhouetteView> silhouettes(const std::vector<rig::PosedImage>& images,
+                                                      const Masks& masks) {
+  std::vector<registration::SilhouetteView> views;
+  for (std::size_t i = 0; i < images.size(); ++i) views.push_back({images[i], masks[i]});
+  return views;
+}
+
+int indexOf(const std::vector<scan::Scan>& scans, const std::string& id) {
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    if (scans[i].id == id) return static_cast<int>(i);
+  return -1;
+}
+
+Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fronts,
+                        const std::vector<scan::Scan>& backs) {
+  const Result<std::string> text = readFile(file);
+  if (!text) return text.error();
+  Pairs pairs;
+  pairs.json = ordered_json::parse(*text, nullptr, false);
+  try {
+    for (const ordered_json& p : pairs.json.at("pairs")) {
+      const Result<Eigen::Isometry3d> pose =
+          isometryFromJson(p.at("T_front_from_back"), file.string());
+      if (!pose) return pose.error();
+      pairs.pairs.push_back({indexOf(fronts, p.at("front")), indexOf(backs, p.at("back")),
+                             p.at("score"), p.at("margin"), p.at("ambiguous"), p.at("slipped"),
+                             p.at("reason"), *pose, p.at("rim_rms_mm"), p.at("rim_overlap"),
+                             p.at("uncertainty_mm")});
+      if (pairs.pairs.back().front < 0 || pairs.pairs.back().back < 0)
+        return Error{ErrorCode::UnusableInput,
+                     "A pair names a scan that is not there; delete this file and start again.",
+                     file.string()};
+    }
+    pairs.unpaired_front = pairs.json.at("unpaired_front").get<std::vector<std::string>>();
+    pairs.unpaired_back = pairs.json.at("unpaired_back").get<std::vector<std::string>>();
+  } catch (const nlohmann::json::exception&) {
+    return Error{ErrorCode::UnusableInput, "This is no table of pairs; delete it and start again.",
+                 file.string()};
+  }
+  return pairs;
+}
+
+ordered_json toJson(const model::Measures& m) {
+  return {{"length_mm", m.length_mm},
+          {"width_mm", m.width_mm},
+          {"thickness_min_mm", m.thickness_min_mm},
+          {"thickness_mean_mm", m.thickness_mean_mm},
+          {"thickness_max_mm", m.thickness_max_mm},
+          {"area_mm2", m.area_mm2},
+          {"volume_mm3", m.volume_mm3}};
+}
+
+Result<void> writePreview(const fs::path& file, const TriangleMesh& mesh) {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", model::renderPreview(mesh, {}), bytes);
+  return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::string& number,
+                             const DecidedPair& pair, const scan::Scan& front,
+                             const scan::Scan& back) {
+  if (const Result<void> r = writePly(folder / "front.ply", front.cloud, "plate_front"); !r)
+    return r.error();
+  if (const Result<void> r = writePly(folder / "back.ply", back.cloud, "plate_back"); !r)
+    return r.error();
+  model::ModelOptions options;
+  options.threads = run.options.threads;
+  const Result<model::SherdModel> model = model::closeModel(
+      front.cloud, back.cloud, pair.front_from_back, options, run.progress, run.stop);
+  if (!model && model.error().code == ErrorCode::Cancelled) return model.error();
+  if (!model)
+    return StageNotes{{{"model", false}},
+                      {"Sherd " + number + " has no model: " + model.error().sentence()}};
+  if (const Result<void> r = writePly(folder / "model.ply", model->mesh, "plate_front"); !r)
+    return r.error();
+  const Result<TriangleMesh> light = model::decimated(model->mesh, kGlbDeviation_mm);
+  if (!light) return light.error();
+  const GlbExtras extras{front.id + "+" + back.id, number, {}, 100 * model->filled_share};
+  if (const Result<void> r = writeGlb(folder / "model.glb", *light, extras); !r) return r.error();
+  if (const Result<void> r = writePreview(folder / "preview.png", model->mesh); !r)
+    return r.error();
+  ordered_json figures = {{"model", true},
+                          {"faces", model->mesh.triangles.size()},
+                          {"points_front", front.cloud.size()},
+                          {"points_back", back.cloud.size()},
+                          {"points_used", model->points_used},
+                          {"points_dropped", model->points_dropped},
+                          {"noise_mm", model->noise_mm},
+                          {"side_gap_mm", model->side_gap_mm},
+                          {"filled_share", model->filled_share},
+                          {"measures", toJson(model::measure(model->mesh))}};
+  return StageNotes{std::move(figures), {}};
+}
+
+}  // namespace
+
+Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses,
+                                const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
+                                const Staged<std::vector<scan::Scan>>& fronts,
+                                const Staged<std::vector<scan::Scan>>& backs) {
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    PairOptions options;
+    options.threads = run.options.threads;
+    options.candidates.threads = run.options.threads;
+    options.candidates.method = run.options.pairing == PairingForm::Paper
+                                    ? pairing::Method::Paper
+                                    : pairing::Method::Default;
+    options.place = run.batch.plate ? PlaceEvidence::Weak : PlaceEvidence::None;
+    const auto front_views = silhouettes(poses.value.of(batch::Side::Front), front_masks.value);
+    const auto back_views = silhouettes(poses.value.of(batch::Side::Back), back_masks.value);
+    const bool on_plate = run.batch.plate.has_value();
+    const registration::Witnesses witnesses{front_views, back_views, on_plate, on_plate};
+    const Result<PairTable> table =
+        pairSides(fronts.value, backs.value, witnesses, options, run.progress, run.stop);
+    if (!table) return table.error();
+    const Result<void> written =
+        writeJson(folder / "pairs.json", pipeline::toJson(*table, fronts.value, backs.value));
+    if (!written) return written.error();
+    return StageNotes{{{"candidates", table->candidates}, {"pairs", table->pairs.size()}}, {}};
+  };
+  const Result<StageRecord> record = runStage(run.work, "pairs",
+                                              {{"poses", poses.record.outputs_hash},
+                                               {"front_masks", front_masks.record.outputs_hash},
+                                               {"back_masks", back_masks.record.outputs_hash},
+                                               {"fronts", fronts.record.outputs_hash},
+                                               {"backs", backs.record.outputs_hash},
+                                               {"pairing", static_cast<int>(run.options.pairing)}},
+                                              work, run.progress);
+  if (!record) return record.error();
+  Result<Pairs> pairs = readPairs(run.work / "pairs" / "pairs.json", fronts.value, backs.value);
+  if (!pairs) return pairs.error();
+  return Staged<Pairs>{std::move(*pairs), *record};
+}
+
+Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,
+                               const scan::Scan& front, const scan::Scan& back,
+                               const std::string& inputs_hash) {
+  return runStage(
+      run.work, "model_" + number,
+      {{"inputs", inputs_hash},
+       {"front", front.id},
+       {"back", back.id},
+       {"pose", ostraka::toJson(pair.front_from_back)}},
+      [&](const fs::path& folder) { return makeModel(run, folder, number, pair, front, back); },
+      run.progress);
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,262 @@
+// Poses, masks, dense reconstruction and scans: each side on its own.
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "base/parallel.h"
+#include "batch/photograph.h"
+#include "cloud/ply.h"
+#include "mask/given_mask.h"
+#include "mask/network_mask.h"
+#include "mask/plate_mask.h"
+#include "pipeline/chain.h"
+#include "rig/calibrate.h"
+#include "scan/rim.h"
+#include "scan/split.h"
+#include "stereo/stereo.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+std::string maskName(const rig::PosedImage& image) {
+  const std::string stop = std::to_string(image.stop);
+  return std::string("cam") + std::to_string(image.camera) + "_pos" +
+         std::string(stop.size() < 2 ? 2 - stop.size() : 0, '0') + stop + ".png";
+}
+
+Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& images,
+                                           int threads) {
+  std::vector<cv::Mat> photographs(images.size());
+  std::vector<std::optional<Error>> errors(images.size());
+  parallelFor(images.size(), threads, [&](std::size_t i) {
+    Result<cv::Mat> photograph = batch::readPhotograph(images[i].file);
+    if (photograph)
+      photographs[i] = std::move(*photograph);
+    else
+      errors[i] = photograph.error();
+  });
+  for (const std::optional<Error>& error : errors)
+    if (error) return *error;
+  return photographs;
+}
+
+Result<void> writeMask(const fs::path& file, const cv::Mat1b& mask) {
+  std::vector<unsigned char> bytes;
+  cv::imencode(".png", mask, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3});
+  return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+std::vector<cv::Mat> emptyPlates(const batch::Batch& batch) {
+  std::vector<cv::Mat> empties;
+  for (const batch::CalibrationShot& shot : batch.empty_plates) {
+    const Result<cv::Mat> photograph = batch::readPhotograph(shot.file);
+    if (!photograph) continue;
+    if (static_cast<int>(empties.size()) <= shot.camera)
+      empties.resize(static_cast<std::size_t>(shot.camera) + 1);
+    empties[static_cast<std::size_t>(shot.camera)] = *photograph;
+  }
+  return empties;
+}
+
+Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::PosedImage>& images) {
+  mask::MaskResult result;
+  for (const rig::PosedImage& image : images)
+    for (const batch::Shot& shot : run.batch.shots) {
+      if (shot.file != image.file) continue;
+      if (shot.mask_file.empty())
+        return Error{ErrorCode::UnusableInput,
+                     "There is no mask beside this photograph, but --masks given asks for one.",
+                     image.file};
+      Result<cv::Mat1b> mask = mask::readGivenMask(shot.mask_file, shot.width, shot.height);
+      if (!mask) return mask.error();
+      result.masks.push_back(std::move(*mask));
+    }
+  return result;
+}
+
+Result<mask::MaskResult> networkMasks(const Run& run, const std::vector<cv::Mat>& photographs) {
+  mask::MaskResult result;
+  for (const cv::Mat& photograph : photographs) {
+    if (run.stop.stop_requested()) return Error::cancelled();
+    Result<cv::Mat1b> mask = mask::maskByNetwork(photograph, run.options.masks, {});
+    if (!mask) return mask.error();
+    result.masks.push_back(std::move(*mask));
+    run.progress.report(static_cast<std::int64_t>(result.masks.size()),
+                        static_cast<std::int64_t>(photographs.size()));
+  }
+  return result;
+}
+
+Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedImage>& images) {
+  if (run.options.masks == "given") return givenMasks(run, images);
+  const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.options.threads);
+  if (!photographs) return photographs.error();
+  if (run.options.masks != "auto") return networkMasks(run, *photographs);
+  if (!run.batch.plate)
+    return Error{
+        ErrorCode::UnusableInput,
+        "Without plate.json the masks cannot be found; give masks (--masks given) or a network "
+        "(--masks MODEL.onnx).",
+        run.batch.folder.string()};
+  mask::PlateMaskOptions options;
+  options.threads = run.options.threads;
+  return mask::maskByPlate(images, *photographs, *run.batch.plate, emptyPlates(run.batch), options,
+                           run.progress, run.stop);
+}
+
+// The share of all photographs' pixels that the masks cover: a figure for the report.
+double coverage(const std::vector<cv::Mat1b>& masks) {
+  double inside = 0, all = 0;
+  for (const cv::Mat1b& mask : masks)
+    inside += cv::countNonZero(mask >= 128), all += static_cast<double>(mask.total());
+  return all > 0 ? inside / all : 0;
+}
+
+}  // namespace
+
+std::vector<rig::PosedImage> Poses::of(batch::Side side) const {
+  std::vector<rig::PosedImage> chosen;
+  for (const rig::PosedImage& image : images)
+    if (image.side == side) chosen.push_back(image);
+  return chosen;
+}
+
+Result<Staged<Poses>> poseStage(const Run& run) {
+  std::optional<rig::Rig> known;
+  std::string rig_hash;
+  if (run.options.rig) {
+    const Result<std::string> bytes = readFile(*run.options.rig);
+    if (!bytes) return bytes.error();
+    const Result<rig::Rig> read = rig::readRig(*run.options.rig);
+    if (!read) return read.error();
+    known = *read;
+    rig_hash = sha256(*bytes);
+  }
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    rig::PoseOptions options;
+    options.threads = run.options.threads;
+    const Result<rig::BatchPoses> poses =
+        rig::poseBatch(run.batch, known, options, run.progress, run.stop);
+    if (!poses) return poses.error();
+    if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
+        !written)
+      return written.error();
+    if (const Result<void> written = rig::writeRig(folder / "rig.json", poses->rig); !written)
+      return written.error();
+    StageNotes notes;
+    notes.warnings = poses->warnings;
+    notes.figures = {{"images", poses->images.size()},
+                     {"reprojection_rms_px", poses->reprojection_rms_px},
+                     {"rms_per_image_px", poses->rms_per_image_px},
+                     {"markers_per_image", poses->markers_per_image}};
+    return notes;
+  };
+  const Result<StageRecord> record =
+      runStage(run.work, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work, run.progress);
+  if (!record) return record.error();
+  Result<std::vector<rig::PosedImage>> images = rig::readCameras(run.work / "rig" / "cameras.json");
+  if (!images) return images.error();
+  Result<rig::Rig> rig = rig::readRig(run.work / "rig" / "rig.json");
+  if (!rig) return rig.error();
+  return Staged<Poses>{{std::move(*images), std::move(*rig)}, *record};
+}
+
+Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses) {
+  const std::vector<rig::PosedImage> images = poses.value.of(side);
+  const std::string name = std::string("masks_") + batch::name(side);
+  std::string how = run.options.masks;
+  if (how != "auto" && how != "given") {
+    const Result<std::string> model = readFile(how);
+    if (!model) return model.error();
+    how = sha256(*model);
+  }
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    const Result<mask::MaskResult> made = makeMasks(run, images);
+    if (!made) return made.error();
+    for (std::size_t i = 0; i < images.size(); ++i)
+      if (const Result<void> written = writeMask(folder / maskName(images[i]), made->masks[i]);
+          !written)
+        return written.error();
+    return StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};
+  };
+  const Result<StageRecord> record =
+      runStage(run.work, name,
+               {{"batch", run.batch_hash}, {"poses", poses.record.outputs_hash}, {"masks", how}},
+               work, run.progress);
+  if (!record) return record.error();
+  Masks masks;
+  for (const rig::PosedImage& image : images) {
+    Result<cv::Mat> mask = batch::readMask(run.work / name / maskName(image));
+    if (!mask) return mask.error();
+    masks.emplace_back(std::move(*mask));
+  }
+  return Staged<Masks>{std::move(masks), *record};
+}
+
+Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                                      const Staged<Masks>& masks) {
+  const std::vector<rig::PosedImage> images = poses.value.of(side);
+  const std::string name = std::string("dense_") + batch::name(side);
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.options.threads);
+    if (!photographs) return photographs.error();
+    std::vector<stereo::View> views;
+    for (std::size_t i = 0; i < images.size(); ++i)
+      views.push_back({images[i], (*photographs)[i], masks.value[i]});
+    stereo::DenseOptions options;
+    options.threads = run.options.threads;
+    if (run.batch.plate) options.floor_z_mm = 0.0;
+    const Result<PointCloud> cloud = stereo::reconstruct(views, options, run.progress, run.stop);
+    if (!cloud) return cloud.error();
+    const Result<void> written =
+        writePly(folder / "cloud.ply", *cloud, std::string("plate_") + batch::name(side));
+    if (!written) return written.error();
+    return StageNotes{{{"points", cloud->size()}}, {}};
+  };
+  const Result<StageRecord> record = runStage(run.work, name,
+                                              {{"batch", run.batch_hash},
+                                               {"poses", poses.record.outputs_hash},
+                                               {"masks", masks.record.outputs_hash},
+                                               {"dense", static_cast<int>(run.options.dense)}},
+                                              work, run.progress);
+  if (!record) return record.error();
+  Result<PointCloud> cloud = readPlyCloud(run.work / name / "cloud.ply");
+  if (!cloud) return cloud.error();
+  return Staged<PointCloud>{std::move(*cloud), *record};
+}
+
+Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
+                                                  const Staged<PointCloud>& cloud) {
+  const std::string name = std::string("scans_") + batch::name(side);
+  const std::string frame = std::string("plate_") + batch::name(side);
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    const Result<scan::SplitResult> split = scan::splitScans(cloud.value, side, {}, run.progress);
+    if (!split) return split.error();
+    ordered_json points = ordered_json::object();
+    for (const scan::Scan& scan : split->scans) {
+      if (const Result<void> written = writePly(folder / (scan.id + ".ply"), scan.cloud, frame);
+          !written)
+        return written.error();
+      points[scan.id] = scan.cloud.size();
+    }
+    return StageNotes{{{"points", points}}, split->warnings};
+  };
+  const Result<StageRecord> record =
+      runStage(run.work, name, {{"cloud", cloud.record.outputs_hash}}, work, run.progress);
+  if (!record) return record.error();
+  std::vector<scan::Scan> scans;
+  for (const auto& [id, points] : record->notes.figures.at("points").items()) {
+    Result<PointCloud> points_of = readPlyCloud(run.work / name / (id + ".ply"));
+    if (!points_of) return points_of.error();
+    scan::Scan scan{id, std::move(*points_of), {}, Eigen::Vector3d::UnitZ()};
+    scan.rim = scan::findRim(scan.cloud, {.up = scan.up});
+    scans.push_back(std::move(scan));
+  }
+  return Staged<std::vector<scan::Scan>>{std::move(scans), *record};
+}
+
+}  // namespace ostraka::pipeline

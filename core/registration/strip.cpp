@@ -1,0 +1,157 @@
+#include "registration/strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostraka::registration {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr float kSameFace = 0.5f;    // normals within 60 degrees: 9 degrees of noise, 26 on strips
+constexpr float kSmoothFace = 0.8f;  // of the shell: a broken edge must not round the face
+constexpr float kLowBandMm = 0.7f;   // above the plate, where scans are fat and noisy
+constexpr float kLowBandWeight = 0.4f;  // noise there is up to 1.5 times as large: 1 / 1.5^2
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The face around a point: mean normal, mean position, how far the mean lies aside.
+struct Patch {
+  Vector3f normal = Vector3f::Zero(), mean = Vector3f::Zero();
+  float aside = 0;  // distance of the mean within the plane, as a share of the radius
+  int count = 0;
+};
+
+Patch patchAround(const PointCloud& cloud, const KdTree& tree, int i, float radius, float min_cos,
+                  std::vector<Neighbour>& found) {
+  Patch patch;
+  const Vector3f& p = cloud.points[i];
+  tree.within(p, radius, found);
+  for (const Neighbour& n : found) {
+    if (cloud.normals[n.index].dot(cloud.normals[i]) < min_cos) continue;
+    patch.normal += cloud.normals[n.index];
+    patch.mean += cloud.points[n.index];
+    ++patch.count;
+  }
+  patch.normal.normalize();
+  patch.mean /= static_cast<float>(std::max(1, patch.count));
+  const Vector3f offset = patch.mean - p;
+  patch.aside = (offset - patch.normal * patch.normal.dot(offset)).norm() / radius;
+  return patch;
+}
+
+Vector3d viewerDirection(const scan::Scan& scan) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3f& n : scan.cloud.normals) mean += n.cast<double>();
+  mean.normalize();
+  // A scanner's own frame has its viewer anywhere; then the scan's normals know better.
+  return scan.up.dot(mean) < 0.5 ? mean : scan.up.normalized();
+}
+
+// One point per cube, the first met; keeps normals and weights as they are.
+StripLevel thinnedLevel(const StripLevel& fine, double edge_mm) {
+  PointCloud cloud;
+  cloud.points = fine.points;
+  std::vector<int> kept;
+  std::vector<std::array<int, 4>> cells;
+  for (int i = 0; i < static_cast<int>(cloud.size()); ++i) {
+    const Vector3f c = cloud.points[i] / static_cast<float>(edge_mm);
+    cells.push_back({static_cast<int>(std::floor(c.x())), static_cast<int>(std::floor(c.y())),
+                     static_cast<int>(std::floor(c.z())), i});
+  }
+  std::sort(cells.begin(), cells.end());
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    if (k == 0 || !std::equal(cells[k].begin(), cells[k].begin() + 3, cells[k - 1].begin()))
+      kept.push_back(cells[k][3]);
+  StripLevel level;
+  for (int i : kept) {
+    level.points.push_back(fine.points[i]);
+    level.normals.push_back(fine.normals[i]);
+    level.weights.push_back(fine.weights[i]);
+    level.end.push_back(fine.end[i]);
+  }
+  level.tree = KdTree(level.points);
+  return level;
+}
+
+void addShell(const PointCloud& cloud, const KdTree& tree, double edge_mm, Strip& strip) {
+  const PointCloud thin = thinned(cloud, edge_mm);
+  std::vector<Neighbour> found;
+  for (std::size_t k = 0; k < thin.size(); ++k) {
+    const int i = tree.nearest(thin.points[k]).index;
+    const Patch patch =
+        patchAround(cloud, tree, i, static_cast<float>(edge_mm), kSmoothFace, found);
+    if (patch.count < 4) continue;  // flying points stand alone
+    const Vector3f& p = cloud.points[i];
+    strip.shell.push_back(p + patch.normal * patch.normal.dot(patch.mean - p));
+    strip.shell_normals.push_back(patch.normal);
+    // All around is face when nearly every neighbour belongs to it and they surround the point.
+    const bool whole = patch.count >= 0.95 * static_cast<double>(found.size());
+    strip.shell_inside.push_back(whole && patch.aside < 0.2f ? 1 : 0);
+  }
+  strip.shell_tree = KdTree(strip.shell);
+  for (const Vector3f& p : strip.shell) strip.centre += p.cast<double>();
+  strip.centre /= std::max<double>(1.0, static_cast<double>(strip.shell.size()));
+  double sum = 0;
+  for (const Vector3f& p : strip.shell) sum += (p.cast<double>() - strip.centre).squaredNorm();
+  strip.radius_mm = std::sqrt(sum / std::max<double>(1.0, static_cast<double>(strip.shell.size())));
+}
+
+}  // namespace
+
+Result<void> StripOptions::check() const {
+  if (!(normal_radius_mm > 0) || !(coarse_mm > 0) || !(max_up > 0 && max_up <= 1))
+    return Error{ErrorCode::UnusableInput,
+                 "Strip options: normal_radius_mm and coarse_mm must be above 0, max_up in (0, 1].",
+                 {}};
+  return {};
+}
+
+Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) {
+  if (auto ok = options.check(); !ok) return ok.error();
+  const PointCloud& cloud = scan.cloud;
+  if (!cloud.hasNormals())
+    return Error{ErrorCode::NotEnough, "The scan has no normals; export it with normals.", scan.id};
+  Strip strip;
+  strip.up = viewerDirection(scan);
+  const Vector3f up = strip.up.cast<float>();
+  const KdTree tree(cloud.points);
+  strip.spacing_mm = medianSpacing(cloud);
+  std::vector<float> heights;
+  for (const Vector3f& p : cloud.points) heights.push_back(p.dot(up));
+  std::vector<float> sorted = heights;
+  const auto lowest = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 200);
+  std::nth_element(sorted.begin(), lowest, sorted.end());
+  const float low_end = *lowest + kLowBandMm;
+  std::vector<Neighbour> found;
+  std::vector<double> offsets;
+  const float radius =
+      static_cast<float>(std::max(options.normal_radius_mm, 2.2 * strip.spacing_mm));
+  for (int i = 0; i < static_cast<int>(cloud.size()); ++i) {
+    if (cloud.normals[i].dot(up) > 0.97f) continue;  // surely face: saves the search
+    const Patch patch = patchAround(cloud, tree, i, radius, kSameFace, found);
+    if (patch.count < 4 || patch.normal.dot(up) > options.max_up) continue;
+    strip.fine.points.push_back(cloud.points[i]);
+    strip.fine.normals.push_back(patch.normal);
+    strip.fine.weights.push_back(heights[i] < low_end ? kLowBandWeight : 1.0f);
+    strip.fine.end.push_back(patch.aside > 0.3f ? 1 : 0);
+    offsets.push_back(std::abs(patch.normal.dot(cloud.points[i] - patch.mean)));
+  }
+  if (strip.fine.points.size() < 50)
+    return Error{ErrorCode::NotEnough,
+                 "Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.",
+                 scan.id};
+  strip.noise_mm = 1.4826 * median(offsets);
+  strip.fine.tree = KdTree(strip.fine.points);
+  strip.coarse = thinnedLevel(strip.fine, options.coarse_mm);
+  addShell(cloud, tree, 1.0, strip);
+  return strip;
+}
+
+}  // namespace ostraka::registration

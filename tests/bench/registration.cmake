@@ -1,0 +1,2 @@
+add_executable(registration_accuracy registration_accuracy.cpp)
+target_link_libraries(registration_accuracy PRIVATE ostraka_registration nlohmann_json::nlohmann_json)

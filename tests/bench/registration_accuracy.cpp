@@ -1,0 +1,232 @@
+// How well and how fast true pairs are registered, and how far false pairs of look-alikes stand
+// apart. Prints one row per pair and a summary per set.
+//   registration_accuracy SHARED/scans [--sets b01,stereo] [--method default|bbicp] [--starts N]
+//                         [--false] [--rows]
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base/json.h"
+#include "cloud/ply.h"
+#include "registration/register_sides.h"
+
+namespace {
+
+using namespace ostraka;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+struct Pair {
+  std::string front, back;
+  Isometry3d truth = Isometry3d::Identity();
+  int group = -1;
+  bool is_true = true;
+  Vector3d up = Vector3d::UnitZ();
+};
+
+struct Row {
+  double rms = 0, height = 0, seconds = 0;
+  registration::Registration found;
+};
+
+struct Arguments {
+  std::filesystem::path scans;
+  std::vector<std::string> sets = {"b01",        "b02",    "b03",    "b04",   "b05",
+                                   "lookalikes", "uneven", "stereo", "flake", "flake_narrow"};
+  std::string method = "default";
+  int starts = 3;
+  bool false_pairs = false, rows = false;
+};
+
+double cpuSeconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+std::vector<Pair> readPairs(const std::filesystem::path& set) {
+  std::vector<Pair> pairs;
+  const auto json = readJson(set / "truth.json");
+  if (!json) return pairs;
+  for (const auto& p : (*json)["pairs"]) {
+    Pair pair{p["front"], p["back"]};
+    pair.truth = *isometryFromJson(p["T_front_from_back"], "truth.json");
+    if (p["lookalike_group"].is_number()) pair.group = p["lookalike_group"];
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+// Small errors as the pairing's start poses have them: along the rim, tilt, height.
+Isometry3d disturbed(const Isometry3d& truth, const PointCloud& back, std::mt19937_64& random) {
+  const auto uniform = [&random](double limit) {
+    return limit * (2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1.0);
+  };
+  Vector3d centre = Vector3d::Zero();
+  for (const auto& p : back.points) centre += p.cast<double>();
+  centre /= static_cast<double>(back.size());
+  double square = 0;
+  for (const auto& p : back.points) square += (p.cast<double>() - centre).squaredNorm();
+  const double radius = std::sqrt(square / static_cast<double>(back.size()));
+  const Vector3d at = truth * centre;
+  Isometry3d change = Isometry3d::Identity();
+  change.translate(at + Vector3d(uniform(1), uniform(1), uniform(3)));
+  change.rotate(Eigen::AngleAxisd(uniform(std::min(0.087, 3.0 / radius)), Vector3d::UnitZ()));
+  change.rotate(Eigen::AngleAxisd(uniform(0.087), Vector3d::UnitX()));
+  change.rotate(Eigen::AngleAxisd(uniform(0.087), Vector3d::UnitY()));
+  change.translate(-at);
+  return change * truth;
+}
+
+// Starts all around for two sherds whose alignment is not known: centre on centre, turned.
+std::vector<Isometry3d> allAround(const PointCloud& front, const PointCloud& back) {
+  const auto mean = [](const PointCloud& cloud) {
+    Vector3d sum = Vector3d::Zero();
+    for (const auto& p : cloud.points) sum += p.cast<double>();
+    return Vector3d(sum / static_cast<double>(cloud.size()));
+  };
+  const Vector3d f = mean(front), b = mean(back);
+  std::vector<Isometry3d> starts;
+  for (int k = 0; k < 72; ++k) {
+    Isometry3d start = Isometry3d::Identity();
+    start.translate(f - Vector3d(0, 0, 4));
+    start.rotate(Eigen::AngleAxisd(k * M_PI / 36, Vector3d::UnitZ()));
+    start.rotate(Eigen::AngleAxisd(M_PI, Vector3d::UnitX()));
+    start.translate(-b);
+    starts.push_back(start);
+  }
+  return starts;
+}
+
+void measure(const Pair& pair, const PointCloud& back, Row& row) {
+  double squares = 0, height = 0;
+  for (const auto& p : back.points) {
+    const Vector3d d = row.found.front_from_back * p.cast<double>() - pair.truth * p.cast<double>();
+    squares += d.squaredNorm();
+    height += d.z() * d.z();
+  }
+  row.rms = std::sqrt(squares / static_cast<double>(back.size()));
+  row.height = std::sqrt(height / static_cast<double>(back.size()));
+}
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const auto n = static_cast<double>(values.size());
+  const auto k = static_cast<std::size_t>(std::max(0.0, std::ceil(share * n) - 1));
+  return values[std::min(k, values.size() - 1)];
+}
+
+void printRow(const std::string& set, const Pair& pair, const Row& row) {
+  const auto& f = row.found;
+  std::printf(
+      "%-12s %s %s %s rms %.3f (height %.3f) rim %.3f overlap %.2f LL %7.1f sigma %.3f gap %.1f at "
+      "%.2f cross %.3f%s %.2f s %s\n",
+      set.c_str(), pair.is_true ? "true " : "FALSE", pair.front.substr(6, 4).c_str(),
+      pair.back.substr(5, 4).c_str(), row.rms, row.height, f.rim_rms_mm, f.rim_overlap,
+      f.log_likelihood, f.uncertainty_mm, std::min(f.runner_up_gap, 999.0), f.runner_up_mm,
+      f.crossing_share, f.slipped ? " SLIPPED" : "", row.seconds, f.reason.c_str());
+}
+
+void runSet(const Arguments& arguments, const std::string& set) {
+  std::vector<Pair> pairs = readPairs(arguments.scans / set);
+  const auto true_count = pairs.size();
+  if (arguments.false_pairs)
+    for (std::size_t i = 0; i < true_count; ++i)
+      for (std::size_t j = 0; j < true_count; ++j)
+        if (i != j && pairs[i].group >= 0 && pairs[i].group == pairs[j].group)
+          pairs.push_back({pairs[i].front, pairs[j].back, pairs[i].truth, pairs[i].group, false});
+  std::vector<double> rms, rim_true, rim_false, seconds, ratio;
+  int slipped = 0, bad_unflagged = 0;
+  std::mt19937_64 random(1);
+  const bool plates = set.rfind("flake", 0) != 0;
+  for (const Pair& pair : pairs) {
+    scan::Scan front, back;
+    front.id = pair.front;
+    back.id = pair.back;
+    front.cloud = *readPlyCloud(arguments.scans / set / pair.front);
+    back.cloud = *readPlyCloud(arguments.scans / set / pair.back);
+    std::vector<Isometry3d> starts;
+    if (pair.is_true)
+      for (int k = 0; k < arguments.starts; ++k)
+        starts.push_back(disturbed(pair.truth, back.cloud, random));
+    else
+      starts = allAround(front.cloud, back.cloud);
+    registration::RegistrationOptions options;
+    if (arguments.method == "bbicp") options.method = registration::Method::BilateralBoundary;
+    QuietProgress quiet;
+    const double before = cpuSeconds();
+    registration::Witnesses witnesses;
+    witnesses.front_on_plate = witnesses.back_on_plate = plates;
+    auto found = registration::registerSides(front, back, starts, witnesses, options, quiet, {});
+    Row row;
+    row.seconds = cpuSeconds() - before;
+    if (!found) {
+      std::printf("%s %s: %s\n", set.c_str(), pair.front.c_str(), found.error().sentence().c_str());
+      continue;
+    }
+    row.found = *found;
+    measure(pair, back.cloud, row);
+    if (arguments.rows) printRow(set, pair, row);
+    (pair.is_true ? rim_true : rim_false).push_back(row.found.rim_rms_mm);
+    if (!pair.is_true) continue;
+    rms.push_back(row.rms);
+    seconds.push_back(row.seconds);
+    ratio.push_back(row.rms / row.found.uncertainty_mm);
+    slipped += row.found.slipped;
+    bad_unflagged += row.rms > 0.4 && !row.found.slipped;
+  }
+  const auto share = std::count_if(rms.begin(), rms.end(), [](double r) { return r <= 0.1; });
+  std::printf(
+      "| %s | %zu | %.3f | %.3f | %.3f | %ld | %.3f | %.3f | %d | %d | %.2f | %.2f | %.2f |\n",
+      set.c_str(), rms.size(), percentile(rms, 0.5), percentile(rms, 0.95), percentile(rms, 1),
+      static_cast<long>(share), percentile(rim_true, 1), percentile(rim_false, 0), slipped,
+      bad_unflagged, percentile(ratio, 0.5), percentile(ratio, 0.95), percentile(seconds, 0.5));
+  std::fflush(stdout);
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t at = 0;
+  while (at <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    parts.push_back(text.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return parts;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  if (argc < 2) {
+    std::fprintf(stderr,
+                 "usage: %s SCANS [--sets A,B] [--method M] [--starts N] [--false] [--rows]\n",
+                 argv[0]);
+    return 2;
+  }
+  arguments.scans = argv[1];
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--false") arguments.false_pairs = true;
+    if (word == "--rows") arguments.rows = true;
+    if (word == "--sets" && i + 1 < argc) arguments.sets = split(argv[++i]);
+    if (word == "--method" && i + 1 < argc) arguments.method = argv[++i];
+    if (word == "--starts" && i + 1 < argc) arguments.starts = std::stoi(argv[++i]);
+  }
+  std::printf(
+      "| set | pairs | rms median | 95 %% | worst | <= 0.10 | rim true max | rim false min | "
+      "slipped "
+      "| > 0.40 unflagged | rms/sigma median | 95 %% | CPU s |\n");
+  for (const auto& set : arguments.sets) runSet(arguments, set);
+  return 0;
+}

@@ -23,10 +23,10 @@ struct View {
 
 struct DenseOptions {
   int threads = 1;
-  std::optional<double> floor_z_mm;             ///< the plate's surface; nothing lies below it
-  std::optional<Eigen::AlignedBox3d> bounds;    ///< plate frame, mm; found from the masks when absent
-  /// Angles at the object between a view and the views it is compared with. Below the first depth is
-  /// poorly determined, above the second a rough surface looks too different.
+  std::optional<double> floor_z_mm;           ///< the plate's surface; nothing lies below it
+  std::optional<Eigen::AlignedBox3d> bounds;  ///< plate frame, mm; found from the masks when absent
+  /// Angles at the object between a view and the views it is compared with. Below the first depth
+  /// is poorly determined, above the second a rough surface looks too different.
   double min_source_angle_rad = 0.07;
   double max_source_angle_rad = 0.87;
   int max_sources = 8;  ///< per view: both other cameras of a stop and three at each stop beside it

@@ -1,0 +1,33 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "stereo/patch_match.h"
+
+namespace ostraka::stereo {
+
+struct FusionOptions {
+  int min_agreeing_views = 2;
+  /// Views agree where their surfaces lie this near, in pixels' widths on the object.
+  float agree_px = 1.2F;
+  float agree_normal_cos = 0.6F;
+  float max_cost = 0.7F;
+  int threads = 1;
+};
+
+/// A point of the object's surface with what the views say about it.
+struct SurfacePoint {
+  Eigen::Vector3f position;  ///< plate frame, mm
+  Eigen::Vector3f normal;
+  float footprint_mm = 0;  ///< a pixel's width there
+  float confidence = 0;    ///< 0..1
+  int view = 0;            ///< the one that sees it most squarely
+  int agreeing = 0;
+};
+
+/// Points where at least so many views agree, each from the view that sees it most squarely, moved
+/// along the normal to the weighted mean of all that agree. In order of views and their pixels.
+std::vector<SurfacePoint> fusePlanes(std::span<const Frame* const> frames,
+                                     std::span<const PlaneMap> maps, const FusionOptions& options);
+
+}  // namespace ostraka::stereo

@@ -1,0 +1,37 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "stereo/frame.h"
+
+namespace ostraka::stereo {
+
+/// The visual hull: cubes whose centre no view sees outside its mask (Laurentini 1994).
+struct Hull {
+  Eigen::Vector3f origin;  ///< centre of the first cube, plate frame, mm
+  float edge_mm = 1;
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();
+  std::vector<std::uint8_t> inside;  ///< x fastest
+
+  bool at(const Eigen::Vector3f& p_plate) const;
+};
+
+/// Where a pixel's ray runs through the hull, as depths along the optical axis, mm; far 0 =
+/// nowhere.
+struct DepthRange {
+  float near = 0, far = 0;
+};
+
+/// Carves within the bounds, or within what the views see where there are none. The cubes' edge
+/// follows from max_cubes. Errors: NotEnough when nothing is left.
+Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions& options,
+                       int threads);
+
+/// For each pixel of the frame, row by row; pixels outside the mask get an empty range.
+std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame);
+
+}  // namespace ostraka::stereo

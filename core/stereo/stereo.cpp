@@ -1,0 +1,193 @@
+#include "stereo/stereo.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "base/parallel.h"
+#include "stereo/frame.h"
+#include "stereo/fusion.h"
+#include "stereo/hull.h"
+#include "stereo/patch_match.h"
+
+namespace ostraka::stereo {
+namespace {
+
+constexpr int kLevels = 3;  // down to about 1 mm per pixel, where a wall is still a few pixels
+
+struct Reconstruction {
+  std::span<const View> views;
+  const DenseOptions& options;
+  Progress& progress;
+  std::stop_token stop;
+  std::vector<std::vector<Frame>> pyramids = {};
+  std::vector<std::vector<DepthRange>> ranges = {};  // per view, at the coarsest level, row by row
+  std::vector<std::vector<Link>> links = {};
+  std::vector<PlaneMap> planes = {};
+
+  std::vector<const Frame*> framesAt(int level) const {
+    std::vector<const Frame*> frames;
+    for (const auto& p : pyramids) frames.push_back(&p[static_cast<std::size_t>(level)]);
+    return frames;
+  }
+  Result<void> check() const;
+  Result<void> prepare();
+  std::vector<DepthRange> listPixels(std::size_t view, int level);
+  Result<void> match(int level);
+  PointCloud coloured(const std::vector<SurfacePoint>& points) const;
+};
+
+Result<void> Reconstruction::check() const {
+  if (views.size() < 3)
+    return Error{
+        ErrorCode::NotEnough, "Depth needs at least 3 photographs with known cameras.", {}};
+  for (const View& v : views) {
+    if (v.photograph.empty() || v.photograph.type() != CV_8UC3 ||
+        v.photograph.cols != v.camera.intrinsics.width ||
+        v.photograph.rows != v.camera.intrinsics.height)
+      return Error{ErrorCode::UnusableInput,
+                   "The photograph has another size than its camera says; give the photograph that "
+                   "the camera was calibrated with.",
+                   v.camera.file};
+    if (!v.mask.empty() && v.mask.size() != v.photograph.size())
+      return Error{ErrorCode::UnusableInput, "The mask has another size than its photograph.",
+                   v.camera.file};
+  }
+  return {};
+}
+
+Result<void> Reconstruction::prepare() {
+  pyramids.resize(views.size());
+  parallelFor(views.size(), options.threads,
+              [&](std::size_t i) { pyramids[i] = buildPyramid(views[i], kLevels); });
+  if (stop.stop_requested()) return Error::cancelled();
+  const std::vector<const Frame*> coarse = framesAt(kLevels - 1);
+  Result<Hull> hull = carveHull(coarse, options, options.threads);
+  if (!hull) return hull.error();
+  ranges.resize(views.size());
+  parallelFor(views.size(), options.threads,
+              [&](std::size_t i) { ranges[i] = depthRanges(*hull, *coarse[i]); });
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  float count = 0;
+  for (std::size_t i = 0, c = 0; c < hull->inside.size(); ++c, ++i)
+    if (hull->inside[c] != 0) {
+      const auto x = static_cast<std::size_t>(hull->size.x()),
+                 y = static_cast<std::size_t>(hull->size.y());
+      sum += Eigen::Vector3f(static_cast<float>(c % x), static_cast<float>(c / x % y),
+                             static_cast<float>(c / (x * y)));
+      count += 1;
+    }
+  links = chooseSources(coarse, hull->origin + hull->edge_mm / count * sum, options);
+  planes.resize(views.size());
+  return {};
+}
+
+/// Fills the frame's list of pixels: inside the mask and with the hull on their ray.
+std::vector<DepthRange> Reconstruction::listPixels(std::size_t view, int level) {
+  Frame& frame = pyramids[view][static_cast<std::size_t>(level)];
+  const Frame& coarse = pyramids[view].back();
+  const int shift = kLevels - 1 - level;
+  const float margin = level == kLevels - 1 ? 0.0F : 0.5F;
+  std::vector<DepthRange> list;
+  frame.index = cv::Mat1i(frame.height, frame.width, -1);
+  for (int y = 1; y + 1 < frame.height; ++y)
+    for (int x = 1; x + 1 < frame.width; ++x) {
+      if (frame.coverage(y, x) < 0.5F) continue;
+      const int u = std::min(x >> shift, coarse.width - 1),
+                v = std::min(y >> shift, coarse.height - 1);
+      const DepthRange range = ranges[view][static_cast<std::size_t>(v * coarse.width + u)];
+      if (range.far <= 0) continue;
+      frame.index(y, x) = static_cast<int>(frame.pixels.size());
+      frame.pixels.emplace_back(x, y);
+      list.push_back({range.near - margin, range.far + margin});
+    }
+  return list;
+}
+
+Result<void> Reconstruction::match(int level) {
+  const std::vector<const Frame*> frames = framesAt(level);
+  parallelFor(views.size(), options.threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    const std::vector<DepthRange> list = listPixels(i, level);
+    SweepOptions sweep;
+    sweep.seed = options.seed + 1000 * static_cast<std::uint64_t>(level) + i;
+    const Frame& frame = *frames[i];
+    if (level == kLevels - 1) {
+      startPlanes(frame, list, sweep.seed, planes[i]);
+      sweep.rounds = 5;
+      sweep.first_perturbation = 2;
+    } else {
+      PlaneMap finer;
+      refinePlanes(pyramids[i][static_cast<std::size_t>(level) + 1], planes[i], frame, finer);
+      planes[i] = std::move(finer);
+      sweep.rounds = level == 0 ? 2 : 3;
+      sweep.first_perturbation = 0.5F;
+    }
+    sweepPlanes(frames, static_cast<int>(i), links[i], list, sweep, planes[i]);
+  });
+  if (stop.stop_requested()) return Error::cancelled();
+  return {};
+}
+
+PointCloud Reconstruction::coloured(const std::vector<SurfacePoint>& points) const {
+  PointCloud cloud;
+  for (const SurfacePoint& point : points) {
+    const View& view = views[static_cast<std::size_t>(point.view)];
+    const Eigen::Vector2d pixel = view.camera.project(point.position.cast<double>());
+    const int x = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, view.photograph.cols - 1);
+    const int y = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, view.photograph.rows - 1);
+    const auto bgr = view.photograph.at<cv::Vec3b>(y, x);
+    cloud.points.push_back(point.position);
+    cloud.normals.push_back(point.normal);
+    cloud.colors.push_back({bgr[2], bgr[1], bgr[0]});
+    cloud.quality.push_back(point.confidence);
+  }
+  return cloud;
+}
+
+}  // namespace
+
+Result<void> DenseOptions::check() const {
+  if (max_sources < 1 || max_sources > 16)
+    return Error{ErrorCode::UnusableInput, "max_sources must be 1 to 16.", {}};
+  if (min_agreeing_views < 1)
+    return Error{ErrorCode::UnusableInput, "min_agreeing_views must be at least 1.", {}};
+  if (!(min_source_angle_rad >= 0 && min_source_angle_rad < max_source_angle_rad))
+    return Error{ErrorCode::UnusableInput, "min_source_angle_rad must lie below the maximum.", {}};
+  return {};
+}
+
+Result<PointCloud> reconstruct(std::span<const View> views, const DenseOptions& options,
+                               Progress& progress, std::stop_token stop) {
+  if (Result<void> fine = options.check(); !fine) return fine.error();
+  Reconstruction work{views, options, progress, stop};
+  if (Result<void> fine = work.check(); !fine) return fine.error();
+  const auto start = std::chrono::steady_clock::now();
+  const auto lap = [&](const char* what) {
+    const double s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (std::getenv("STEREO_LAPS") != nullptr) std::fprintf(stderr, "%6.1f s %s\n", s, what);
+  };
+  if (Result<void> fine = work.prepare(); !fine) return fine.error();
+  lap("prepared");
+  const int finest = std::getenv("STEREO_FINEST") ? std::atoi(std::getenv("STEREO_FINEST")) : 0;
+  for (int level = kLevels - 1; level >= finest; --level) {
+    if (Result<void> fine = work.match(level); !fine) return fine.error();
+    lap("matched");
+  }
+  FusionOptions fusion;
+  fusion.threads = options.threads;
+  fusion.min_agreeing_views = options.min_agreeing_views;
+  const std::vector<SurfacePoint> points = fusePlanes(work.framesAt(finest), work.planes, fusion);
+  lap("fused");
+  if (points.empty())
+    return Error{ErrorCode::NotEnough,
+                 "No surface point was found that two views agree on; check cameras and masks.",
+                 {}};
+  return work.coloured(points);
+}
+
+}  // namespace ostraka::stereo

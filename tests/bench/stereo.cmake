@@ -1,0 +1,2 @@
+add_executable(dense_accuracy dense_accuracy.cpp)
+target_link_libraries(dense_accuracy PRIVATE ostraka_stereo opencv_imgcodecs)

@@ -17,7 +17,8 @@ struct HullMaskOptions {
 
 /// Masks of one thing that all cameras look at, without a plate: the thing is what lies in the
 /// middle of the views, looks unlike its surroundings, and agrees over the views as one body.
-/// images and photographs as in maskByPlate, unit arbitrary. Errors: UnusableInput, NotEnough, Cancelled.
+/// images and photographs as in maskByPlate, unit arbitrary. Errors: UnusableInput, NotEnough,
+/// Cancelled.
 Result<MaskResult> maskByHull(std::span<const rig::PosedImage> images,
                               std::span<const cv::Mat> photographs, const HullMaskOptions& options,
                               Progress& progress, std::stop_token stop);

@@ -6,14 +6,15 @@
 
 namespace ostraka::mask {
 
-/// What the network's last layer holds. Auto looks at the values: all within [0, 1] is a probability.
+/// What the network's last layer holds. Auto looks at the values: all within [0, 1] is a
+/// probability.
 enum class NetworkOutput { Auto, Probability, Logit };
 
 struct NetworkMaskOptions {
-  double mean[3] = {0, 0, 0};        ///< RGB in 0..1, subtracted; 0 for a U-Net on plain pictures
-  double deviation[3] = {1, 1, 1};   ///< RGB in 0..1, divided by afterwards
-  int free_input_px = 1024;          ///< longer side for a network that takes any size
-  int size_multiple_px = 32;         ///< of such a network's input: five halvings
+  double mean[3] = {0, 0, 0};       ///< RGB in 0..1, subtracted; 0 for a U-Net on plain pictures
+  double deviation[3] = {1, 1, 1};  ///< RGB in 0..1, divided by afterwards
+  int free_input_px = 1024;         ///< longer side for a network that takes any size
+  int size_multiple_px = 32;        ///< of such a network's input: five halvings
   NetworkOutput output = NetworkOutput::Auto;
   Result<void> check() const;
 };

@@ -1,0 +1,131 @@
+#include "mask/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "mask/plate_picture.h"
+
+namespace ostraka::mask {
+namespace {
+
+float brightnessOf(const cv::Vec3f& v) {
+  return (v[0] + v[1] + v[2]) / 3;
+}
+
+// Two orthonormal directions across (1,1,1)/sqrt(3), scaled so that white noise of SD s per channel
+// has SD s in both.
+cv::Vec2f colourOf(const cv::Vec3f& v) {
+  return {(v[2] - v[0]) * 0.70710678F, (v[0] + v[2] - 2 * v[1]) * 0.40824829F};
+}
+
+float robustDeviation(std::vector<float>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  const float median = *middle;
+  for (float& v : values) v = std::abs(v - median);
+  std::nth_element(values.begin(), middle, values.end());
+  return 1.4826F * *middle;
+}
+
+// Gradient length of the bare plate's brightness, per pixel: markers and texture.
+cv::Mat1f slopeOf(const cv::Mat3f& bare) {
+  cv::Mat1f brightness;
+  cv::transform(bare, brightness, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
+  cv::Mat1f across, along, slope;
+  cv::Sobel(brightness, across, CV_32F, 1, 0, 3, 0.125);
+  cv::Sobel(brightness, along, CV_32F, 0, 1, 3, 0.125);
+  cv::magnitude(across, along, slope);
+  cv::dilate(slope, slope, cv::Mat());
+  return slope;
+}
+
+// Smallest local variance of the residual's fine structure among nine windows around each pixel: a
+// window that lies on one side of an outline does not see the outline.
+cv::Mat1f calmestVariance(const cv::Mat3f& residual) {
+  cv::Mat1f brightness, coarse, variance;
+  cv::transform(residual, brightness, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
+  cv::boxFilter(brightness, coarse, CV_32F, {7, 7});
+  cv::sqrBoxFilter(brightness, variance, CV_32F, {7, 7});
+  variance -= coarse.mul(coarse);
+  cv::erode(variance, variance, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
+  return variance;
+}
+
+}  // namespace
+
+cv::Mat3f residualAgainst(const cv::Mat3f& bare, const cv::Mat3f& log_colours) {
+  cv::Mat3f residual = log_colours - bare;
+  cv::GaussianBlur(residual, residual, {}, 0.8, 0.8, cv::BORDER_REPLICATE);
+  return residual;
+}
+
+ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare) {
+  std::vector<float> brightness, colour, level;
+  for (int y = 0; y < residual.rows; y += 5)
+    for (int x = 0; x < residual.cols; x += 5) {
+      const float g = brightnessOf(residual(y, x));
+      const cv::Vec2f c = colourOf(residual(y, x));
+      if (std::abs(g) > 0.3F || c.dot(c) > 0.02F) continue;
+      brightness.push_back(g);
+      colour.push_back(c[0]);
+      colour.push_back(c[1]);
+      level.push_back(brightnessOf(bare(y, x)));
+    }
+  ResidualNoise noise;
+  if (brightness.size() < 500) return noise;
+  const auto middle = level.begin() + static_cast<std::ptrdiff_t>(level.size() / 2);
+  std::nth_element(level.begin(), middle, level.end());
+  noise.level = std::max(2.F, std::exp(*middle) - kDarkLevel);
+  // Not below what 8 bits leave: a third of a level after smoothing.
+  const float rounding = 0.3F / (noise.level + kDarkLevel);
+  noise.brightness = std::max(robustDeviation(brightness), rounding);
+  noise.colour = std::max(robustDeviation(colour), rounding);
+  return noise;
+}
+
+Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const ResidualNoise& noise,
+                       float bare_slope_px) {
+  Evidence evidence;
+  evidence.residual = residual;
+  evidence.log_odds.create(residual.size());
+  evidence.clear.create(residual.size());
+  const cv::Mat1f slope = slopeOf(bare);
+  const cv::Mat1f variance = calmestVariance(residual);
+  constexpr float kTwoPi = 6.2831853F;
+  // Any clay: colour differences within +-0.6, brightness within a factor of e^2 either way.
+  constexpr float kSherdDensity = 1 / (3.14159F * 0.36F * 4);
+  for (int y = 0; y < residual.rows; ++y)
+    for (int x = 0; x < residual.cols; ++x) {
+      const float g = brightnessOf(residual(y, x));
+      const cv::Vec2f c = colourOf(residual(y, x));
+      // Below the plate's level the noise of sensor, rounding and JPEG (about one level) grows in
+      // the logarithm as the inverse of the brightness.
+      const float expected = std::exp(brightnessOf(bare(y, x)) + std::min(g, 0.F));
+      const float dark = 0.7F / expected;
+      const float edge = bare_slope_px * slope(y, x);
+      const float var_c = noise.colour * noise.colour + dark * dark + 0.1F * edge * edge +
+                          0.0016F * g * g;  // lamps' colours differ by some 4 %
+      const float var_g = noise.brightness * noise.brightness + 0.0004F + edge * edge;
+      const float chi_c = c.dot(c) / var_c;
+      const float colour_density =
+          (0.95F * std::exp(-0.5F * chi_c) + 0.05F / 9 * std::exp(-0.5F * chi_c / 9)) /
+          (kTwoPi * var_c);
+      const float lit = std::exp(-0.5F * g * g / var_g) / std::sqrt(kTwoPi * var_g);
+      const float bounce = std::exp(-0.5F * g * g / 0.01F) / 0.25F;  // light off a bright sherd
+      const float shadow = g < 0 && g > -3 ? 1 / 3.F : 0.F;
+      const float plate_density = colour_density * (0.7F * lit + 0.05F * bounce + 0.25F * shadow);
+      float odds = std::log(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
+      // Texture: sum of squares over about 15 independent samples of the window.
+      const float ratio = variance(y, x) / (var_g + dark * dark);
+      if (ratio > 1) odds += std::min(4.F, 0.5F * 15 * (ratio - 1 - std::log(ratio)));
+      evidence.log_odds(y, x) = std::clamp(odds, -8.F, 8.F);
+      const float chi = chi_c / 9 + g * g / (9 * (var_g + 0.0025F));
+      evidence.clear(y, x) = odds < -2 ? std::exp(-0.5F * chi * chi) : 0.F;
+    }
+  return evidence;
+}
+
+}  // namespace ostraka::mask

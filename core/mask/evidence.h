@@ -1,0 +1,31 @@
+#pragma once
+#include <opencv2/core/mat.hpp>
+
+namespace ostraka::mask {
+
+/// What one pixel says by itself, against the bare plate as it should look there.
+struct Evidence {
+  cv::Mat3f residual;  ///< log photograph - log bare plate, slightly smoothed
+  cv::Mat1f log_odds;  ///< log P(residual | sherd) / P(residual | plate, lit or in shadow)
+  cv::Mat1f clear;     ///< 0..1: certainly bare, lit plate seen, so nothing stands in the ray's way
+};
+
+/// Noise of the residual as a function of the photograph's brightness, measured on what looks bare.
+struct ResidualNoise {
+  float brightness = 0.05F;  ///< SD of the mean of the channels, log, at the plate's own brightness
+  float colour = 0.02F;      ///< SD of each of the two colour differences
+  float level = 40;          ///< the brightness (0..255) at which they were measured
+};
+
+/// Smoothed residual: sigma 0.8 pixels, about the lens's own blur, so outlines stay in place.
+cv::Mat3f residualAgainst(const cv::Mat3f& bare, const cv::Mat3f& log_colours);
+
+ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare);
+
+/// A shadow scales all channels alike and keeps the plate's texture; clay changes colour, or
+/// brightens, or shows a texture of its own. bare_slope_px: by how many pixels the bare plate's
+/// edges may be misplaced (pose, sampling).
+Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const ResidualNoise& noise,
+                       float bare_slope_px);
+
+}  // namespace ostraka::mask

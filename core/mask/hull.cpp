@@ -1,0 +1,123 @@
+#include "mask/hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "base/parallel.h"
+
+namespace ostraka::mask {
+namespace {
+
+// Views far apart first: most empty voxels are empty to the first two or three views asked.
+std::vector<std::size_t> scatteredOrder(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::size_t stride = std::max<std::size_t>(1, static_cast<std::size_t>(0.382 * count));
+  while (std::gcd(stride, count) != 1) ++stride;
+  for (std::size_t i = 0; i < count; ++i) order[i] = i * stride % count;
+  return order;
+}
+
+struct FastCamera {
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d translation;
+  const rig::Intrinsics* intrinsics;
+};
+
+}  // namespace
+
+std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const HullView> views,
+                                     const HullOptions& options, std::stop_token stop) {
+  const std::vector<std::size_t> order = scatteredOrder(views.size());
+  std::vector<FastCamera> cameras;
+  for (const std::size_t v : order)
+    cameras.push_back({views[v].image->camera_from_plate.linear(),
+                       views[v].image->camera_from_plate.translation(),
+                       &views[v].image->intrinsics});
+  const Eigen::Vector3i n = space.count;
+  std::vector<unsigned char> voxels(static_cast<std::size_t>(n.x()) * n.y() * n.z(), 0);
+  const auto decide = [&](const Eigen::Vector3d& p) {
+    double clear = 0, inside = 0;
+    int seen = 0;
+    for (std::size_t k = 0; k < cameras.size(); ++k) {
+      const Eigen::Vector3d q = cameras[k].rotation * p + cameras[k].translation;
+      if (q.z() <= 0) continue;
+      const Eigen::Vector2d pixel = cameras[k].intrinsics->project(q);
+      const HullView& view = views[order[k]];
+      const int x = static_cast<int>(std::floor((pixel.x() + 0.5) / options.reduction));
+      const int y = static_cast<int>(std::floor((pixel.y() + 0.5) / options.reduction));
+      if (x < 0 || y < 0 || x >= view.clear.cols || y >= view.clear.rows) continue;
+      ++seen;
+      clear += view.clear(y, x);
+      inside += view.inside(y, x);
+      if (clear >= options.carving_views) return false;
+    }
+    return seen >= 2 && inside >= options.inside_share * seen;
+  };
+  parallelFor(static_cast<std::size_t>(n.y()), options.threads, [&](std::size_t row) {
+    if (stop.stop_requested()) return;
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < n.x(); ++x) {
+      const Eigen::Vector3d foot = space.low + space.pitch * Eigen::Vector3d(x, y, 0);
+      if (space.radius > 0 && foot.head<2>().norm() > space.radius) continue;
+      for (int z = 0; z < n.z(); ++z) {
+        const std::size_t index = (static_cast<std::size_t>(z) * n.y() + y) * n.x() + x;
+        voxels[index] = decide(foot + Eigen::Vector3d(0, 0, z * space.pitch)) ? 1 : 0;
+      }
+    }
+  });
+  return voxels;
+}
+
+cv::Mat1b silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
+                           const HullView& view, const HullOptions& options) {
+  cv::Mat1b mask(view.clear.size(), uchar{0});
+  const rig::PosedImage& image = *view.image;
+  const Eigen::Vector3i n = space.count;
+  for (int z = 0; z < n.z(); ++z)
+    for (int y = 0; y < n.y(); ++y)
+      for (int x = 0; x < n.x(); ++x) {
+        if (voxels[(static_cast<std::size_t>(z) * n.y() + y) * n.x() + x] == 0) continue;
+        const Eigen::Vector3d q =
+            image.camera_from_plate * (space.low + space.pitch * Eigen::Vector3d(x, y, z));
+        if (q.z() <= 0) continue;
+        const Eigen::Vector2d pixel = image.intrinsics.project(q);
+        const double half = 0.87 * space.pitch * image.intrinsics.fx / q.z();
+        const auto cell = [&](double v) {
+          return static_cast<int>(std::floor((v + 0.5) / options.reduction));
+        };
+        const cv::Rect box(cv::Point(cell(pixel.x() - half), cell(pixel.y() - half)),
+                           cv::Point(cell(pixel.x() + half) + 1, cell(pixel.y() + half) + 1));
+        const cv::Rect part = box & cv::Rect({0, 0}, mask.size());
+        if (!part.empty()) mask(part).setTo(255);
+      }
+  return mask;
+}
+
+int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area) {
+  const Eigen::Vector3i n = space.count;
+  cv::Mat1b footprint(n.y(), n.x(), uchar{0});
+  const auto index = [&](int x, int y, int z) {
+    return (static_cast<std::size_t>(z) * n.y() + y) * n.x() + x;
+  };
+  for (int z = 0; z < n.z(); ++z)
+    for (int y = 0; y < n.y(); ++y)
+      for (int x = 0; x < n.x(); ++x)
+        if (voxels[index(x, y, z)] != 0) footprint(y, x) = 255;
+  cv::Mat labels, stats, centres;
+  const int groups = cv::connectedComponentsWithStats(footprint, labels, stats, centres, 8, CV_32S);
+  int left = 0;
+  std::vector<char> keep(static_cast<std::size_t>(groups), 0);
+  for (int g = 1; g < groups; ++g) {
+    keep[g] = stats.at<int>(g, cv::CC_STAT_AREA) * space.pitch * space.pitch >= min_area ? 1 : 0;
+    left += keep[g];
+  }
+  for (int z = 0; z < n.z(); ++z)
+    for (int y = 0; y < n.y(); ++y)
+      for (int x = 0; x < n.x(); ++x)
+        if (keep[labels.at<int>(y, x)] == 0) voxels[index(x, y, z)] = 0;
+  return left;
+}
+
+}  // namespace ostraka::mask

@@ -1,0 +1,45 @@
+#pragma once
+#include <opencv2/core/mat.hpp>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "rig/camera.h"
+
+namespace ostraka::mask {
+
+/// Which space the hull is carved from: a box of cubic voxels.
+struct HullSpace {
+  Eigen::Vector3d low = Eigen::Vector3d::Zero();  ///< centre of the first voxel
+  double pitch = 1;                               ///< edge of a voxel, in the cameras' unit
+  Eigen::Vector3i count = Eigen::Vector3i::Zero();
+  double radius = 0;  ///< > 0: only the cylinder of this radius around the z axis
+};
+
+/// A view's evidence, reduced by `reduction` pixels per sample.
+struct HullView {
+  const rig::PosedImage* image = nullptr;
+  cv::Mat1f inside;  ///< 0..1: certainly foreground
+  cv::Mat1f clear;   ///< 0..1: certainly background
+};
+
+struct HullOptions {
+  int threads = 1;
+  int reduction = 4;           ///< pixels per sample of the views' evidence
+  double carving_views = 2;    ///< so many views that see through a voxel empty it
+  double inside_share = 0.15;  ///< share of the views that must see it as foreground
+};
+
+/// 1 for each voxel that stays; index (z * count.y + y) * count.x + x.
+std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const HullView> views,
+                                     const HullOptions& options, std::stop_token stop);
+
+/// Where the voxels show in a view, reduced; 255 inside. Grown by half a voxel.
+cv::Mat1b silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
+                           const HullView& view, const HullOptions& options);
+
+/// Takes away standing groups (connected seen from above) with a footprint below min_area; returns
+/// how many groups are left.
+int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area);
+
+}  // namespace ostraka::mask

@@ -1,0 +1,171 @@
+#include "mask/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/imgproc/detail/gcgraph.hpp>
+
+namespace ostraka::mask {
+namespace {
+
+// Certain pixels need no node: -1 background, 1 sherd, 0 open.
+cv::Mat_<signed char> certainPixels(const cv::Mat1f& log_odds, const cv::Mat1b& allowed) {
+  cv::Mat1f least, most;
+  const cv::Mat window = cv::getStructuringElement(cv::MORPH_RECT, {5, 5});
+  cv::erode(log_odds, least, window);
+  cv::dilate(log_odds, most, window);
+  cv::Mat_<signed char> state(log_odds.size(), static_cast<signed char>(0));
+  for (int y = 0; y < state.rows; ++y)
+    for (int x = 0; x < state.cols; ++x) {
+      if (allowed(y, x) == 0 || most(y, x) < -3) state(y, x) = -1;
+      if (allowed(y, x) != 0 && least(y, x) > 3) state(y, x) = 1;
+    }
+  return state;
+}
+
+// Mean squared step of the residual between neighbours that may be cut apart.
+double meanSquaredStep(const cv::Mat3f& residual, const cv::Mat_<signed char>& state) {
+  double sum = 0;
+  std::int64_t count = 0;
+  for (int y = 0; y < residual.rows; ++y)
+    for (int x = 1; x < residual.cols; ++x) {
+      if (state(y, x) != 0 || state(y, x - 1) != 0) continue;
+      const cv::Vec3f step = residual(y, x) - residual(y, x - 1);
+      sum += step.dot(step);
+      ++count;
+    }
+  return count > 0 ? sum / static_cast<double>(count) : 1;
+}
+
+void removeSmall(cv::Mat1b& cut, double min_area_px) {
+  for (const bool holes : {false, true}) {
+    cv::Mat1b part = holes ? cv::Mat1b(~cut) : cut;
+    cv::Mat labels, stats, centres;
+    const int count = cv::connectedComponentsWithStats(part, labels, stats, centres, holes ? 4 : 8);
+    for (int y = 0; y < cut.rows; ++y)
+      for (int x = 0; x < cut.cols; ++x) {
+        const int label = labels.at<int>(y, x);
+        if (label > 0 && label < count && stats.at<int>(label, cv::CC_STAT_AREA) < min_area_px)
+          cut(y, x) = holes ? 255 : 0;
+      }
+  }
+}
+
+std::array<float, 256> linearLight() {
+  std::array<float, 256> table{};
+  for (int i = 0; i < 256; ++i) {
+    const double v = i / 255.0;  // sRGB, IEC 61966-2-1
+    table[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+  }
+  return table;
+}
+
+// Mean colour of the masked pixels around each pixel; weight = how many.
+void localMean(const cv::Mat3f& colours, const cv::Mat1b& where, int window, cv::Mat3f& mean,
+               cv::Mat1f& weight) {
+  cv::Mat3f masked(colours.size(), cv::Vec3f::all(0));
+  colours.copyTo(masked, where);
+  where.convertTo(weight, CV_32F, 1 / 255.0);
+  cv::boxFilter(masked, mean, CV_32F, {window, window}, {-1, -1}, false);
+  cv::boxFilter(weight, weight, CV_32F, {window, window}, {-1, -1}, false);
+  for (int y = 0; y < mean.rows; ++y)
+    for (int x = 0; x < mean.cols; ++x) mean(y, x) *= 1 / std::max(1.F, weight(y, x));
+}
+
+cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph) {
+  static const std::array<float, 256> kLinear = linearLight();
+  cv::Mat3f colours(cut.size());
+  for (int y = 0; y < cut.rows; ++y)
+    for (int x = 0; x < cut.cols; ++x) {
+      const cv::Vec3b& v = photograph.at<cv::Vec3b>(y, x);
+      colours(y, x) = {kLinear[v[0]], kLinear[v[1]], kLinear[v[2]]};
+    }
+  const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+  cv::Mat1b inner, outer;
+  cv::erode(cut, inner, disc);
+  cv::dilate(cut, outer, disc);
+  const cv::Mat1b band = outer & ~inner;
+  cv::Mat3f sherd, ground;
+  cv::Mat1f sherd_count, ground_count, smooth;
+  localMean(colours, inner, 9, sherd, sherd_count);
+  localMean(colours, ~outer, 9, ground, ground_count);
+  cut.convertTo(smooth, CV_32F, 1 / 255.0);
+  cv::GaussianBlur(smooth, smooth, {}, 0.7, 0.7);
+  cv::Mat1f share = smooth.clone();
+  for (int y = 0; y < cut.rows; ++y)
+    for (int x = 0; x < cut.cols; ++x) {
+      if (band(y, x) == 0 || sherd_count(y, x) < 3 || ground_count(y, x) < 3) continue;
+      const cv::Vec3f contrast = sherd(y, x) - ground(y, x);
+      // Noise in linear light: some 8 % of the colour (grain of clay and sensor) and a level of
+      // 255.
+      const float noise = 0.08F * static_cast<float>(cv::norm(sherd(y, x) + ground(y, x))) + 0.003F;
+      const float strength = contrast.dot(contrast);
+      const float own = std::clamp(
+          (colours(y, x) - ground(y, x)).dot(contrast) / std::max(strength, 1e-9F), 0.F, 1.F);
+      const float trust = strength / (strength + noise * noise);
+      share(y, x) = trust * own + (1 - trust) * smooth(y, x);
+    }
+  cv::Mat1b soft;
+  share.convertTo(soft, CV_8U, 255);
+  return soft;
+}
+
+}  // namespace
+
+cv::Mat1b cutOutline(const cv::Mat1f& log_odds, const cv::Mat1b& allowed, const cv::Mat3f& residual,
+                     const CutOptions& options) {
+  const cv::Mat_<signed char> state = certainPixels(log_odds, allowed);
+  const double beta = 1 / (2 * std::max(1e-8, meanSquaredStep(residual, state)));
+  cv::Mat1b cut(log_odds.size(), uchar{0});
+  cv::Mat1i node(log_odds.size(), -1);
+  int nodes = 0;
+  for (int y = 0; y < state.rows; ++y)
+    for (int x = 0; x < state.cols; ++x) {
+      if (state(y, x) == 0) node(y, x) = nodes++;
+      if (state(y, x) > 0) cut(y, x) = 255;
+    }
+  cv::detail::GCGraph<float> graph(nodes + 2, 8 * nodes + 16);
+  for (int i = 0; i < nodes; ++i) graph.addVtx();
+  constexpr int kNeighbour[8][2] = {{1, 0},  {0, 1},  {1, 1},   {-1, 1},
+                                    {-1, 0}, {0, -1}, {-1, -1}, {1, -1}};
+  for (int y = 0; y < state.rows; ++y)
+    for (int x = 0; x < state.cols; ++x) {
+      const int i = node(y, x);
+      if (i < 0) continue;
+      float source = std::max(0.F, log_odds(y, x)), sink = std::max(0.F, -log_odds(y, x));
+      for (int k = 0; k < 8; ++k) {
+        const int xn = x + kNeighbour[k][0], yn = y + kNeighbour[k][1];
+        if (xn < 0 || yn < 0 || xn >= state.cols || yn >= state.rows) continue;
+        const cv::Vec3f step = residual(yn, xn) - residual(y, x);
+        const double length = kNeighbour[k][0] != 0 && kNeighbour[k][1] != 0 ? M_SQRT1_2 : 1;
+        // Eight neighbours measure a length of outline about 2.4 times over.
+        const auto weight = static_cast<float>(options.smoothness / 2.4 * length *
+                                               (0.05 + 0.95 * std::exp(-beta * step.dot(step))));
+        const int j = node(yn, xn);
+        if (j < 0)
+          (state(yn, xn) > 0 ? source : sink) += weight;
+        else if (k < 4)
+          graph.addEdges(i, j, weight, weight);
+      }
+      graph.addTermWeights(i, source, sink);
+    }
+  if (nodes > 0) graph.maxFlow();
+  for (int y = 0; y < state.rows; ++y)
+    for (int x = 0; x < state.cols; ++x)
+      if (node(y, x) >= 0 && graph.inSourceSegment(node(y, x))) cut(y, x) = 255;
+  removeSmall(cut, options.min_area_px);
+  return cut;
+}
+
+cv::Mat1b softenOutline(const cv::Mat1b& cut, const cv::Mat& photograph) {
+  cv::Mat1b soft(cut.size(), uchar{0});
+  const cv::Rect box = cv::boundingRect(cut);
+  if (box.empty()) return soft;
+  const cv::Rect wide(box.x - 12, box.y - 12, box.width + 24, box.height + 24);
+  const cv::Rect part = wide & cv::Rect({0, 0}, cut.size());
+  softenPart(cut(part), photograph(part)).copyTo(soft(part));
+  return soft;
+}
+
+}  // namespace ostraka::mask

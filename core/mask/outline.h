@@ -1,0 +1,23 @@
+#pragma once
+#include <opencv2/core/mat.hpp>
+
+namespace ostraka::mask {
+
+struct CutOptions {
+  double smoothness = 2.5;  ///< log odds that one pixel of outline costs where there is no contrast
+  double min_area_px = 100;  ///< smaller pieces are crumbs, smaller holes are filled
+};
+
+/// Graph cut at pixel level. log_odds: > 0 is sherd; where `allowed` is 0 there is none. residual:
+/// 3 channels; its steps attract the outline. Returns 255 inside.
+/// Boykov and Jolly, ICCV 2001, with the contrast term of Rother et al., SIGGRAPH 2004,
+/// equation 11.
+cv::Mat1b cutOutline(const cv::Mat1f& log_odds, const cv::Mat1b& allowed, const cv::Mat3f& residual,
+                     const CutOptions& options);
+
+/// Soft coverage within about two pixels of the cut: each pixel's share between the local colours
+/// of sherd and background, in linear light (coverage mixes light, not encoded values). Where the
+/// two are too alike the cut, slightly smoothed, stays.
+cv::Mat1b softenOutline(const cv::Mat1b& cut, const cv::Mat& photograph);
+
+}  // namespace ostraka::mask

@@ -1,0 +1,107 @@
+#include "mask/plate_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+namespace ostraka::mask {
+namespace {
+
+constexpr int kStep = 8;  // lattice of exact values; a perspective bends < 0.01 px over 8 px
+constexpr float kNowhere = -1e4F;
+
+// Evaluates `exact` on a lattice and fills between bilinearly.
+template <class Exact>
+cv::Mat2f interpolated(int width, int height, const Exact& exact) {
+  const int columns = (width + kStep - 1) / kStep + 1;
+  const int rows = (height + kStep - 1) / kStep + 1;
+  cv::Mat2f nodes(rows, columns);
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) nodes(r, c) = exact(c * kStep, r * kStep);
+  cv::Mat2f full(height, width);
+  for (int y = 0; y < height; ++y) {
+    const float v = static_cast<float>(y % kStep) / kStep;
+    const cv::Vec2f* top = nodes[y / kStep];
+    const cv::Vec2f* bottom = nodes[y / kStep + 1];
+    for (int x = 0; x < width; ++x) {
+      const int c = x / kStep;
+      const float u = static_cast<float>(x % kStep) / kStep;
+      const bool whole = top[c][0] > kNowhere && top[c + 1][0] > kNowhere &&
+                         bottom[c][0] > kNowhere && bottom[c + 1][0] > kNowhere;
+      full(y, x) = whole ? (top[c] * (1 - u) + top[c + 1] * u) * (1 - v) +
+                               (bottom[c] * (1 - u) + bottom[c + 1] * u) * v
+                         : cv::Vec2f(kNowhere, kNowhere);
+    }
+  }
+  return full;
+}
+
+}  // namespace
+
+double millimetresPerPixel(const rig::PosedImage& image) {
+  const double depth = std::max(1.0, image.camera_from_plate.translation().z());
+  return depth / image.intrinsics.fx;
+}
+
+PlateGrid gridOver(const batch::Plate& plate, double mm_per_pixel) {
+  PlateGrid grid;
+  grid.radius_mm = 0.5 * plate.diameter_mm;
+  grid.pitch_mm = 1.4 * mm_per_pixel;
+  // Finer than 1/1600 of the plate would cost memory and no outline gets better by it.
+  grid.pitch_mm = std::max(grid.pitch_mm, plate.diameter_mm / 1600);
+  grid.size = 2 * static_cast<int>(std::ceil(grid.radius_mm / grid.pitch_mm)) + 1;
+  grid.ring_inner_mm = grid.radius_mm;
+  for (const batch::Marker& marker : plate.markers) {
+    const double side = (marker.corners[1] - marker.corners[0]).norm();
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::Vector3d middle = 0.5 * (marker.corners[k] + marker.corners[(k + 1) % 4]);
+      grid.ring_inner_mm = std::min(grid.ring_inner_mm, middle.norm() - side / 6);
+    }
+  }
+  return grid;
+}
+
+cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid) {
+  const Eigen::Isometry3d plate_from_camera = image.camera_from_plate.inverse();
+  const Eigen::Vector3d centre = plate_from_camera.translation();
+  return interpolated(image.intrinsics.width, image.intrinsics.height, [&](int x, int y) {
+    const Eigen::Vector2d n = image.intrinsics.unproject({static_cast<double>(x), y});
+    const Eigen::Vector3d ray = plate_from_camera.linear() * n.homogeneous();
+    const double scale = -centre.z() / ray.z();
+    if (!(scale > 0)) return cv::Vec2f(kNowhere, kNowhere);
+    const Eigen::Vector3d p = centre + scale * ray;
+    return cv::Vec2f(static_cast<float>(p.x() / grid.pitch_mm + grid.middle()),
+                     static_cast<float>(p.y() / grid.pitch_mm + grid.middle()));
+  });
+}
+
+cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid) {
+  return interpolated(grid.size, grid.size, [&](int column, int row) {
+    const Eigen::Vector3d p((column - grid.middle()) * grid.pitch_mm,
+                            (row - grid.middle()) * grid.pitch_mm, 0);
+    const Eigen::Vector3d q = image.camera_from_plate * p;
+    if (q.z() <= 0) return cv::Vec2f(kNowhere, kNowhere);
+    const Eigen::Vector2d pixel = image.intrinsics.project(q);
+    return cv::Vec2f(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
+  });
+}
+
+cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid) {
+  cv::Mat1b paper(grid.size, grid.size, uchar{0});
+  for (const batch::Marker& marker : plate.markers) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : marker.corners) middle += 0.25 * corner;
+    std::vector<cv::Point> outline;
+    for (const Eigen::Vector3d& corner : marker.corners) {
+      // A 4 x 4 marker is 6 modules wide with its border; one module of white around makes 8.
+      const Eigen::Vector3d p = middle + (corner - middle) * (8.0 / 6.0);
+      outline.emplace_back(cvRound(p.x() / grid.pitch_mm + grid.middle()),
+                           cvRound(p.y() / grid.pitch_mm + grid.middle()));
+    }
+    cv::fillConvexPoly(paper, outline, cv::Scalar(255));
+  }
+  return paper;
+}
+
+}  // namespace ostraka::mask

@@ -1,0 +1,37 @@
+#pragma once
+#include <opencv2/core/mat.hpp>
+
+#include "batch/batch.h"
+#include "rig/camera.h"
+
+namespace ostraka::mask {
+
+/// Square cells over the plate: cell (column, row) is centred at plate x = (column - middle) *
+/// pitch, y = (row - middle) * pitch, z = 0.
+struct PlateGrid {
+  double pitch_mm = 0.35;
+  int size = 0;              ///< cells per side, odd
+  double radius_mm = 0;      ///< of the plate's edge
+  double ring_inner_mm = 0;  ///< the markers' paper begins here; no sherd stands beyond
+  double middle() const { return 0.5 * (size - 1); }
+};
+
+/// A grid whose cells are about 1.4 pixels wide, so that neighbours are hardly correlated and the
+/// mosaic of a camera fits into memory.
+PlateGrid gridOver(const batch::Plate& plate, double mm_per_pixel);
+
+/// Millimetres per pixel at the plate's centre.
+double millimetresPerPixel(const rig::PosedImage& image);
+
+/// CV_32FC2 of the photograph's size: grid coordinates (column, row) of the plate point behind each
+/// pixel; (-1e4, -1e4) where the ray misses the plane. Interpolated on an 8-pixel lattice (< 0.01
+/// px).
+cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid);
+
+/// CV_32FC2 of the grid's size: pixel of each cell's centre; (-1e4, -1e4) behind the camera.
+cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid);
+
+/// 255 on the markers' paper (marker and a quiet zone of one module), 0 elsewhere.
+cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid);
+
+}  // namespace ostraka::mask

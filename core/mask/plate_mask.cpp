@@ -1,0 +1,230 @@
+#include "mask/plate_mask.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "base/parallel.h"
+#include "mask/evidence.h"
+#include "mask/hull.h"
+#include "mask/outline.h"
+#include "mask/plate_picture.h"
+
+namespace ostraka::mask {
+namespace {
+
+// What is kept of each photograph between the two passes, small enough for a whole side.
+struct ViewState {
+  cv::Mat3f residual;  ///< half the memory would do; 23 MB at 1600 x 1200
+  cv::Mat1f log_odds;
+  HullView hull;
+};
+
+Result<void> checkInput(std::span<const rig::PosedImage> images,
+                        std::span<const cv::Mat> photographs) {
+  if (images.size() != photographs.size())
+    return Error{ErrorCode::UnusableInput,
+                 std::to_string(images.size()) + " poses came with " +
+                     std::to_string(photographs.size()) + " photographs; give one pose for each.",
+                 {}};
+  if (images.size() < 3)
+    return Error{
+        ErrorCode::NotEnough,
+        "Masks from the plate need at least 3 photographs of a side; photograph more stops.",
+        {}};
+  for (std::size_t i = 0; i < images.size(); ++i)
+    if (photographs[i].type() != CV_8UC3 || photographs[i].cols != images[i].intrinsics.width ||
+        photographs[i].rows != images[i].intrinsics.height)
+      return Error{ErrorCode::UnusableInput,
+                   "The photograph is not of the size that its camera has; use the original file.",
+                   images[i].file};
+  return {};
+}
+
+// Correlation of the empty photograph with the stop's own marker ring: tells whether the plate
+// stood at stop 0 when it was taken.
+double ringAgreement(const cv::Mat3f& empty, const PlateLook& look, const cv::Mat1b& paper) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
+  for (int row = 0; row < paper.rows; row += 2)
+    for (int column = 0; column < paper.cols; column += 2) {
+      if (paper(row, column) == 0) continue;
+      const cv::Vec2f p = look.pixel_of_cell(row, column);
+      const cv::Point pixel(cvRound(p[0]), cvRound(p[1]));
+      if (!cv::Rect({0, 0}, empty.size()).contains(pixel)) continue;
+      const double a = empty(pixel)[1], b = look.log_colours(pixel)[1];
+      n += 1, sx += a, sy += b, sxx += a * a, syy += b * b, sxy += a * b;
+    }
+  const double vx = n * sxx - sx * sx, vy = n * syy - sy * sy;
+  return vx > 0 && vy > 0 ? (n * sxy - sx * sy) / std::sqrt(vx * vy) : 0;
+}
+
+class PlateMasker {
+ public:
+  PlateMasker(std::span<const rig::PosedImage> images, std::span<const cv::Mat> photographs,
+              const batch::Plate& plate, std::span<const cv::Mat> empties,
+              const PlateMaskOptions& options)
+      : images_(images),
+        photographs_(photographs),
+        plate_(plate),
+        empties_(empties),
+        options_(options),
+        views_(images.size()) {}
+
+  Result<MaskResult> run(Progress& progress, const std::stop_token& stop) {
+    std::map<int, std::vector<std::size_t>> by_camera;
+    for (std::size_t i = 0; i < images_.size(); ++i) by_camera[images_[i].camera].push_back(i);
+    const auto total = static_cast<std::int64_t>(2 * images_.size() + 2);
+    std::int64_t done = 0;
+    for (const auto& [camera, members] : by_camera) {
+      if (stop.stop_requested()) return Error::cancelled();
+      weighCamera(camera, members, progress);
+      progress.report(done += static_cast<std::int64_t>(members.size()), total);
+    }
+    if (!carve(stop)) return stop.stop_requested() ? Error::cancelled() : nothingFound();
+    progress.report(done += 2, total);
+    result_.masks.resize(images_.size());
+    parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
+      if (!stop.stop_requested()) cutView(i);
+    });
+    if (stop.stop_requested()) return Error::cancelled();
+    progress.report(total, total);
+    return std::move(result_);
+  }
+
+ private:
+  static Error nothingFound() {
+    return {ErrorCode::NotEnough,
+            "No sherd was found on the plate; check that the photographs show sherds that differ "
+            "from the plate, or give masks.",
+            {}};
+  }
+
+  // Evidence of all stops of one camera.
+  void weighCamera(int camera, const std::vector<std::size_t>& members, Progress& progress) {
+    const PlateGrid grid = gridOver(plate_, millimetresPerPixel(images_[members[0]]));
+    const cv::Mat1b paper = markerPaper(plate_, grid);
+    std::vector<PlateLook> looks(members.size());
+    parallelFor(members.size(), options_.threads, [&](std::size_t k) {
+      const rig::PosedImage& image = images_[members[k]];
+      looks[k] = {logColours(photographs_[members[k]]), gridOfPixels(image, grid),
+                  pixelsOfGrid(image, grid)};
+    });
+    const auto [empty, empty_look] = emptyPlate(camera, members, looks, paper, progress);
+    const PlatePicture picture = buildPlatePicture(looks, empty, empty_look, grid, paper);
+    parallelFor(members.size(), options_.threads, [&](std::size_t k) {
+      const cv::Mat3f bare = predictBare(picture, looks[k], k, grid);
+      const cv::Mat3f residual = residualAgainst(bare, looks[k].log_colours);
+      const ResidualNoise noise = measureNoise(residual, bare);
+      // Half a pixel: poses are good to a few tenths, the mosaic's cells are 1.4 pixels wide.
+      const Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
+      ViewState& view = views_[members[k]];
+      view.residual = evidence.residual;
+      view.log_odds = evidence.log_odds;
+      view.hull = reduced(members[k], evidence);
+      looks[k] = {};
+    });
+  }
+
+  std::pair<cv::Mat3f, int> emptyPlate(int camera, const std::vector<std::size_t>& members,
+                                       const std::vector<PlateLook>& looks, const cv::Mat1b& paper,
+                                       Progress& progress) {
+    if (camera < 0 || camera >= static_cast<int>(empties_.size()) || empties_[camera].empty())
+      return {cv::Mat3f(), 0};
+    const auto refuse = [&](const std::string& why) {
+      const std::string text = "masks: the empty plate of camera " + std::to_string(camera) + " " +
+                               why + "; masked without it";
+      progress.note(NoteLevel::Warning, text);
+      result_.warnings.push_back(text);
+      return std::pair<cv::Mat3f, int>{cv::Mat3f(), 0};
+    };
+    const cv::Mat& photograph = empties_[camera];
+    if (photograph.type() != CV_8UC3 || photograph.size() != looks[0].log_colours.size())
+      return refuse("has another size than the camera's photographs");
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      if (images_[members[k]].stop != 0) continue;
+      const cv::Mat3f empty = logColours(photograph);
+      // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
+      if (ringAgreement(empty, looks[k], paper) < 0.85)
+        return refuse("does not show the plate at stop 0; take it again with the plate at stop 0");
+      return {empty, static_cast<int>(k)};
+    }
+    return refuse("has no photograph at stop 0 beside it");
+  }
+
+  HullView reduced(std::size_t index, const Evidence& evidence) const {
+    HullView view;
+    view.image = &images_[index];
+    cv::Mat1f inside = evidence.log_odds.clone();
+    for (float& odds : inside) odds = odds > 2 ? 1.F : 0.F;
+    const cv::Size size(inside.cols / hull_.reduction, inside.rows / hull_.reduction);
+    cv::resize(inside, view.inside, size, 0, 0, cv::INTER_AREA);
+    cv::resize(evidence.clear, view.clear, size, 0, 0, cv::INTER_AREA);
+    return view;
+  }
+
+  bool carve(const std::stop_token& stop) {
+    const double radius = 0.5 * plate_.diameter_mm;
+    space_.pitch = 1.5;  // about 6 pixels; the outline itself is found in the photographs
+    space_.radius = radius;
+    const int half = static_cast<int>(std::ceil(radius / space_.pitch));
+    space_.low = Eigen::Vector3d(-half * space_.pitch, -half * space_.pitch, 0.5 * space_.pitch);
+    space_.count = {2 * half + 1, 2 * half + 1,
+                    static_cast<int>(std::ceil(options_.max_height_mm / space_.pitch))};
+    hull_.threads = options_.threads;
+    std::vector<HullView> views;
+    for (const ViewState& view : views_) views.push_back(view.hull);
+    voxels_ = carveHull(space_, views, hull_, stop);
+    return dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2) > 0;
+  }
+
+  void cutView(std::size_t index) {
+    ViewState& view = views_[index];
+    const cv::Mat1b coarse = silhouetteOfHull(space_, voxels_, view.hull, hull_);
+    cv::Mat1b allowed;
+    cv::resize(coarse, allowed, photographs_[index].size(), 0, 0, cv::INTER_NEAREST);
+    cv::Mat1b wide;
+    cv::dilate(allowed, wide, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+    CutOptions cut_options;
+    const double mm = millimetresPerPixel(images_[index]);
+    const double sine = std::abs(images_[index].centre().normalized().z());
+    cut_options.min_area_px = options_.min_sherd_area_mm2 * sine / (mm * mm);
+    const cv::Mat1b cut = cutOutline(view.log_odds, wide, view.residual, cut_options);
+    result_.masks[index] = softenOutline(cut, photographs_[index]);
+    view = {};
+  }
+
+  std::span<const rig::PosedImage> images_;
+  std::span<const cv::Mat> photographs_;
+  const batch::Plate& plate_;
+  std::span<const cv::Mat> empties_;
+  const PlateMaskOptions& options_;
+  std::vector<ViewState> views_;
+  HullOptions hull_;
+  HullSpace space_;
+  std::vector<unsigned char> voxels_;
+  MaskResult result_;
+};
+
+}  // namespace
+
+Result<void> PlateMaskOptions::check() const {
+  if (!(max_height_mm > 0 && max_height_mm <= 500))
+    return Error{ErrorCode::UnusableInput, "max_height_mm must be within 0 and 500.", {}};
+  if (!(min_sherd_area_mm2 >= 0))
+    return Error{ErrorCode::UnusableInput, "min_sherd_area_mm2 must not be negative.", {}};
+  return {};
+}
+
+Result<MaskResult> maskByPlate(std::span<const rig::PosedImage> images,
+                               std::span<const cv::Mat> photographs, const batch::Plate& plate,
+                               std::span<const cv::Mat> empty_photographs,
+                               const PlateMaskOptions& options, Progress& progress,
+                               std::stop_token stop) {
+  if (const Result<void> ok = options.check(); !ok) return ok.error();
+  if (const Result<void> ok = checkInput(images, photographs); !ok) return ok.error();
+  return PlateMasker(images, photographs, plate, empty_photographs, options).run(progress, stop);
+}
+
+}  // namespace ostraka::mask

@@ -1,0 +1,351 @@
+#include "mask/plate_picture.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace ostraka::mask {
+namespace {
+
+constexpr int kRounds = 6;         // the alternation changes < 0.5 % after the fourth
+constexpr int kFitStride = 3;      // light needs no more than every third cell
+constexpr float kEmptyWeight = 4;  // a certain look is worth several doubtful ones
+constexpr float kNoSample = -1e3F;
+
+/// Samples of one look on the grid; log colours, kNoSample where unseen.
+using Samples = std::vector<cv::Mat3f>;
+
+cv::Vec3f latticeAt(const cv::Mat3f& lattice, float x, float y) {
+  const float u = std::clamp(x / kLightStep, 0.F, static_cast<float>(lattice.cols - 1) - 1e-3F);
+  const float v = std::clamp(y / kLightStep, 0.F, static_cast<float>(lattice.rows - 1) - 1e-3F);
+  const int c = static_cast<int>(u), r = static_cast<int>(v);
+  const float a = u - static_cast<float>(c), b = v - static_cast<float>(r);
+  return (lattice(r, c) * (1 - a) + lattice(r, c + 1) * a) * (1 - b) +
+         (lattice(r + 1, c) * (1 - a) + lattice(r + 1, c + 1) * a) * b;
+}
+
+// How much a residual looks like bare plate: brightness along (1,1,1), colour across it.
+struct Tolerance {
+  float brightness = 0.2F, colour = 0.08F;
+};
+
+float bareWeight(const cv::Vec3f& residual, const Tolerance& tolerance) {
+  const float g = (residual[0] + residual[1] + residual[2]) / 3;
+  const cv::Vec3f c = residual - cv::Vec3f(g, g, g);
+  const float chi = g * g / (tolerance.brightness * tolerance.brightness) +
+                    c.dot(c) / (tolerance.colour * tolerance.colour);
+  return chi > 18 ? 0.F : std::exp(-0.5F * chi);
+}
+
+bool isBareRim(const PlateGrid& grid, const cv::Mat1b& paper, int row, int column) {
+  const double radius = grid.pitch_mm * std::hypot(column - grid.middle(), row - grid.middle());
+  return radius > grid.ring_inner_mm && radius < grid.radius_mm - 2 && paper(row, column) == 0;
+}
+
+// Median log colour of the plate's bare rim: a ring all around, so every stop sees the same light
+// on it, and what differs between stops is exposure.
+cv::Vec3f rimColour(const cv::Mat3f& samples, const PlateGrid& grid, const cv::Mat1b& paper) {
+  cv::Vec3f colour(0, 0, 0);
+  std::vector<float> values;
+  for (int channel = 0; channel < 3; ++channel) {
+    values.clear();
+    for (int row = 0; row < grid.size; ++row)
+      for (int column = 0; column < grid.size; ++column)
+        if (samples(row, column)[0] != kNoSample && isBareRim(grid, paper, row, column))
+          values.push_back(samples(row, column)[channel]);
+    if (values.empty()) continue;
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    colour[channel] = values[values.size() / 2];
+  }
+  return colour;
+}
+
+// A quadratic over the image through the plate's bare rim (between and outside the markers), where
+// no sherd stands: the start that needs no idea of the sherds' colours.
+void fitLightFromRim(std::span<const PlateLook> looks, const Samples& samples,
+                     const PlateGrid& grid, const cv::Mat1b& paper, PlatePicture& picture) {
+  const cv::Size size = looks[0].log_colours.size();
+  const auto basis = [&](double x, double y) {
+    const double u = 2 * x / size.width - 1, v = 2 * y / size.height - 1;
+    Eigen::Matrix<double, 6, 1> b;
+    b << 1, u, v, u * u, u * v, v * v;
+    return b;
+  };
+  for (int channel = 0; channel < 3; ++channel) {
+    Eigen::Matrix<double, 6, 1> fit = Eigen::Matrix<double, 6, 1>::Zero();
+    for (int round = 0; round < 8; ++round) {
+      Eigen::Matrix<double, 6, 6> normal = 1e-3 * Eigen::Matrix<double, 6, 6>::Identity();
+      Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+      const double scale = round == 0 ? 1e3 : 1.0 / (1 << std::min(round, 3));
+      for (std::size_t s = 0; s < looks.size(); ++s)
+        for (int row = 0; row < grid.size; row += kFitStride)
+          for (int column = 0; column < grid.size; column += kFitStride) {
+            if (samples[s](row, column)[0] == kNoSample) continue;
+            if (!isBareRim(grid, paper, row, column)) continue;
+            const float value = samples[s](row, column)[channel] - picture.exposure[s][channel];
+            const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
+            const auto b = basis(p[0], p[1]);
+            const double residual = value - b.dot(fit);
+            const double weight = 1 / (1 + std::pow(residual / scale, 2));
+            normal += weight * b * b.transpose();
+            right += weight * value * b;
+          }
+      fit = normal.ldlt().solve(right);
+    }
+    for (int r = 0; r < picture.light.rows; ++r)
+      for (int c = 0; c < picture.light.cols; ++c)
+        picture.light(r, c)[channel] =
+            static_cast<float>(basis(c * kLightStep, r * kLightStep).dot(fit));
+  }
+}
+
+// The albedo to start from: the empty plate where it was photographed, the median over the looks
+// on the markers' paper (bare in most of them), the rim's colour elsewhere.
+void startAlbedo(std::span<const PlateLook> looks, const Samples& samples, const cv::Mat3f& empty,
+                 int empty_look, const cv::Mat1b& paper, PlatePicture& picture) {
+  std::vector<float> values;
+  for (int row = 0; row < paper.rows; ++row)
+    for (int column = 0; column < paper.cols; ++column) {
+      cv::Vec3f& albedo = picture.albedo(row, column);
+      if (!empty.empty() && empty(row, column)[0] != kNoSample) {
+        const cv::Vec2f p = looks[empty_look].pixel_of_cell(row, column);
+        albedo = empty(row, column) - latticeAt(picture.light, p[0], p[1]);
+      } else if (paper(row, column) != 0) {
+        for (int channel = 0; channel < 3; ++channel) {
+          values.clear();
+          for (std::size_t s = 0; s < looks.size(); ++s) {
+            if (samples[s](row, column)[0] == kNoSample) continue;
+            const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
+            values.push_back(samples[s](row, column)[channel] - picture.exposure[s][channel] -
+                             latticeAt(picture.light, p[0], p[1])[channel]);
+          }
+          if (values.empty()) continue;
+          std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+          albedo[channel] = values[values.size() / 2];
+        }
+      }
+    }
+}
+
+// Normalised blur: cells with weight keep their value, the others take their neighbours'.
+cv::Mat3f spreadColours(const cv::Mat3f& weighted_sum, const cv::Mat1f& weight, double sigma) {
+  // Blur at 1/8 size: the filling is smooth anyway.
+  cv::Mat sum, total;
+  const cv::Size small((weight.cols + 7) / 8, (weight.rows + 7) / 8);
+  cv::resize(weighted_sum, sum, small, 0, 0, cv::INTER_AREA);
+  cv::resize(weight, total, small, 0, 0, cv::INTER_AREA);
+  const double widths[] = {sigma / 8, sigma / 2, sigma * 2};
+  cv::Mat3f filled(small, cv::Vec3f::all(0));
+  cv::Mat1f have(small, 0.F);
+  for (const double width : widths) {
+    cv::Mat blurred_sum, blurred_total;
+    cv::GaussianBlur(sum, blurred_sum, {}, width, width, cv::BORDER_REPLICATE);
+    cv::GaussianBlur(total, blurred_total, {}, width, width, cv::BORDER_REPLICATE);
+    for (int r = 0; r < small.height; ++r)
+      for (int c = 0; c < small.width; ++c) {
+        const float w = blurred_total.at<float>(r, c);
+        const float share = (1 - have(r, c)) * w / (w + 0.1F);
+        if (w > 1e-5F) filled(r, c) += share * blurred_sum.at<cv::Vec3f>(r, c) / w;
+        if (w > 1e-5F) have(r, c) += share;
+      }
+  }
+  cv::Mat3f full;
+  cv::resize(filled, full, weight.size(), 0, 0, cv::INTER_LINEAR);
+  return full;
+}
+
+// Step A: albedo from all looks' samples without light and exposure, weighted by how bare they look
+// against the albedo so far.
+void updateAlbedo(std::span<const PlateLook> looks, const Samples& samples, const cv::Mat3f& empty,
+                  int empty_look, const Tolerance& tolerance, const PlateGrid& grid,
+                  PlatePicture& picture) {
+  cv::Mat3f sum(grid.size, grid.size, cv::Vec3f::all(0));
+  cv::Mat1f weight(grid.size, grid.size, 0.F);
+  for (int row = 0; row < grid.size; ++row)
+    for (int column = 0; column < grid.size; ++column) {
+      const cv::Vec3f before = picture.albedo(row, column);
+      for (std::size_t s = 0; s < looks.size(); ++s) {
+        const cv::Vec3f value = samples[s](row, column);
+        if (value[0] == kNoSample) continue;
+        const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
+        const cv::Vec3f own = value - latticeAt(picture.light, p[0], p[1]) - picture.exposure[s];
+        const float w = bareWeight(own - before, tolerance);
+        sum(row, column) += w * own;
+        weight(row, column) += w;
+      }
+      if (!empty.empty() && empty(row, column)[0] != kNoSample) {
+        const cv::Vec2f p = looks[empty_look].pixel_of_cell(row, column);
+        sum(row, column) +=
+            kEmptyWeight * (empty(row, column) - latticeAt(picture.light, p[0], p[1]));
+        weight(row, column) += kEmptyWeight;
+      }
+    }
+  // 4 mm: wider than the cloth's texture, narrower than its stains.
+  const cv::Mat3f filled = spreadColours(sum, weight, 4 / grid.pitch_mm);
+  for (int row = 0; row < grid.size; ++row)
+    for (int column = 0; column < grid.size; ++column) {
+      const float w = weight(row, column);
+      // Less than about one bare look is no evidence against the neighbours.
+      const float share = w * w / (w * w + 0.5F);
+      picture.albedo(row, column) =
+          w > 0 ? share * sum(row, column) / w + (1 - share) * filled(row, column)
+                : filled(row, column);
+    }
+  picture.support = weight;
+}
+
+// Step B: exposure of each look, then the light's lattice, from the residuals of bare samples.
+void updateLight(std::span<const PlateLook> looks, const Samples& samples,
+                 const Tolerance& tolerance, const PlateGrid& grid, PlatePicture& picture) {
+  cv::Mat3f sum(picture.light.size(), cv::Vec3f::all(0));
+  cv::Mat1f weight(picture.light.size(), 0.F);
+  for (std::size_t s = 0; s < looks.size(); ++s) {
+    for (int pass = 0; pass < 2; ++pass) {
+      cv::Vec3d shift(0, 0, 0);
+      double total = 0;
+      for (int row = 0; row < grid.size; row += kFitStride)
+        for (int column = 0; column < grid.size; column += kFitStride) {
+          const cv::Vec3f value = samples[s](row, column);
+          if (value[0] == kNoSample || picture.support(row, column) < 1) continue;
+          const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
+          const cv::Vec3f residual = value - latticeAt(picture.light, p[0], p[1]) -
+                                     picture.exposure[s] - picture.albedo(row, column);
+          const float w = bareWeight(residual, tolerance);
+          if (w <= 0) continue;
+          if (pass == 0) {
+            shift += cv::Vec3d(w * residual);
+            total += w;
+            continue;
+          }
+          const int c = std::clamp(cvRound(p[0] / kLightStep), 0, sum.cols - 1);
+          const int r = std::clamp(cvRound(p[1] / kLightStep), 0, sum.rows - 1);
+          sum(r, c) += w * residual;
+          weight(r, c) += w;
+        }
+      if (pass == 0 && total > 100) picture.exposure[s] += cv::Vec3f(shift * (1 / total));
+    }
+  }
+  cv::Mat blurred_sum, blurred_weight;
+  cv::GaussianBlur(sum, blurred_sum, {}, 1, 1, cv::BORDER_REPLICATE);
+  cv::GaussianBlur(weight, blurred_weight, {}, 1, 1, cv::BORDER_REPLICATE);
+  for (int r = 0; r < sum.rows; ++r)
+    for (int c = 0; c < sum.cols; ++c)
+      picture.light(r, c) +=
+          blurred_sum.at<cv::Vec3f>(r, c) / (blurred_weight.at<float>(r, c) + 20.F);
+}
+
+// What does not turn looks the same at all stops: the median over the looks, channel by channel.
+cv::Mat3f stillRoom(std::span<const PlateLook> looks, const PlatePicture& picture,
+                    const PlateGrid& grid) {
+  const cv::Size size = looks[0].log_colours.size();
+  cv::Mat3f room(size, cv::Vec3f::all(0));
+  const double limit = (grid.radius_mm - 3) / grid.pitch_mm;
+  const cv::Vec2f middle(static_cast<float>(grid.middle()), static_cast<float>(grid.middle()));
+  std::vector<float> values(looks.size());
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      if (cv::norm(looks[0].grid_of_pixel(y, x) - middle) < limit) continue;
+      for (int channel = 0; channel < 3; ++channel) {
+        for (std::size_t s = 0; s < looks.size(); ++s)
+          values[s] = looks[s].log_colours(y, x)[channel] - picture.exposure[s][channel];
+        std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+        room(y, x)[channel] = values[values.size() / 2];
+      }
+    }
+  return room;
+}
+
+cv::Mat3f sampled(const cv::Mat3f& colours, const cv::Mat2f& pixel_of_cell) {
+  cv::Mat3f samples;
+  cv::remap(colours, samples, pixel_of_cell, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT,
+            cv::Scalar::all(kNoSample));
+  // A sample half outside the picture mixes in the border's value.
+  for (cv::Vec3f& value : samples)
+    if (value[0] < 0) value = cv::Vec3f::all(kNoSample);
+  return samples;
+}
+
+}  // namespace
+
+cv::Mat3f logColours(const cv::Mat& photograph) {
+  std::array<float, 256> table{};
+  for (int i = 0; i < 256; ++i) table[i] = std::log(static_cast<float>(i) + kDarkLevel);
+  cv::Mat3f logs(photograph.size());
+  for (int y = 0; y < photograph.rows; ++y) {
+    const cv::Vec3b* from = photograph.ptr<cv::Vec3b>(y);
+    cv::Vec3f* to = logs[y];
+    for (int x = 0; x < photograph.cols; ++x)
+      to[x] = {table[from[x][0]], table[from[x][1]], table[from[x][2]]};
+  }
+  return logs;
+}
+
+PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f& empty,
+                               int empty_look, const PlateGrid& grid, const cv::Mat1b& paper) {
+  const cv::Size size = looks[0].log_colours.size();
+  PlatePicture picture;
+  picture.albedo = cv::Mat3f(grid.size, grid.size, cv::Vec3f::all(0));
+  picture.support = cv::Mat1f(grid.size, grid.size, 1.F);
+  picture.light = cv::Mat3f(size.height / kLightStep + 2, size.width / kLightStep + 2);
+  picture.exposure.assign(looks.size(), cv::Vec3f::all(0));
+  Samples samples;
+  for (const PlateLook& look : looks)
+    samples.push_back(sampled(look.log_colours, look.pixel_of_cell));
+  cv::Mat3f empty_samples;
+  if (!empty.empty()) empty_samples = sampled(empty, looks[empty_look].pixel_of_cell);
+  picture.has_empty = !empty.empty();
+  cv::Vec3f mean(0, 0, 0);
+  for (std::size_t s = 0; s < looks.size(); ++s) {
+    picture.exposure[s] = rimColour(samples[s], grid, paper);
+    mean += picture.exposure[s] * (1.F / static_cast<float>(looks.size()));
+  }
+  for (cv::Vec3f& exposure : picture.exposure) exposure -= mean;
+  if (!empty_samples.empty()) {
+    const cv::Vec3f shift = mean - rimColour(empty_samples, grid, paper);
+    for (cv::Vec3f& value : empty_samples)
+      if (value[0] != kNoSample) value += shift;
+  }
+  fitLightFromRim(looks, samples, grid, paper, picture);
+  startAlbedo(looks, samples, empty_samples, empty_look, paper, picture);
+  for (int round = 0; round < kRounds; ++round) {
+    // From a wide look at everything plate-like down to the noise of a pixel.
+    const float narrowing = std::pow(0.75F, static_cast<float>(round));
+    const Tolerance tolerance{0.3F * narrowing, 0.12F * narrowing};
+    updateAlbedo(looks, samples, empty_samples, empty_look, tolerance, grid, picture);
+    updateLight(looks, samples, tolerance, grid, picture);
+  }
+  picture.room = stillRoom(looks, picture, grid);
+  return picture;
+}
+
+cv::Mat3f lightOfPixels(const PlatePicture& picture, cv::Size size) {
+  cv::Mat3f light(size);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x)
+      light(y, x) = latticeAt(picture.light, static_cast<float>(x), static_cast<float>(y));
+  return light;
+}
+
+cv::Mat3f predictBare(const PlatePicture& picture, const PlateLook& look, std::size_t index,
+                      const PlateGrid& grid) {
+  const cv::Size size = look.log_colours.size();
+  cv::Mat3f bare;
+  cv::remap(picture.albedo, bare, look.grid_of_pixel, cv::noArray(), cv::INTER_LINEAR,
+            cv::BORDER_REPLICATE);
+  const double limit = (grid.radius_mm - 1.5) / grid.pitch_mm;  // the plate's edge is rounded
+  const cv::Vec2f middle(static_cast<float>(grid.middle()), static_cast<float>(grid.middle()));
+  const cv::Vec3f exposure = picture.exposure[index];
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      if (cv::norm(look.grid_of_pixel(y, x) - middle) < limit)
+        bare(y, x) +=
+            exposure + latticeAt(picture.light, static_cast<float>(x), static_cast<float>(y));
+      else
+        bare(y, x) = picture.room(y, x) + exposure;
+    }
+  return bare;
+}
+
+}  // namespace ostraka::mask

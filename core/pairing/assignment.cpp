@@ -1,0 +1,256 @@
+#include "pairing/assignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace ostraka::pairing {
+namespace {
+
+constexpr double kImpossible = 1e7;  // far above any sum of log-likelihoods, far below overflow
+
+/// A square cost matrix, its cheapest assignment and the dual prices that prove it.
+class Matching {
+ public:
+  explicit Matching(std::vector<std::vector<double>> costs) : costs_(std::move(costs)) { solve(); }
+
+  int columnOf(std::size_t row) const { return column_of_[row]; }
+
+  /// By how much the total grows when this row must take each column: one shortest path per
+  /// column, all found by one search backwards from the column that the row gives up. O(n^2).
+  std::vector<double> forcedIncrease(std::size_t row) const {
+    const std::size_t n = costs_.size();
+    std::vector<double> distance(n, std::numeric_limits<double>::max());  // row to freed column
+    std::vector<std::uint8_t> done(n, 0);
+    const std::size_t freed = static_cast<std::size_t>(column_of_[row]);
+    for (std::size_t r = 0; r < n; ++r) {
+      if (r != row) distance[r] = reduced(r, freed);
+    }
+    done[row] = 1;
+    for (std::size_t round = 1; round < n; ++round) {
+      std::size_t nearest = n;
+      for (std::size_t r = 0; r < n; ++r) {
+        if (!done[r] && (nearest == n || distance[r] < distance[nearest])) nearest = r;
+      }
+      if (nearest == n) break;
+      done[nearest] = 1;
+      const std::size_t column = static_cast<std::size_t>(column_of_[nearest]);
+      for (std::size_t r = 0; r < n; ++r) {
+        if (!done[r]) distance[r] = std::min(distance[r], reduced(r, column) + distance[nearest]);
+      }
+    }
+    std::vector<double> increase(n, 0);
+    for (std::size_t c = 0; c < n; ++c) {
+      if (c != freed)
+        increase[c] = reduced(row, c) + distance[static_cast<std::size_t>(row_of_[c])];
+    }
+    return increase;
+  }
+
+ private:
+  double reduced(std::size_t r, std::size_t c) const {
+    return std::max(0.0, costs_[r][c] - row_price_[r] - column_price_[c]);
+  }
+
+  /// Jonker and Volgenant's form of the Hungarian method: one shortest augmenting path per row.
+  void solve() {
+    const std::size_t n = costs_.size(), none = n;
+    row_price_.assign(n, 0);
+    column_price_.assign(n + 1, 0);
+    std::vector<std::size_t> row_of(n + 1, none);
+    for (std::size_t row = 0; row < n; ++row) {
+      std::vector<double> least(n, std::numeric_limits<double>::max());
+      std::vector<std::size_t> from(n, none);
+      std::vector<std::uint8_t> used(n + 1, 0);
+      std::size_t column = n;
+      row_of[n] = row;
+      do {
+        used[column] = 1;
+        const std::size_t r = row_of[column];
+        double delta = std::numeric_limits<double>::max();
+        std::size_t next = none;
+        for (std::size_t c = 0; c < n; ++c) {
+          if (used[c]) continue;
+          const double slack = costs_[r][c] - row_price_[r] - column_price_[c];
+          if (slack < least[c]) least[c] = slack, from[c] = column;
+          if (least[c] < delta) delta = least[c], next = c;
+        }
+        for (std::size_t c = 0; c <= n; ++c) {
+          if (used[c]) {
+            row_price_[row_of[c]] += delta, column_price_[c] -= delta;
+          } else if (c < n) {
+            least[c] -= delta;
+          }
+        }
+        column = next;
+      } while (row_of[column] != none);
+      while (column != n) {
+        const std::size_t before = from[column];
+        row_of[column] = row_of[before];
+        column = before;
+      }
+    }
+    column_of_.assign(n, 0);
+    row_of_.assign(n, 0);
+    for (std::size_t c = 0; c < n; ++c) {
+      row_of_[c] = static_cast<int>(row_of[c]);
+      column_of_[row_of[c]] = static_cast<int>(c);
+    }
+  }
+
+  std::vector<std::vector<double>> costs_;
+  std::vector<double> row_price_, column_price_;
+  std::vector<int> column_of_, row_of_;
+};
+
+/// Fronts and backs, each with a place of its own to stay alone in: rows fronts then stand-ins,
+/// columns backs then stand-ins.
+std::vector<std::vector<double>> costsOf(std::span<const Evidence> evidence, std::size_t n_front,
+                                         std::size_t n_back, double lone) {
+  const std::size_t n = n_front + n_back;
+  std::vector<std::vector<double>> costs(n, std::vector<double>(n, 0));
+  for (std::size_t f = 0; f < n_front; ++f) {
+    std::fill_n(costs[f].begin(), n_back, kImpossible);
+    // Each front stays alone in its own place only, so that the choice is one column.
+    for (std::size_t k = 0; k < n_front; ++k) costs[f][n_back + k] = k == f ? 0 : kImpossible;
+  }
+  for (std::size_t b = 0; b < n_back; ++b) {
+    for (std::size_t k = 0; k < n_back; ++k) costs[n_front + b][k] = k == b ? 0 : kImpossible;
+  }
+  for (const Evidence& e : evidence) {
+    double& cost = costs[static_cast<std::size_t>(e.front)][static_cast<std::size_t>(e.back)];
+    cost = std::min(cost, lone - e.log_likelihood);
+  }
+  return costs;
+}
+
+/// Probabilities of each front's choices: columns 0 .. n_back-1, last = alone; and of each back's.
+struct Chances {
+  std::vector<std::vector<double>> of_front;  ///< [front][back], [front][n_back] = alone
+  std::vector<std::vector<double>> of_back;   ///< [back][front]
+};
+
+Chances chancesOf(const Matching& matching, std::size_t n_front, std::size_t n_back) {
+  Chances chances;
+  chances.of_front.assign(n_front, std::vector<double>(n_back + 1, 0));
+  chances.of_back.assign(n_back, std::vector<double>(n_front, 0));
+  std::vector<double> back_total(n_back, 0);
+  for (std::size_t f = 0; f < n_front; ++f) {
+    const std::vector<double> increase = matching.forcedIncrease(f);
+    double total = 0;
+    for (std::size_t b = 0; b <= n_back; ++b) {
+      const double weight = std::exp(-increase[b < n_back ? b : n_back + f]);
+      chances.of_front[f][b] = weight;
+      total += weight;
+      if (b < n_back) chances.of_back[b][f] = weight, back_total[b] += weight;
+    }
+    for (double& p : chances.of_front[f]) p /= total;
+  }
+  for (std::size_t b = 0; b < n_back; ++b) {
+    const double total = back_total[b] + std::exp(-matching.forcedIncrease(n_front + b)[b]);
+    for (double& p : chances.of_back[b]) p /= total;
+  }
+  return chances;
+}
+
+std::vector<Alternative> alternativesOf(const Chances& chances, int front, int back, int n_back,
+                                        int max_count) {
+  constexpr double kWorthNaming = 1e-3;
+  std::vector<Alternative> found;
+  const std::vector<double>& row = chances.of_front[static_cast<std::size_t>(front)];
+  const std::vector<double>& column = chances.of_back[static_cast<std::size_t>(back)];
+  for (int b = 0; b < n_back; ++b) {
+    const double p = row[static_cast<std::size_t>(b)];
+    if (b != back && p > kWorthNaming) found.push_back({front, b, p});
+  }
+  for (int f = 0; f < static_cast<int>(column.size()); ++f) {
+    const double p = column[static_cast<std::size_t>(f)];
+    if (f != front && p > kWorthNaming) found.push_back({f, back, p});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Alternative& a, const Alternative& b) { return a.score > b.score; });
+  if (found.size() > static_cast<std::size_t>(max_count)) {
+    found.resize(static_cast<std::size_t>(max_count));
+  }
+  return found;
+}
+
+Decision decide(const Evidence& e, const Chances& chances, int n_back,
+                const AssignOptions& options) {
+  Decision d{e.front, e.back, 0, 0, false, {}, {}};
+  const double of_front =
+      chances.of_front[static_cast<std::size_t>(e.front)][static_cast<std::size_t>(e.back)];
+  const double of_back =
+      chances.of_back[static_cast<std::size_t>(e.back)][static_cast<std::size_t>(e.front)];
+  const double partner = std::min(of_front, of_back);
+  const double other_pose =
+      std::exp(std::min(0.0, e.runner_up_start_log_likelihood - e.log_likelihood));
+  const double pose = 1 / (1 + other_pose);
+  d.score = partner * pose;
+  d.alternatives = alternativesOf(chances, e.front, e.back, n_back, options.max_alternatives);
+  const double alone = 1 - partner;
+  double rival =
+      std::max(partner * (1 - pose), chances.of_front[static_cast<std::size_t>(e.front)].back());
+  if (!d.alternatives.empty()) rival = std::max(rival, d.alternatives[0].score);
+  d.margin = d.score - std::min(rival, std::max(alone, partner * (1 - pose)));
+  if (e.slipped) {
+    d.reason = "The registration's self-check fails: the back may lie at a wrong place.";
+  } else if (partner < options.flag_below) {
+    d.reason = d.alternatives.empty() ? "The two sides fit hardly better than strangers."
+                                      : "Another partner fits nearly as well.";
+  } else if (d.score < options.flag_below) {
+    d.reason = "Another pose of the same two sides fits nearly as well.";
+  }
+  d.ambiguous = !d.reason.empty();
+  return d;
+}
+
+}  // namespace
+
+Result<void> AssignOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (!std::isfinite(lone_log_likelihood)) return bad("lone_log_likelihood must be finite.");
+  if (!(flag_below >= 0 && flag_below <= 1)) return bad("flag_below must lie between 0 and 1.");
+  if (max_alternatives < 0) return bad("max_alternatives must not be negative.");
+  return {};
+}
+
+Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, int n_back,
+                               const AssignOptions& options) {
+  if (const Result<void> valid = options.check(); !valid) return valid.error();
+  for (const Evidence& e : evidence) {
+    if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
+        !std::isfinite(e.log_likelihood)) {
+      return Error{
+          ErrorCode::UnusableInput, "The evidence of a pair has no valid scans or figure.", {}};
+    }
+  }
+  const std::size_t fronts = static_cast<std::size_t>(std::max(0, n_front));
+  const std::size_t backs = static_cast<std::size_t>(std::max(0, n_back));
+  const Matching matching(costsOf(evidence, fronts, backs, options.lone_log_likelihood));
+  const Chances chances = chancesOf(matching, fronts, backs);
+  Assignment assignment;
+  std::vector<std::uint8_t> taken(backs, 0);
+  for (int f = 0; f < n_front; ++f) {
+    const int b = matching.columnOf(static_cast<std::size_t>(f));
+    const Evidence* best = nullptr;
+    for (const Evidence& e : evidence) {
+      const bool better = !best || e.log_likelihood > best->log_likelihood;
+      if (e.front == f && e.back == b && better) best = &e;
+    }
+    if (!best) {
+      assignment.unpaired_front.push_back(f);
+      continue;
+    }
+    const Decision decision = decide(*best, chances, n_back, options);
+    taken[static_cast<std::size_t>(b)] = 1;
+    assignment.pairs.push_back(decision);
+  }
+  for (int b = 0; b < n_back; ++b) {
+    if (!taken[static_cast<std::size_t>(b)]) assignment.unpaired_back.push_back(b);
+  }
+  return assignment;
+}
+
+}  // namespace ostraka::pairing

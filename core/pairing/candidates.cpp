@@ -1,0 +1,303 @@
+#include "pairing/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/parallel.h"
+#include "batch/batch.h"
+#include "pairing/paper.h"
+#include "pairing/planar_alignment.h"
+#include "pairing/turning_angles.h"
+#include "scan/rim.h"
+
+namespace ostraka::pairing {
+namespace {
+
+/// One scan's outline with all that comparing needs; the back's is mirrored.
+struct Outline {
+  Contour contour;
+  std::optional<OutlineField> field;
+  std::vector<double> heights;  ///< as field->line()
+  std::vector<double> angles;   ///< 200 turning angles
+};
+
+constexpr int kAngleSamples = 200;  // the paper's number
+
+Result<Outline> outlineOf(const scan::Scan& scan, batch::Side side, const ContourOptions& options) {
+  Result<Contour> contour = traceContour(scan.cloud, scan::estimateUp(scan.cloud), options);
+  if (!contour) return contour.error();
+  Outline outline{std::move(*contour), std::nullopt, {}, {}};
+  std::vector<Eigen::Vector2d> line = outline.contour.points;
+  outline.heights = outline.contour.heights;
+  if (side == batch::Side::Back) {
+    line = mirrored(line);
+    std::reverse(outline.heights.begin(), outline.heights.end());
+  }
+  Result<std::vector<double>> angles = turningAngles(line, kAngleSamples);
+  if (!angles) return angles.error();
+  outline.angles = std::move(*angles);
+  outline.field.emplace(std::move(line));
+  return outline;
+}
+
+/// Logarithm of the ratio of likelihoods of the distances between two aligned outlines.
+///
+/// One sherd: half-normal of kSame, with kMissing of the outline anywhere up to kFar (hidden
+/// strip). Two sherds at random, after the best alignment: half-normal of a share of the size.
+/// Neighbouring distances tell the same thing: one independent figure per kCorrelation of the
+/// outline.
+double outlineLogLikelihood(const PlanarFit& fit, double perimeter_mm) {
+  constexpr double kSame = 0.25;        // mm, measured in tests/bench (two views of one wall)
+  constexpr double kMissing = 0.08;     // share of hidden strip
+  constexpr double kOther = 0.020;      // of the perimeter: 2.4 mm for a 40 mm sherd
+  constexpr double kCorrelation = 6.0;  // mm, about a wall's thickness
+  const double other = kOther * perimeter_mm, far = 4 * other;
+  const auto halfNormal = [](double d, double sigma) {
+    return std::sqrt(2 / std::numbers::pi) / sigma * std::exp(-0.5 * d * d / (sigma * sigma));
+  };
+  double sum = 0;
+  for (const double d : fit.distances_mm) {
+    const double same = (1 - kMissing) * halfNormal(d, kSame) + kMissing / far;
+    const double random = (1 - kMissing) * halfNormal(d, other) + kMissing / far;
+    sum += std::log(same / random);
+  }
+  return sum / static_cast<double>(fit.distances_mm.size()) * perimeter_mm / kCorrelation;
+}
+
+/// Rigid least squares of the samples matched one to one at a start point (Kabsch in the plane).
+PlanarPose poseOfShift(const Outline& front, const Outline& back, int shift, double scale) {
+  const std::vector<Eigen::Vector2d> f = resampled(front.field->line(), kAngleSamples);
+  const std::vector<Eigen::Vector2d> b = resampled(back.field->line(), kAngleSamples);
+  Eigen::Vector2d mean_f = Eigen::Vector2d::Zero(), mean_b = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& p : f) mean_f += p / kAngleSamples;
+  for (const Eigen::Vector2d& p : b) mean_b += p / kAngleSamples;
+  double along = 0, across = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const Eigen::Vector2d p = f[i] - mean_f;
+    const Eigen::Vector2d q = b[(i + static_cast<std::size_t>(shift)) % b.size()] - mean_b;
+    along += q.dot(p);
+    across += q.x() * p.y() - q.y() * p.x();
+  }
+  PlanarPose pose;
+  pose.angle_rad = std::atan2(across, along);
+  pose.scale = scale;
+  pose.shift = mean_f - pose.apply(mean_b);
+  return pose;
+}
+
+/// The start points whose turning angles fit better than their neighbours', best first.
+std::vector<int> bestShifts(const std::vector<double>& costs, int max_count) {
+  const int n = static_cast<int>(costs.size());
+  const auto at = [&](int i) { return costs[static_cast<std::size_t>((i + n) % n)]; };
+  std::vector<int> valleys;
+  for (int i = 0; i < n; ++i) {
+    if (at(i) <= at(i - 1) && at(i) < at(i + 1)) valleys.push_back(i);
+  }
+  std::stable_sort(valleys.begin(), valleys.end(), [&](int a, int b) { return at(a) < at(b); });
+  if (valleys.size() > static_cast<std::size_t>(max_count))
+    valleys.resize(static_cast<std::size_t>(max_count));
+  return valleys;
+}
+
+/// Largest distance that a point of the back's outline lies apart under the two poses, mm.
+double apart(const PlanarPose& a, const PlanarPose& b, const OutlineField& back) {
+  double largest = 0;
+  const std::vector<Eigen::Vector2d>& line = back.line();
+  for (std::size_t i = 0; i < line.size(); i += std::max<std::size_t>(1, line.size() / 16)) {
+    largest = std::max(largest, (a.apply(line[i]) - b.apply(line[i])).norm());
+  }
+  return largest;
+}
+
+StartPose startPose(const Outline& front, const Outline& back, const PlanarFit& fit) {
+  StartPose start;
+  start.contour_rms_mm = fit.rms_mm;
+  start.scale = fit.pose.scale;
+  const std::vector<Eigen::Vector2d>& line = back.field->line();
+  std::vector<double> sums;
+  for (std::size_t i = 0; i < line.size(); i += std::max<std::size_t>(1, line.size() / 200)) {
+    const OutlineField::Foot foot = front.field->nearest(fit.pose.apply(line[i]));
+    sums.push_back(front.heights[static_cast<std::size_t>(foot.index)] +
+                   fit.pose.scale * back.heights[i]);
+  }
+  std::nth_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2),
+                   sums.end());
+  const double height = sums[sums.size() / 2];
+  const Eigen::Vector2d origin = fit.pose.unapply(front.field->line()[0]);
+  start.shift = back.field->nearest(origin).index * kAngleSamples / static_cast<int>(line.size());
+  Eigen::Isometry3d planar = Eigen::Isometry3d::Identity();
+  planar.linear() = (Eigen::AngleAxisd(fit.pose.angle_rad, Eigen::Vector3d::UnitZ()) *
+                     Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY()))
+                        .toRotationMatrix();
+  planar.translation() << fit.pose.shift, height;
+  Eigen::Isometry3d plane_from_back = back.contour.plane_from_scan;
+  plane_from_back.translation() *= fit.pose.scale;  // the pose acts on the back brought to size
+  start.front_from_back = front.contour.plane_from_scan.inverse() * planar * plane_from_back;
+  start.log_likelihood = outlineLogLikelihood(fit, front.field->perimeter());
+  return start;
+}
+
+/// Distinct fits, best first: turns of centroid on centroid and start points of the turning angles
+/// are aligned coarsely, the better half finely.
+std::vector<PlanarFit> alignedFits(const Outline& front, const Outline& back,
+                                   const CandidateOptions& options) {
+  constexpr int kTurns = 16, kShifts = 6;  // a regular polygon has fewer; a disc's relief decides
+  const bool free_scale = options.scale == Scale::Free;
+  const double scale = free_scale ? std::sqrt(front.contour.area_mm2 / back.contour.area_mm2) : 1.0;
+  std::vector<PlanarPose> poses = bestTurns(*front.field, *back.field, scale, kTurns);
+  for (const int shift : bestShifts(shiftCosts(front.angles, back.angles, Offset::Free), kShifts)) {
+    poses.push_back(poseOfShift(front, back, shift, scale));
+  }
+  PlanarAlignOptions coarse;
+  coarse.scale = free_scale ? FreeScale::Yes : FreeScale::No;
+  PlanarAlignOptions fine = coarse;
+  coarse.rounds = 6, coarse.samples = 80, coarse.last_reach_mm = 1.0;
+  fine.rounds = 8, fine.first_reach_mm = 1.0;
+  const auto sortedDistinct = [&](std::vector<PlanarFit> fits, double min_apart_mm) {
+    std::stable_sort(fits.begin(), fits.end(),
+                     [](const PlanarFit& a, const PlanarFit& b) { return a.rms_mm < b.rms_mm; });
+    std::vector<PlanarFit> kept;
+    for (PlanarFit& fit : fits) {
+      const bool known = std::any_of(kept.begin(), kept.end(), [&](const PlanarFit& other) {
+        return apart(fit.pose, other.pose, *back.field) < min_apart_mm;
+      });
+      if (!known) kept.push_back(std::move(fit));
+    }
+    return kept;
+  };
+  std::vector<PlanarFit> fits;
+  for (const PlanarPose& pose : poses)
+    fits.push_back(alignOutlines(*front.field, *back.field, pose, coarse));
+  fits = sortedDistinct(std::move(fits), 0.5);
+  const std::size_t most = static_cast<std::size_t>(options.max_starts) + 2;
+  if (fits.size() > most) fits.resize(most);
+  for (PlanarFit& fit : fits) fit = alignOutlines(*front.field, *back.field, fit.pose, fine);
+  fits = sortedDistinct(std::move(fits), 1.0);
+  if (fits.size() > static_cast<std::size_t>(options.max_starts)) {
+    fits.resize(static_cast<std::size_t>(options.max_starts));
+  }
+  return fits;
+}
+
+PairCandidate defaultCandidate(const Outline& front, const Outline& back,
+                               const CandidateOptions& options) {
+  PairCandidate candidate;
+  for (const PlanarFit& fit : alignedFits(front, back, options)) {
+    candidate.starts.push_back(startPose(front, back, fit));
+  }
+  std::stable_sort(
+      candidate.starts.begin(), candidate.starts.end(),
+      [](const StartPose& a, const StartPose& b) { return a.log_likelihood > b.log_likelihood; });
+  candidate.log_likelihood = candidate.starts.empty() ? -1e9 : candidate.starts[0].log_likelihood;
+  return candidate;
+}
+
+PairCandidate paperCandidate(const Outline& front, const Outline& back,
+                             const CandidateOptions& options) {
+  // Costs of one sherd's two sides spread about 0.15 rad; above 0.4 rad strangers are commoner.
+  constexpr double kSame = 0.15, kEven = 0.40;
+  const std::vector<double> costs = shiftCosts(front.angles, back.angles, Offset::None);
+  PairCandidate candidate;
+  for (const int shift : bestShifts(costs, options.max_starts)) {
+    const double scale = options.scale == Scale::Free
+                             ? std::sqrt(front.contour.area_mm2 / back.contour.area_mm2)
+                             : 1.0;
+    PlanarAlignOptions none;
+    none.rounds = 0;
+    StartPose start = startPose(
+        front, back,
+        alignOutlines(*front.field, *back.field, poseOfShift(front, back, shift, scale), none));
+    const double cost = costs[static_cast<std::size_t>(shift)];
+    start.log_likelihood = (kEven * kEven - cost * cost) / (2 * kSame * kSame);
+    candidate.starts.push_back(start);
+  }
+  candidate.log_likelihood = candidate.starts.empty() ? -1e9 : candidate.starts[0].log_likelihood;
+  return candidate;
+}
+
+std::vector<std::optional<Outline>> outlinesOf(std::span<const scan::Scan> scans, batch::Side side,
+                                               const CandidateOptions& options,
+                                               Progress& progress) {
+  std::vector<std::optional<Outline>> outlines(scans.size());
+  std::vector<std::string> notes(scans.size());
+  parallelFor(scans.size(), options.threads, [&](std::size_t i) {
+    Result<Outline> outline = outlineOf(scans[i], side, options.contour);
+    if (outline) {
+      outlines[i] = std::move(*outline);
+    } else {
+      notes[i] = "pairing: " + scans[i].id + " stays unpaired: " + outline.error().sentence();
+    }
+  });
+  for (const std::string& text : notes) {
+    if (!text.empty()) progress.note(NoteLevel::Warning, text);
+  }
+  return outlines;
+}
+
+/// Pairs within reach, or among the best few of one of their scans.
+std::vector<PairCandidate> withinReach(std::vector<PairCandidate> all,
+                                       const CandidateOptions& options) {
+  std::vector<std::size_t> order(all.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return all[a].log_likelihood > all[b].log_likelihood;
+  });
+  std::vector<int> of_front, of_back;
+  std::vector<std::uint8_t> keep(all.size(), 0);
+  for (const std::size_t i : order) {
+    const std::size_t f = static_cast<std::size_t>(all[i].front),
+                      b = static_cast<std::size_t>(all[i].back);
+    if (of_front.size() <= f) of_front.resize(f + 1, 0);
+    if (of_back.size() <= b) of_back.resize(b + 1, 0);
+    keep[i] = !all[i].starts.empty() &&
+              (all[i].log_likelihood >= options.reach || of_front[f] < options.min_per_scan ||
+               of_back[b] < options.min_per_scan);
+    ++of_front[f], ++of_back[b];
+  }
+  std::vector<PairCandidate> kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (keep[i]) kept.push_back(std::move(all[i]));
+  }
+  return kept;
+}
+
+}  // namespace
+
+Result<void> CandidateOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (max_starts < 1) return bad("max_starts must be at least 1.");
+  if (min_per_scan < 0) return bad("min_per_scan must not be negative.");
+  if (!std::isfinite(reach)) return bad("reach must be a finite number.");
+  return contour.check();
+}
+
+Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fronts,
+                                                  std::span<const scan::Scan> backs,
+                                                  const CandidateOptions& options,
+                                                  Progress& progress, std::stop_token stop) {
+  if (const Result<void> valid = options.check(); !valid) return valid.error();
+  const auto front = outlinesOf(fronts, batch::Side::Front, options, progress);
+  const auto back = outlinesOf(backs, batch::Side::Back, options, progress);
+  std::vector<PairCandidate> all(fronts.size() * backs.size());
+  for (std::size_t f = 0; f < fronts.size(); ++f) {  // a row at a time, to answer a stop
+    if (stop.stop_requested()) return Error::cancelled();
+    progress.report(static_cast<std::int64_t>(f), static_cast<std::int64_t>(fronts.size()));
+    parallelFor(backs.size(), options.threads, [&](std::size_t b) {
+      PairCandidate& candidate = all[f * backs.size() + b];
+      if (front[f] && back[b]) {
+        candidate = options.method == Method::Paper
+                        ? paperCandidate(*front[f], *back[b], options)
+                        : defaultCandidate(*front[f], *back[b], options);
+      }
+      candidate.front = static_cast<int>(f);
+      candidate.back = static_cast<int>(b);
+    });
+  }
+  progress.report(static_cast<std::int64_t>(fronts.size()),
+                  static_cast<std::int64_t>(fronts.size()));
+  return withinReach(std::move(all), options);
+}
+
+}  // namespace ostraka::pairing

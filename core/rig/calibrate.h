@@ -14,8 +14,8 @@ namespace ostraka::rig {
 
 struct PoseOptions {
   int threads = 0;  ///< <= 0: all processors of this process; the result does not depend on it
-  /// How well a stop comes back on the other side of the batch: hobby turntables reach 0.05 degrees.
-  /// Markers (0.1 px) outweigh this by far; it carries stops without any marker.
+  /// How well a stop comes back on the other side of the batch: hobby turntables reach 0.05
+  /// degrees. Markers (0.1 px) outweigh this by far; it carries stops without any marker.
   double table_repeatability_rad = 0.001;
   /// Median residual of a camera above which a known rig no longer fits (a camera was moved).
   double max_known_rig_residual_px = 0.5;
@@ -28,10 +28,10 @@ struct BatchPoses {
   /// One per usable shot in the order of batch.shots; file is the photograph's path.
   /// camera_from_plate belongs to the plate as it has turned (its markers define the frame).
   std::vector<PosedImage> images;
-  double reprojection_rms_px = 0;         ///< of the marker corners that were used
-  std::vector<double> rms_per_image_px;   ///< per image; 0 where no marker was seen
-  std::vector<int> markers_per_image;     ///< per image; 0: the pose comes through the rig
-  std::vector<std::string> warnings;      ///< what was also noted as a warning
+  double reprojection_rms_px = 0;        ///< of the marker corners that were used
+  std::vector<double> rms_per_image_px;  ///< per image; 0 where no marker was seen
+  std::vector<int> markers_per_image;    ///< per image; 0: the pose comes through the rig
+  std::vector<std::string> warnings;     ///< what was also noted as a warning
 };
 
 /// Intrinsics from the ChArUco photographs (from the plate's markers where there are none), poses

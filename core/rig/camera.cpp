@@ -31,7 +31,11 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     image.intrinsics.cx = k.at(0).at(2).get<double>();
     image.intrinsics.cy = k.at(1).at(2).get<double>();
     const std::vector<double> d = value.value("dist", std::vector<double>{});
-    if (d.size() > 5) return Error{ErrorCode::UnusableInput, "More than five distortion terms for '" + image.file + "' are not understood; undistort its photographs first.", where};
+    if (d.size() > 5)
+      return Error{ErrorCode::UnusableInput,
+                   "More than five distortion terms for '" + image.file +
+                       "' are not understood; undistort its photographs first.",
+                   where};
     std::copy(d.begin(), d.end(), image.intrinsics.distortion.begin());
     Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
     for (int r = 0; r < 3; ++r) {
@@ -39,14 +43,23 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
       pose(r, 3) = value.at("t").at(r).get<double>();
     }
     const Eigen::Matrix3d rotation = pose.topLeftCorner<3, 3>();
-    const bool rigid = pose.allFinite() && (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3 && rotation.determinant() > 0;
+    const bool rigid =
+        pose.allFinite() &&
+        (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <
+            1e-3 &&
+        rotation.determinant() > 0;
     const Intrinsics& i = image.intrinsics;
-    if (!rigid || !(i.fx > 0 && i.fy > 0) || i.width < 8 || i.height < 8 || i.width > 100'000 || i.height > 100'000 || !std::isfinite(i.cx + i.cy))
-      return Error{ErrorCode::UnusableInput, "The camera of '" + image.file + "' has no valid K, R, t or size.", where};
+    if (!rigid || !(i.fx > 0 && i.fy > 0) || i.width < 8 || i.height < 8 || i.width > 100'000 ||
+        i.height > 100'000 || !std::isfinite(i.cx + i.cy))
+      return Error{ErrorCode::UnusableInput,
+                   "The camera of '" + image.file + "' has no valid K, R, t or size.", where};
     image.camera_from_plate.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
     image.camera_from_plate.translation() = pose.topRightCorner<3, 1>();
   } catch (const nlohmann::json::exception&) {
-    return Error{ErrorCode::UnusableInput, "An image lacks file, width, height, K, R or t" + (image.file.empty() ? std::string() : " (" + image.file + ")") + ".", where};
+    return Error{ErrorCode::UnusableInput,
+                 "An image lacks file, width, height, K, R or t" +
+                     (image.file.empty() ? std::string() : " (" + image.file + ")") + ".",
+                 where};
   }
   return image;
 }
@@ -78,8 +91,10 @@ Eigen::Vector2d Intrinsics::unproject(const Eigen::Vector2d& pixel) const {
 Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file) {
   const Result<nlohmann::json> json = readJson(file);
   if (!json) return json.error();
-  if (!json->is_object() || !json->contains("images") || !(*json)["images"].is_array() || (*json)["images"].empty())
-    return Error{ErrorCode::UnusableInput, "The camera file holds no list 'images'.", file.string()};
+  if (!json->is_object() || !json->contains("images") || !(*json)["images"].is_array() ||
+      (*json)["images"].empty())
+    return Error{ErrorCode::UnusableInput, "The camera file holds no list 'images'.",
+                 file.string()};
   std::vector<PosedImage> images;
   for (const nlohmann::json& value : (*json)["images"]) {
     Result<PosedImage> image = imageFromJson(value, file.string());
@@ -89,17 +104,25 @@ Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file) {
   return images;
 }
 
-Result<void> writeCameras(const std::filesystem::path& file, const std::vector<PosedImage>& images) {
+Result<void> writeCameras(const std::filesystem::path& file,
+                          const std::vector<PosedImage>& images) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const PosedImage& image : images) {
     const Intrinsics& i = image.intrinsics;
     const Eigen::Matrix3d r = image.camera_from_plate.linear();
     const Eigen::Vector3d t = image.camera_from_plate.translation();
-    list.push_back({{"file", image.file}, {"side", batch::name(image.side)}, {"camera", image.camera}, {"stop", image.stop},
-                    {"width", i.width}, {"height", i.height},
-                    {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}}, {"dist", i.distortion},
-                    {"R", {{r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}}},
-                    {"t", {t.x(), t.y(), t.z()}}});
+    list.push_back(
+        {{"file", image.file},
+         {"side", batch::name(image.side)},
+         {"camera", image.camera},
+         {"stop", image.stop},
+         {"width", i.width},
+         {"height", i.height},
+         {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}},
+         {"dist", i.distortion},
+         {"R",
+          {{r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}}},
+         {"t", {t.x(), t.y(), t.z()}}});
   }
   return writeJson(file, {{"unit", "mm"}, {"images", list}});
 }

@@ -26,13 +26,15 @@ struct Intrinsics {
 
 /// A photograph with its camera and pose: x_camera = camera_from_plate * x_plate.
 struct PosedImage {
-  std::string file;                   ///< as named in its JSON, or the photograph's path
+  std::string file;  ///< as named in its JSON, or the photograph's path
   batch::Side side = batch::Side::Front;
   int camera = 0, stop = 0;
   Intrinsics intrinsics;
   Eigen::Isometry3d camera_from_plate = Eigen::Isometry3d::Identity();
 
-  Eigen::Vector2d project(const Eigen::Vector3d& p_plate) const { return intrinsics.project(camera_from_plate * p_plate); }
+  Eigen::Vector2d project(const Eigen::Vector3d& p_plate) const {
+    return intrinsics.project(camera_from_plate * p_plate);
+  }
   Eigen::Vector3d centre() const { return camera_from_plate.inverse().translation(); }
 };
 

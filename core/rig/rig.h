@@ -14,7 +14,7 @@ struct RigCamera {
   Intrinsics intrinsics;
   /// x_camera = camera_from_turntable * x_turntable, mm. z of the turntable frame is the axis, up.
   Eigen::Isometry3d camera_from_turntable = Eigen::Isometry3d::Identity();
-  double focal_sd_px = 0;     ///< standard deviation of fx; 0 = not known
+  double focal_sd_px = 0;        ///< standard deviation of fx; 0 = not known
   double intrinsics_rms_px = 0;  ///< of the board's corners; 0 = no board
   double marker_inset_px = 0;    ///< by which this camera shows black marker edges too far inside
 };

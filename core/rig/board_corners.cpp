@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+#include <opencv2/aruco/charuco.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "rig/intrinsics.h"
+#include "rig/marker_dictionary.h"
+#include "rig/marker_edges.h"
+
+namespace ostraka::rig {
+namespace {
+
+struct FoundMarkers {
+  std::vector<std::vector<cv::Point2f>> corners;
+  std::vector<int> ids;
+};
+
+cv::Mat greyOf(const cv::Mat& photograph) {
+  if (photograph.channels() == 1) return photograph;
+  cv::Mat grey;
+  cv::cvtColor(photograph, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+FoundMarkers findMarkers(const cv::Mat& grey, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
+                         const cv::Ptr<cv::aruco::DetectorParameters>& parameters) {
+  FoundMarkers found;
+  cv::aruco::detectMarkers(grey, dictionary, found.corners, found.ids, parameters);
+  return found;
+}
+
+// The shortest side of a marker on the photograph; 0 without markers.
+double shortestSide(const FoundMarkers& found) {
+  double shortest = 0;
+  for (const auto& corners : found.corners)
+    for (int c = 0; c < 4; ++c) {
+      const double side = cv::norm(corners[c] - corners[(c + 1) % 4]);
+      if (shortest == 0 || side < shortest) shortest = side;
+    }
+  return shortest;
+}
+
+void refine(const cv::Mat& grey, std::vector<cv::Point2f>& corners, int half_window) {
+  if (corners.empty()) return;
+  cv::cornerSubPix(grey, corners, cv::Size(half_window, half_window), cv::Size(-1, -1),
+                   cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 60, 1e-4));
+}
+
+// Lines must not be the only thing seen: a view on one row of corners says nothing about tilt.
+bool spansAPlane(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() < 6) return false;
+  const auto [x0, x1] = std::minmax_element(
+      points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  const auto [y0, y1] = std::minmax_element(
+      points.begin(), points.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
+  return x1->x() - x0->x() > 0 && y1->y() - y0->y() > 0;
+}
+
+}  // namespace
+
+Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& board) {
+  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = markerDictionary(board.dictionary);
+  if (!dictionary) return dictionary.error();
+  if (board.squares_x * board.squares_y / 2 > (*dictionary)->bytesList.rows)
+    return Error{ErrorCode::UnusableInput,
+                 "The dictionary " + board.dictionary + " has too few markers for the board.",
+                 {}};
+  const auto charuco = cv::aruco::CharucoBoard::create(
+      board.squares_x, board.squares_y, static_cast<float>(board.square_mm),
+      static_cast<float>(board.marker_mm), *dictionary);
+  const cv::Mat grey = greyOf(photograph);
+  TargetView view;
+  const FoundMarkers found =
+      findMarkers(grey, *dictionary, cv::aruco::DetectorParameters::create());
+  if (found.ids.empty()) return view;
+  std::vector<cv::Point2f> corners;
+  std::vector<int> ids;
+  cv::aruco::interpolateCornersCharuco(found.corners, found.ids, grey, charuco, corners, ids);
+  // OpenCV 4.6 gives these corners half a pixel too far right and down.
+  for (cv::Point2f& corner : corners) corner -= cv::Point2f(0.5F, 0.5F);
+  const double gap_px =
+      shortestSide(found) * (board.square_mm - board.marker_mm) / 2 / board.marker_mm;
+  refine(grey, corners, std::clamp(static_cast<int>(gap_px), 2, 10));
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const cv::Point3f p = charuco->chessboardCorners[ids[i]];
+    view.points.emplace_back(p.x, p.y, p.z);
+    view.pixels.emplace_back(corners[i].x, corners[i].y);
+  }
+  if (!spansAPlane(view.points)) view = {};
+  return view;
+}
+
+Result<TargetView> findGrid(const cv::Mat& photograph, const MarkerGrid& grid) {
+  const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = markerDictionary(grid.dictionary);
+  if (!dictionary) return dictionary.error();
+  const cv::Mat grey = greyOf(photograph);
+  const auto parameters = cv::aruco::DetectorParameters::create();
+  parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
+  const FoundMarkers found = findMarkers(grey, *dictionary, parameters);
+  TargetView view;
+  const double step = grid.marker_mm + grid.gap_mm;
+  for (std::size_t i = 0; i < found.ids.size(); ++i) {
+    const int index = found.ids[i] - grid.first_id;
+    if (index < 0 || index >= grid.markers_x * grid.markers_y) continue;
+    const Eigen::Vector3d origin(index % grid.markers_x * step, index / grid.markers_x * step, 0);
+    for (int c = 0; c < 4; ++c) {
+      view.points.push_back(origin + grid.marker_mm * Eigen::Vector3d(c == 1 || c == 2, c >= 2, 0));
+      view.pixels.emplace_back(found.corners[i][c].x, found.corners[i][c].y);
+    }
+  }
+  if (!spansAPlane(view.points)) view = {};
+  return view;
+}
+
+}  // namespace ostraka::rig

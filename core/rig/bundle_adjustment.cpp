@@ -1,0 +1,290 @@
+#include "rig/bundle_adjustment.h"
+
+#include <ceres/ceres.h>
+#include <ceres/rotation.h>
+
+#include <cmath>
+
+namespace ostraka::rig {
+namespace {
+
+// A residual beyond three standard deviations counts less and less.
+constexpr double kLossScale = 3.0;
+
+using IntrinsicsBlock = std::array<double, 9>;  // fx fy cx cy k1 k2 p1 p2 k3
+using PoseBlock = std::array<double, 6>;        // rotation vector, translation
+
+IntrinsicsBlock toBlock(const Intrinsics& i) {
+  return {i.fx,
+          i.fy,
+          i.cx,
+          i.cy,
+          i.distortion[0],
+          i.distortion[1],
+          i.distortion[2],
+          i.distortion[3],
+          i.distortion[4]};
+}
+
+PoseBlock toBlock(const Eigen::Isometry3d& pose) {
+  const Eigen::AngleAxisd turn(pose.linear());
+  const Eigen::Vector3d w = turn.angle() * turn.axis(), t = pose.translation();
+  return {w.x(), w.y(), w.z(), t.x(), t.y(), t.z()};
+}
+
+Eigen::Isometry3d toPose(const PoseBlock& block) {
+  const Eigen::Vector3d w(block[0], block[1], block[2]);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  if (w.norm() > 0) pose.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
+  pose.translation() = Eigen::Vector3d(block[3], block[4], block[5]);
+  return pose;
+}
+
+template <class T>
+void transform(const T* pose, const T* p, T* out) {
+  ceres::AngleAxisRotatePoint(pose, p, out);
+  for (int k = 0; k < 3; ++k) out[k] += pose[3 + k];
+}
+
+// Intrinsics::project for derivatives.
+template <class T>
+void project(const T* i, const T* p, T* pixel) {
+  const T x = p[0] / p[2], y = p[1] / p[2], r2 = x * x + y * y;
+  const T radial = T(1) + r2 * (i[4] + r2 * (i[5] + r2 * i[8]));
+  pixel[0] = i[0] * (x * radial + T(2) * i[6] * x * y + i[7] * (r2 + T(2) * x * x)) + i[2];
+  pixel[1] = i[1] * (y * radial + i[6] * (r2 + T(2) * y * y) + T(2) * i[7] * x * y) + i[3];
+}
+
+struct PlateCornerCost {
+  PlateCorner corner;
+  template <class T>
+  bool operator()(const T* intrinsics, const T* camera, const T* angle, const T* plate,
+                  const T* inset, T* out) const {
+    const T point[3] = {T(corner.point.x()), T(corner.point.y()), T(corner.point.z())};
+    T on_table[3], in_camera[3], pixel[2];
+    transform(plate, point, on_table);
+    using std::cos;
+    using std::sin;
+    const T c = cos(angle[0]), s = sin(angle[0]);
+    const T turned[3] = {c * on_table[0] - s * on_table[1], s * on_table[0] + c * on_table[1],
+                         on_table[2]};
+    transform(camera, turned, in_camera);
+    if (in_camera[2] < T(1)) return false;  // behind or inside the lens
+    project(intrinsics, in_camera, pixel);
+    for (int k = 0; k < 2; ++k)
+      out[k] = (pixel[k] - inset[0] * corner.outward[k] - corner.pixel[k]) / corner.sd_px;
+    return true;
+  }
+};
+
+struct BoardCornerCost {
+  BoardCorner corner;
+  template <class T>
+  bool operator()(const T* intrinsics, const T* pose, T* out) const {
+    const T point[3] = {T(corner.point.x()), T(corner.point.y()), T(corner.point.z())};
+    T in_camera[3], pixel[2];
+    transform(pose, point, in_camera);
+    if (in_camera[2] < T(1)) return false;
+    project(intrinsics, in_camera, pixel);
+    for (int k = 0; k < 2; ++k) out[k] = (pixel[k] - corner.pixel[k]) / corner.sd_px;
+    return true;
+  }
+};
+
+// What is known of lenses beforehand; weak, so that terms the pictures do not determine stay small.
+struct LensPrior {
+  int width = 0, height = 0;
+  template <class T>
+  bool operator()(const T* i, T* out) const {
+    out[0] = (i[0] / i[1] - T(1)) / T(1e-4);  // pixels are square
+    out[1] = (i[2] - T((width - 1) / 2.0)) / T(0.02 * width);
+    out[2] = (i[3] - T((height - 1) / 2.0)) / T(0.02 * width);
+    out[3] = i[4] / T(0.5);
+    out[4] = i[5] / T(0.5);
+    out[5] = i[6] / T(0.005);
+    out[6] = i[7] / T(0.005);
+    out[7] = i[8] / T(0.2);
+    return true;
+  }
+};
+
+struct DifferencePrior {
+  double sd = 1;
+  template <class T>
+  bool operator()(const T* a, const T* b, T* out) const {
+    out[0] = (a[0] - b[0]) / T(sd);
+    return true;
+  }
+};
+
+struct PlatePrior {
+  template <class T>
+  bool operator()(const T* plate, T* out) const {
+    // The plate lies on the turntable: nearly level, nearly centred, at nearly the same height.
+    for (int k = 0; k < 2; ++k) out[k] = plate[k] / T(0.05);
+    for (int k = 3; k < 6; ++k) out[k - 1] = plate[k] / T(20.0);
+    return true;
+  }
+};
+
+struct InsetPrior {
+  template <class T>
+  bool operator()(const T* inset, T* out) const {
+    out[0] = inset[0] / T(0.3);  // px: what blur, printing and the tone curve do
+    return true;
+  }
+};
+
+class Adjustment {
+ public:
+  Adjustment(const RigState& start, const AdjustOptions& options)
+      : state_(start), options_(options) {
+    for (const RigState::Camera& camera : start.cameras) {
+      intrinsics_.push_back(toBlock(camera.intrinsics));
+      cameras_.push_back(toBlock(camera.camera_from_turntable));
+      insets_.push_back(camera.inset_px);
+    }
+    for (int s = 0; s < 2; ++s) plates_[s] = toBlock(start.turntable_from_plate[s]);
+    for (const Eigen::Isometry3d& pose : start.camera_from_board) boards_.push_back(toBlock(pose));
+  }
+
+  Result<RigState> run(const std::vector<PlateCorner>& plate,
+                       const std::vector<BoardCorner>& board) {
+    for (const PlateCorner& corner : plate) add(corner);
+    for (const BoardCorner& corner : board) add(corner);
+    addPriors();
+    fixGauge();
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    options.max_num_iterations = options_.max_rounds;
+    options.num_threads = 1;
+    options.function_tolerance = 1e-10;
+    options.parameter_tolerance = 1e-12;
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem_, &summary);
+    if (!summary.IsSolutionUsable() || !std::isfinite(summary.final_cost))
+      return Error{ErrorCode::Failed,
+                   "The bundle adjustment of the rig did not converge; check that plate.json and "
+                   "board.json describe what was photographed.",
+                   {}};
+    store();
+    if (options_.cameras == Cameras::Free) storeFocalSd();
+    return state_;
+  }
+
+ private:
+  void add(const PlateCorner& c) {
+    using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1>;
+    problem_.AddResidualBlock(new Cost(new PlateCornerCost{c}), new ceres::CauchyLoss(kLossScale),
+                              intrinsics_[c.camera].data(), cameras_[c.camera].data(),
+                              &state_.angles_rad[c.side][c.stop], plates_[c.side].data(),
+                              &insets_[c.camera]);
+  }
+
+  void add(const BoardCorner& c) {
+    using Cost = ceres::AutoDiffCostFunction<BoardCornerCost, 2, 9, 6>;
+    problem_.AddResidualBlock(new Cost(new BoardCornerCost{c}), new ceres::CauchyLoss(kLossScale),
+                              intrinsics_[c.camera].data(), boards_[c.view].data());
+  }
+
+  void addPriors() {
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
+      const Intrinsics& i = state_.cameras[c].intrinsics;
+      using Lens = ceres::AutoDiffCostFunction<LensPrior, 8, 9>;
+      problem_.AddResidualBlock(new Lens(new LensPrior{i.width, i.height}), nullptr,
+                                intrinsics_[c].data());
+      using Inset = ceres::AutoDiffCostFunction<InsetPrior, 1, 1>;
+      problem_.AddResidualBlock(new Inset(new InsetPrior), nullptr, &insets_[c]);
+      problem_.AddParameterBlock(cameras_[c].data(), 6);
+    }
+    for (PoseBlock& plate : plates_) {
+      using Cost = ceres::AutoDiffCostFunction<PlatePrior, 5, 6>;
+      problem_.AddResidualBlock(new Cost(new PlatePrior), nullptr, plate.data());
+    }
+    for (std::size_t stop = 0; stop < state_.angles_rad[0].size(); ++stop) {
+      using Cost = ceres::AutoDiffCostFunction<DifferencePrior, 1, 1, 1>;
+      problem_.AddResidualBlock(new Cost(new DifferencePrior{options_.table_repeatability_rad}),
+                                new ceres::CauchyLoss(kLossScale), &state_.angles_rad[0][stop],
+                                &state_.angles_rad[1][stop]);
+    }
+  }
+
+  void fixGauge() {
+    problem_.SetParameterBlockConstant(&state_.angles_rad[0][0]);
+    if (options_.cameras != Cameras::Known)
+      problem_.SetManifold(plates_[0].data(), new ceres::SubsetManifold(6, {2, 5}));
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
+      if (options_.cameras != Cameras::Free)
+        problem_.SetParameterBlockConstant(intrinsics_[c].data());
+      if (options_.cameras == Cameras::Known)
+        problem_.SetParameterBlockConstant(cameras_[c].data());
+    }
+  }
+
+  void store() {
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
+      RigState::Camera& camera = state_.cameras[c];
+      camera.inset_px = insets_[c];
+      if (options_.cameras != Cameras::Known) camera.camera_from_turntable = toPose(cameras_[c]);
+      if (options_.cameras != Cameras::Free) continue;
+      const IntrinsicsBlock& i = intrinsics_[c];
+      camera.intrinsics.fx = i[0];
+      camera.intrinsics.fy = i[1];
+      camera.intrinsics.cx = i[2];
+      camera.intrinsics.cy = i[3];
+      camera.intrinsics.distortion = {i[4], i[5], i[6], i[7], i[8]};
+    }
+    for (int s = 0; s < 2; ++s) state_.turntable_from_plate[s] = toPose(plates_[s]);
+    for (std::size_t v = 0; v < boards_.size(); ++v)
+      state_.camera_from_board[v] = toPose(boards_[v]);
+  }
+
+  // 0 stays where the covariance cannot be computed.
+  void storeFocalSd() {
+    ceres::Covariance::Options options;
+    options.algorithm_type = ceres::SPARSE_QR;
+    options.num_threads = 1;
+    ceres::Covariance covariance(options);
+    std::vector<std::pair<const double*, const double*>> blocks;
+    for (const IntrinsicsBlock& i : intrinsics_) blocks.emplace_back(i.data(), i.data());
+    if (!covariance.Compute(blocks, &problem_)) return;
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
+      std::array<double, 81> matrix{};
+      if (covariance.GetCovarianceBlock(intrinsics_[c].data(), intrinsics_[c].data(),
+                                        matrix.data()))
+        state_.cameras[c].focal_sd_px = std::sqrt(std::max(0.0, matrix[0]));
+    }
+  }
+
+  // The problem points into these; it is declared last to be destroyed first.
+  RigState state_;
+  AdjustOptions options_;
+  std::vector<IntrinsicsBlock> intrinsics_;
+  std::vector<PoseBlock> cameras_, boards_;
+  std::array<PoseBlock, 2> plates_{};
+  std::vector<double> insets_;
+  ceres::Problem problem_;
+};
+
+}  // namespace
+
+Eigen::Isometry3d RigState::cameraFromPlate(int camera, int side, int stop) const {
+  return cameras[camera].camera_from_turntable *
+         Eigen::AngleAxisd(angles_rad[side][stop], Eigen::Vector3d::UnitZ()) *
+         turntable_from_plate[side];
+}
+
+Result<RigState> adjust(const RigState& start, const std::vector<PlateCorner>& plate,
+                        const std::vector<BoardCorner>& board, const AdjustOptions& options) {
+  return Adjustment(start, options).run(plate, board);
+}
+
+Eigen::Vector2d residual(const RigState& state, const PlateCorner& corner) {
+  const RigState::Camera& camera = state.cameras[corner.camera];
+  const Eigen::Vector3d p =
+      state.cameraFromPlate(corner.camera, corner.side, corner.stop) * corner.point;
+  return corner.pixel + camera.inset_px * corner.outward - camera.intrinsics.project(p);
+}
+
+}  // namespace ostraka::rig

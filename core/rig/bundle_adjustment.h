@@ -1,0 +1,65 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "base/result.h"
+#include "rig/camera.h"
+
+namespace ostraka::rig {
+
+/// Everything that is estimated together. Cameras and stops are indices here, not numbers.
+/// camera_from_plate = camera_from_turntable[camera] * Rz(angles_rad[side][stop])
+///                     * turntable_from_plate[side].
+struct RigState {
+  struct Camera {
+    Intrinsics intrinsics;
+    Eigen::Isometry3d camera_from_turntable = Eigen::Isometry3d::Identity();
+    double inset_px = 0;  ///< by which marker edges are seen inside of where they are
+    double focal_sd_px = 0;
+  };
+  std::vector<Camera> cameras;
+  std::array<std::vector<double>, 2> angles_rad;  ///< by side and stop
+  std::array<Eigen::Isometry3d, 2> turntable_from_plate{Eigen::Isometry3d::Identity(),
+                                                        Eigen::Isometry3d::Identity()};
+  std::vector<Eigen::Isometry3d> camera_from_board;  ///< by board view
+
+  Eigen::Isometry3d cameraFromPlate(int camera, int side, int stop) const;
+};
+
+/// A marker's corner in a photograph of the batch.
+struct PlateCorner {
+  int camera = 0, side = 0, stop = 0;
+  Eigen::Vector3d point;  ///< plate frame, mm
+  Eigen::Vector2d pixel;
+  Eigen::Vector2d outward;  ///< movement of the corner when all edges move outwards by 1 px
+  double sd_px = 0.1;
+};
+
+/// A corner of the calibration board.
+struct BoardCorner {
+  int camera = 0, view = 0;
+  Eigen::Vector3d point;  ///< board frame, mm
+  Eigen::Vector2d pixel;
+  double sd_px = 0.05;
+};
+
+/// Free: all is estimated; LensKnown: intrinsics are kept; Known: the cameras' poses as well.
+enum class Cameras { Free, LensKnown, Known };
+
+struct AdjustOptions {
+  Cameras cameras = Cameras::Free;
+  double table_repeatability_rad = 0.001;  ///< between the two sides' angles of a stop
+  int max_rounds = 100;
+};
+
+/// Bundle adjustment of the rig (Ceres, one thread: repeats bit for bit). Gauge: the front's first
+/// angle is kept, and with free cameras the front plate's turn about and height along the axis.
+/// Errors: Failed when it does not converge to finite values.
+Result<RigState> adjust(const RigState& start, const std::vector<PlateCorner>& plate,
+                        const std::vector<BoardCorner>& board, const AdjustOptions& options);
+
+/// Observed minus predicted, the inset taken into account.
+Eigen::Vector2d residual(const RigState& state, const PlateCorner& corner);
+
+}  // namespace ostraka::rig

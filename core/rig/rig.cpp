@@ -1,0 +1,117 @@
+#include "rig/rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/json.h"
+
+namespace ostraka::rig {
+namespace {
+
+constexpr const char* kFormat = "ostraka-rig/1";
+
+Error unusable(const std::string& what, const std::filesystem::path& file) {
+  return {ErrorCode::UnusableInput, what, file.string()};
+}
+
+bool usable(const RigCamera& camera) {
+  const Intrinsics& i = camera.intrinsics;
+  const bool size = i.width > 0 && i.height > 0 && i.width <= 100'000 && i.height <= 100'000;
+  bool finite = std::isfinite(i.cx) && std::isfinite(i.cy);
+  for (const double d : i.distortion) finite = finite && std::isfinite(d);
+  return camera.camera >= 0 && size && finite && std::isfinite(i.fx) && std::isfinite(i.fy) &&
+         i.fx > 0 && i.fy > 0;
+}
+
+nlohmann::ordered_json toJson(const RigCamera& camera) {
+  const Intrinsics& i = camera.intrinsics;
+  return {{"camera", camera.camera},
+          {"width", i.width},
+          {"height", i.height},
+          {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}},
+          {"dist", i.distortion},
+          {"camera_from_turntable", ostraka::toJson(camera.camera_from_turntable)},
+          {"focal_sd_px", camera.focal_sd_px},
+          {"intrinsics_rms_px", camera.intrinsics_rms_px},
+          {"marker_inset_px", camera.marker_inset_px}};
+}
+
+// Throws nlohmann's exceptions; the caller words them.
+Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesystem::path& file) {
+  RigCamera camera;
+  camera.camera = value.at("camera").get<int>();
+  Intrinsics& i = camera.intrinsics;
+  i.width = value.at("width").get<int>();
+  i.height = value.at("height").get<int>();
+  const nlohmann::json& k = value.at("K");
+  i.fx = k.at(0).at(0).get<double>();
+  i.fy = k.at(1).at(1).get<double>();
+  i.cx = k.at(0).at(2).get<double>();
+  i.cy = k.at(1).at(2).get<double>();
+  i.distortion = value.at("dist").get<std::array<double, 5>>();
+  const Result<Eigen::Isometry3d> pose =
+      isometryFromJson(value.at("camera_from_turntable"), file.string());
+  if (!pose) return pose.error();
+  camera.camera_from_turntable = *pose;
+  camera.focal_sd_px = value.value("focal_sd_px", 0.0);
+  camera.intrinsics_rms_px = value.value("intrinsics_rms_px", 0.0);
+  camera.marker_inset_px = value.value("marker_inset_px", 0.0);
+  if (!usable(camera))
+    return unusable("Camera " + std::to_string(camera.camera) +
+                        " has no valid size, K or dist; calibrate the rig again.",
+                    file);
+  return camera;
+}
+
+}  // namespace
+
+const RigCamera* Rig::find(int camera) const {
+  for (const RigCamera& one : cameras)
+    if (one.camera == camera) return &one;
+  return nullptr;
+}
+
+Result<Rig> readRig(const std::filesystem::path& file) {
+  const Result<nlohmann::json> json = readJson(file);
+  if (!json) return json.error();
+  Rig rig;
+  try {
+    if (json->at("format") != kFormat)
+      return unusable("This rig was written by another version; calibrate the rig again.", file);
+    for (const nlohmann::json& value : json->at("cameras")) {
+      Result<RigCamera> camera = cameraFromJson(value, file);
+      if (!camera) return camera.error();
+      if (rig.find(camera->camera) != nullptr)
+        return unusable("Camera " + std::to_string(camera->camera) + " stands twice in the rig.",
+                        file);
+      rig.cameras.push_back(std::move(*camera));
+    }
+    for (const nlohmann::json& value : json->at("stops")) {
+      rig.stops.push_back(value.at("stop").get<int>());
+      rig.stop_angles_rad.push_back(value.at("angle_deg").get<double>() * M_PI / 180);
+    }
+    rig.reprojection_rms_px = json->value("reprojection_rms_px", 0.0);
+  } catch (const nlohmann::json::exception&) {
+    return unusable("This is no rig file (RIG.json); calibrate the rig again.", file);
+  }
+  if (rig.cameras.empty()) return unusable("The rig has no camera; calibrate it again.", file);
+  std::sort(rig.cameras.begin(), rig.cameras.end(),
+            [](const RigCamera& a, const RigCamera& b) { return a.camera < b.camera; });
+  return rig;
+}
+
+Result<void> writeRig(const std::filesystem::path& file, const Rig& rig) {
+  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
+  for (const RigCamera& camera : rig.cameras) cameras.push_back(toJson(camera));
+  nlohmann::ordered_json stops = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < rig.stops.size(); ++k)
+    stops.push_back({{"stop", rig.stops[k]}, {"angle_deg", rig.stop_angles_rad[k] * 180 / M_PI}});
+  return writeJson(file, {{"format", kFormat},
+                          {"unit", "mm"},
+                          {"reprojection_rms_px", rig.reprojection_rms_px},
+                          {"cameras", cameras},
+                          {"stops", stops}});
+}
+
+}  // namespace ostraka::rig

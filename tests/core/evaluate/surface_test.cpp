@@ -1,0 +1,96 @@
+#include "evaluate/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "box.h"
+
+namespace ostraka::evaluate {
+namespace {
+
+TEST(Surface, MeasuresDistancesToABoxOverFaceEdgeCornerAndFromWithin) {
+  const Surface surface(boxMesh(50, 40, 6, 20));
+  EXPECT_NEAR(surface.closest({25, 20, 7.5}).distance_mm, 1.5, 1e-9);  // over the upper face
+  EXPECT_NEAR(surface.closest({-3, -4, 3}).distance_mm, 5.0, 1e-9);    // off an edge: 3, 4, 5
+  EXPECT_NEAR(surface.closest({-2, -3, -6}).distance_mm, 7.0, 1e-9);   // off a corner: 2, 3, 6
+  EXPECT_NEAR(surface.closest({25, 20, 5.9}).distance_mm, 0.1, 1e-6);  // 5.9 and 6 in float
+  EXPECT_LT((surface.closest({25, 20, 7.5}).point - Eigen::Vector3d(25, 20, 6)).norm(), 1e-9);
+}
+
+TEST(Surface, AgreesWithTryingEveryTriangle) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> at(-10, 10), small(-2, 2);
+  TriangleMesh mesh;
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector3f p(at(random), at(random), at(random));
+    for (int k = 0; k < 3; ++k)
+      mesh.vertices.push_back(p + Eigen::Vector3f(small(random), small(random), small(random)));
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Surface surface(mesh);
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d q(at(random), at(random), at(random));
+    double best = std::numeric_limits<double>::infinity();
+    for (const auto& t : mesh.triangles)
+      best = std::min(best, (closestOnTriangle(q, mesh.vertices[t[0]].cast<double>(),
+                                               mesh.vertices[t[1]].cast<double>(),
+                                               mesh.vertices[t[2]].cast<double>()) -
+                             q)
+                                .norm());
+    EXPECT_NEAR(surface.closest(q).distance_mm, best, 1e-12);
+  }
+}
+
+TEST(Surface, TakesAMeshWithoutFacesAsPoints) {
+  TriangleMesh points;
+  points.vertices = {{0, 0, 0}, {10, 0, 0}};
+  EXPECT_NEAR(Surface(points).closest({7, 4, 0}).distance_mm, 5.0, 1e-12);
+}
+
+TEST(Surface, GivesFiniteDistancesForTrianglesWithoutArea) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  mesh.triangles = {{0, 0, 0}, {0, 1, 2}, {1, 1, 2}};
+  EXPECT_NEAR(Surface(mesh).closest({1.5, 2, 0}).distance_mm, 2.0, 1e-12);
+  EXPECT_NEAR(Surface(mesh).closest({5, 4, 0}).distance_mm, 5.0, 1e-12);
+}
+
+TEST(Surface, AnswersTheSameForAnyNumberOfThreads) {
+  const Surface surface(boxMesh(5, 4, 3, 7));
+  std::vector<Eigen::Vector3d> queries;
+  for (int i = 0; i < 5000; ++i) queries.emplace_back(i % 13 - 4, i % 17 - 6, i % 7 - 2);
+  const auto one = surface.closest(queries, 1);
+  for (const int threads : {3, 16}) {
+    const auto many = surface.closest(queries, threads);
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      ASSERT_EQ(one[i].distance_mm, many[i].distance_mm);
+  }
+}
+
+TEST(AreaSamples, LieOnTheMeshOnePerSquareOfTheSpacing) {
+  const TriangleMesh box = boxMesh(50, 40, 6, 3);
+  const double area = 2 * (50 * 40 + 50 * 6 + 40 * 6);
+  const SurfaceSamples samples = areaSamples(box, 0.5, 1);
+  EXPECT_NEAR(static_cast<double>(samples.points.size()), area / 0.25, 2.0);
+  std::size_t upper = 0;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    const Eigen::Vector3d& p = samples.points[i];
+    const double off = std::min({std::abs(p.x()), std::abs(p.x() - 50), std::abs(p.y()),
+                                 std::abs(p.y() - 40), std::abs(p.z()), std::abs(p.z() - 6)});
+    ASSERT_LT(off, 1e-5);
+    upper += samples.normals[i].z() > 0.99;
+  }
+  // Slices of equal area leave at most one sample's doubt at each of a side's ends.
+  EXPECT_NEAR(static_cast<double>(upper), 50 * 40 / 0.25, 20);
+}
+
+TEST(AreaSamples, AreNeverFewerThanTwoThousandNorMoreThanAsked) {
+  EXPECT_EQ(areaSamples(boxMesh(1, 1, 1), 1.0, 1).points.size(), 2000u);
+  EXPECT_EQ(areaSamples(boxMesh(50, 50, 50), 0.1, 1, 3000).points.size(), 3000u);
+}
+
+}  // namespace
+}  // namespace ostraka::evaluate

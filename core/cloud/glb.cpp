@@ -1,0 +1,166 @@
+#include "cloud/glb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+
+namespace ostraka {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
+constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
+
+template <class T>
+void append(std::string& bytes, T value) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof raw);
+}
+
+// The binary chunk with its views and accessors.
+struct Buffer {
+  std::string bytes;
+  ordered_json views = ordered_json::array(), accessors = ordered_json::array();
+
+  // Closes what was appended since `begin` as one accessor; returns its number.
+  int close(std::size_t begin, int target, int component, std::size_t count, const char* type) {
+    views.push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}, {"target", target}});
+    accessors.push_back({{"bufferView", views.size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
+    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+    return static_cast<int>(accessors.size()) - 1;
+  }
+};
+
+Eigen::Vector3f yUp(const Eigen::Vector3f& v) { return {v[0], v[2], -v[1]}; }
+
+// IEC 61966-2-1, to 16 bits: COLOR_0 is linear.
+std::uint16_t linear(std::uint8_t level) {
+  const double c = level / 255.0;
+  const double value = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return static_cast<std::uint16_t>(std::lround(value * 65535));
+}
+
+int addPositions(Buffer& buffer, const TriangleMesh& mesh) {
+  const std::size_t begin = buffer.bytes.size();
+  Eigen::Vector3f low = Eigen::Vector3f::Constant(INFINITY), high = -low;
+  for (const Eigen::Vector3f& v : mesh.vertices) {
+    const Eigen::Vector3f p = yUp(v) / 1000.0f;
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+    for (int k = 0; k < 3; ++k) append(buffer.bytes, p[k]);
+  }
+  const int index = buffer.close(begin, kArrayBuffer, kFloat, mesh.vertices.size(), "VEC3");
+  // Doubles hold the float's exact value, and so does their shortest text.
+  buffer.accessors[index]["min"] = {double{low[0]}, double{low[1]}, double{low[2]}};
+  buffer.accessors[index]["max"] = {double{high[0]}, double{high[1]}, double{high[2]}};
+  return index;
+}
+
+int addNormals(Buffer& buffer, const TriangleMesh& mesh) {
+  const std::size_t begin = buffer.bytes.size();
+  for (const Eigen::Vector3f& v : mesh.normals) {
+    // The standard wants unit length; a vertex without a normal points up.
+    const float length = v.norm();
+    const Eigen::Vector3f n = length > 1e-6f ? Eigen::Vector3f(yUp(v) / length) : Eigen::Vector3f::UnitY();
+    for (int k = 0; k < 3; ++k) append(buffer.bytes, n[k]);
+  }
+  return buffer.close(begin, kArrayBuffer, kFloat, mesh.normals.size(), "VEC3");
+}
+
+int addColors(Buffer& buffer, const TriangleMesh& mesh) {
+  const std::size_t begin = buffer.bytes.size();
+  for (const Color& c : mesh.colors) {
+    for (const std::uint8_t level : c) append(buffer.bytes, linear(level));
+    append(buffer.bytes, std::uint16_t{65535});
+  }
+  const int index = buffer.close(begin, kArrayBuffer, kUnsignedShort, mesh.colors.size(), "VEC4");
+  buffer.accessors[index]["normalized"] = true;
+  return index;
+}
+
+int addSeen(Buffer& buffer, const TriangleMesh& mesh) {
+  const std::size_t begin = buffer.bytes.size();
+  for (const std::uint8_t s : mesh.seen) append(buffer.bytes, s ? 1.0f : 0.0f);
+  return buffer.close(begin, kArrayBuffer, kFloat, mesh.seen.size(), "SCALAR");
+}
+
+int addIndices(Buffer& buffer, const TriangleMesh& mesh) {
+  const std::size_t begin = buffer.bytes.size();
+  // 65535 itself would mean 'restart'.
+  const bool is_short = mesh.vertices.size() <= 65535;
+  for (const auto& t : mesh.triangles)
+    for (const int v : t) {
+      if (is_short) append(buffer.bytes, static_cast<std::uint16_t>(v));
+      else append(buffer.bytes, static_cast<std::uint32_t>(v));
+    }
+  return buffer.close(begin, kElementArrayBuffer, is_short ? kUnsignedShort : kUnsignedInt, mesh.triangles.size() * 3, "SCALAR");
+}
+
+ordered_json describe(const GlbExtras& extras) {
+  ordered_json about = ordered_json::object();
+  if (!extras.id.empty()) about["id"] = extras.id;
+  if (!extras.number.empty()) about["number"] = extras.number;
+  about["unit"] = "m";
+  if (extras.filled_percent >= 0) about["filled_pct"] = extras.filled_percent;
+  return about;
+}
+
+void appendChunk(std::string& file, std::uint32_t type, std::string chunk, char padding) {
+  chunk.resize((chunk.size() + 3) / 4 * 4, padding);
+  append(file, static_cast<std::uint32_t>(chunk.size()));
+  append(file, type);
+  file += chunk;
+}
+
+}  // namespace
+
+Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras) {
+  const int n = static_cast<int>(mesh.vertices.size());
+  if (mesh.triangles.empty()) return Error{ErrorCode::UnusableInput, "The mesh has no faces to write.", {}};
+  for (const auto& t : mesh.triangles)
+    if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
+      return Error{ErrorCode::UnusableInput, "A face of the mesh names a vertex that is not there.", {}};
+  Buffer buffer;
+  ordered_json attributes = {{"POSITION", addPositions(buffer, mesh)}};
+  if (mesh.normals.size() == mesh.vertices.size()) attributes["NORMAL"] = addNormals(buffer, mesh);
+  if (mesh.colors.size() == mesh.vertices.size()) attributes["COLOR_0"] = addColors(buffer, mesh);
+  if (mesh.seen.size() == mesh.vertices.size()) attributes["_SEEN"] = addSeen(buffer, mesh);
+  const int indices = addIndices(buffer, mesh);
+
+  ordered_json root;
+  root["asset"] = {{"version", "2.0"}, {"generator", "Ostraka"}};
+  if (!extras.copyright.empty()) root["asset"]["copyright"] = extras.copyright;
+  root["scene"] = 0;
+  root["scenes"] = ordered_json::array({{{"nodes", {0}}}});
+  root["nodes"] = ordered_json::array({{{"mesh", 0}, {"extras", {{"ostraka", describe(extras)}}}}});
+  // Fired clay: no metal, no gloss.
+  root["materials"] = ordered_json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}}});
+  root["meshes"] = ordered_json::array(
+      {{{"primitives", ordered_json::array({{{"attributes", attributes}, {"indices", indices}, {"material", 0}, {"mode", 4}}})}}});
+  root["accessors"] = buffer.accessors;
+  root["bufferViews"] = buffer.views;
+  root["buffers"] = ordered_json::array({{{"byteLength", buffer.bytes.size()}}});
+
+  std::string file = "glTF";
+  append(file, std::uint32_t{2});
+  append(file, std::uint32_t{0});
+  appendChunk(file, 0x4E4F534A, root.dump(), ' ');
+  appendChunk(file, 0x004E4942, std::move(buffer.bytes), '\0');
+  const std::uint32_t size = static_cast<std::uint32_t>(file.size());
+  std::memcpy(file.data() + 8, &size, sizeof size);
+  return file;
+}
+
+Result<void> writeGlb(const std::filesystem::path& path, const TriangleMesh& mesh, const GlbExtras& extras) {
+  const Result<std::string> bytes = formatGlb(mesh, extras);
+  if (!bytes) return Error{bytes.error().code, bytes.error().what, path.string()};
+  return writeFileAtomically(path, *bytes);
+}
+
+}  // namespace ostraka

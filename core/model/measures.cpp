@@ -1,0 +1,137 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "model/model.h"
+#include "model/ray_grid.h"
+
+namespace ostraka::model {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+struct Corners {
+  Vector3d a, b, c;
+};
+
+Corners cornersOf(const TriangleMesh& mesh, const std::array<int, 3>& t) {
+  return {mesh.vertices[t[0]].cast<double>(), mesh.vertices[t[1]].cast<double>(), mesh.vertices[t[2]].cast<double>()};
+}
+
+// Centre and covariance of the surface, exact per triangle.
+void surfaceMoments(const TriangleMesh& mesh, Vector3d& mean, Eigen::Matrix3d& covariance) {
+  double area = 0;
+  mean.setZero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  for (const auto& t : mesh.triangles) {
+    const Corners p = cornersOf(mesh, t);
+    const double w = 0.5 * (p.b - p.a).cross(p.c - p.a).norm();
+    const Vector3d s = p.a + p.b + p.c;
+    area += w;
+    mean += w / 3 * s;
+    square += w / 12 * (s * s.transpose() + p.a * p.a.transpose() + p.b * p.b.transpose() + p.c * p.c.transpose());
+  }
+  mean /= area;
+  covariance = square / area - mean * mean.transpose();
+}
+
+std::vector<Vector2d> convexHull(std::vector<Vector2d> points) {
+  const auto before = [](const Vector2d& a, const Vector2d& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); };
+  std::sort(points.begin(), points.end(), before);
+  const auto turn = [](const Vector2d& o, const Vector2d& a, const Vector2d& b) {
+    return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
+  };
+  std::vector<Vector2d> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::size_t base = hull.size();
+    for (const Vector2d& p : points) {
+      while (hull.size() >= base + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+// Sides of the smallest rectangle: one of them lies along an edge of the hull.
+Vector2d smallestRectangle(const std::vector<Vector2d>& hull) {
+  Vector2d best(0, 0);
+  double least = INFINITY;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Vector2d u = (hull[(i + 1) % hull.size()] - hull[i]).normalized(), v(-u[1], u[0]);
+    if (!u.allFinite()) continue;
+    double low_u = INFINITY, high_u = -INFINITY, low_v = INFINITY, high_v = -INFINITY;
+    for (const Vector2d& p : hull) {
+      low_u = std::min(low_u, p.dot(u));
+      high_u = std::max(high_u, p.dot(u));
+      low_v = std::min(low_v, p.dot(v));
+      high_v = std::max(high_v, p.dot(v));
+    }
+    const Vector2d sides(high_u - low_u, high_v - low_v);
+    if (sides.prod() < least) {
+      least = sides.prod();
+      best = sides;
+    }
+  }
+  return best;
+}
+
+// Wall thickness per about 1 mm^2: rays from triangle centres against their normal.
+std::vector<double> thicknesses(const TriangleMesh& mesh) {
+  const RayGrid rays(mesh);
+  std::vector<double> found;
+  double due = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Corners p = cornersOf(mesh, mesh.triangles[i]);
+    const Vector3d across = (p.b - p.a).cross(p.c - p.a);
+    due += 0.5 * across.norm();
+    if (due < 1) continue;
+    due = std::fmod(due, 1.0);
+    const Vector3d normal = across.normalized();
+    const auto hit = rays.leaving(((p.a + p.b + p.c) / 3).cast<float>(), (-normal).cast<float>(), static_cast<int>(i));
+    if (hit && hit->normal.cast<double>().dot(normal) < -0.5) found.push_back(hit->distance_mm);
+  }
+  return found;
+}
+
+}  // namespace
+
+Measures measure(const TriangleMesh& mesh) {
+  Measures m;
+  if (mesh.triangles.empty()) return m;
+  const Vector3d shift = mesh.vertices[0].cast<double>();  // near the mesh: less cancellation
+  for (const auto& t : mesh.triangles) {
+    const Corners p = cornersOf(mesh, t);
+    m.area_mm2 += 0.5 * (p.b - p.a).cross(p.c - p.a).norm();
+    const double part = (p.a - shift).dot((p.b - shift).cross(p.c - shift)) / 6;
+    m.volume_mm3 += part;
+    m.centroid += part * (p.a + p.b + p.c - 3 * shift) / 4;
+  }
+  m.centroid = std::abs(m.volume_mm3) > 1e-12 ? Vector3d(m.centroid / m.volume_mm3 + shift) : shift;
+  Vector3d mean;
+  Eigen::Matrix3d covariance;
+  surfaceMoments(mesh, mean, covariance);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+  std::vector<Vector2d> outline;
+  for (const Eigen::Vector3f& v : mesh.vertices) {
+    const Vector3d d = v.cast<double>() - mean;
+    outline.emplace_back(axes.eigenvectors().col(2).dot(d), axes.eigenvectors().col(1).dot(d));
+  }
+  const Vector2d sides = smallestRectangle(convexHull(std::move(outline)));
+  m.length_mm = sides.maxCoeff();
+  m.width_mm = sides.minCoeff();
+  std::vector<double> walls = thicknesses(mesh);
+  if (!walls.empty()) {
+    std::sort(walls.begin(), walls.end());
+    const auto at = [&](double share) { return walls[static_cast<std::size_t>(share * static_cast<double>(walls.size() - 1) + 0.5)]; };
+    m.thickness_min_mm = at(0.02);
+    m.thickness_max_mm = at(0.98);
+    m.thickness_mean_mm = std::accumulate(walls.begin(), walls.end(), 0.0) / static_cast<double>(walls.size());
+  }
+  return m;
+}
+
+}  // namespace ostraka::model

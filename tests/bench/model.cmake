@@ -1,0 +1,2 @@
+add_executable(model_accuracy model_accuracy.cpp)
+target_link_libraries(model_accuracy PRIVATE ostraka_model ostraka_cloud opencv_imgcodecs)

@@ -206,6 +206,17 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
   return d;
 }
 
+Result<void> checkEvidence(std::span<const Evidence> evidence, int n_front, int n_back) {
+  for (const Evidence& e : evidence) {
+    if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
+        !std::isfinite(e.log_likelihood)) {
+      return Error{
+          ErrorCode::UnusableInput, "The evidence of a pair has no valid scans or figure.", {}};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> AssignOptions::check() const {
@@ -216,15 +227,42 @@ Result<void> AssignOptions::check() const {
   return {};
 }
 
+double jointLogLikelihood(double outline, double rim, int n_scans) {
+  constexpr double kLookAlike = 0.02;  // share of strangers that have an outline nearly the same
+  const double stranger = std::log(1 - kLookAlike) - outline;
+  const double look_alike = std::log(kLookAlike) - rim;
+  const double most = std::max(stranger, look_alike);
+  const double either = most + std::log(std::exp(stranger - most) + std::exp(look_alike - most));
+  return -either - std::log(static_cast<double>(std::max(1, n_scans)));
+}
+
+Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_front, int n_back,
+                                    double lone_log_likelihood) {
+  if (const Result<void> valid = checkEvidence(evidence, n_front, n_back); !valid) {
+    return valid.error();
+  }
+  const std::size_t fronts = static_cast<std::size_t>(std::max(0, n_front));
+  const std::size_t backs = static_cast<std::size_t>(std::max(0, n_back));
+  const std::vector<std::vector<double>> costs =
+      costsOf(evidence, fronts, backs, lone_log_likelihood);
+  const Matching matching(costs);
+  std::vector<std::vector<double>> increase;
+  for (std::size_t f = 0; f < fronts; ++f) increase.push_back(matching.forcedIncrease(f));
+  std::vector<double> found;
+  for (const Evidence& e : evidence) {
+    const std::size_t f = static_cast<std::size_t>(e.front), b = static_cast<std::size_t>(e.back);
+    // A pair may be named twice; only the better of the two stands in the matrix.
+    const double worse = lone_log_likelihood - e.log_likelihood - costs[f][b];
+    found.push_back(increase[f][b] + std::max(0.0, worse));
+  }
+  return found;
+}
+
 Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, int n_back,
                                const AssignOptions& options) {
   if (const Result<void> valid = options.check(); !valid) return valid.error();
-  for (const Evidence& e : evidence) {
-    if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
-        !std::isfinite(e.log_likelihood)) {
-      return Error{
-          ErrorCode::UnusableInput, "The evidence of a pair has no valid scans or figure.", {}};
-    }
+  if (const Result<void> valid = checkEvidence(evidence, n_front, n_back); !valid) {
+    return valid.error();
   }
   const std::size_t fronts = static_cast<std::size_t>(std::max(0, n_front));
   const std::size_t backs = static_cast<std::size_t>(std::max(0, n_back));

@@ -52,4 +52,16 @@ struct Assignment {
 Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, int n_back,
                                const AssignOptions& options);
 
+/// For each piece of evidence: by how much the best total falls when its pair must be part of the
+/// assignment; 0 for the pairs of the best one. What lies 20 below cannot come back by a rim's
+/// word. Errors as assignPairs.
+Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_front, int n_back,
+                                    double lone_log_likelihood);
+
+/// Log-likelihood ratio from outline, rim and batch size, for Evidence::log_likelihood. A false
+/// pair is a stranger (judged by the outline, against strangers at random) or, one time in fifty, a
+/// look-alike (judged by the rim, against rims of like outlines); whichever explains more counts.
+/// A scan has n_scans possible partners, of which one is right.
+double jointLogLikelihood(double outline, double rim, int n_scans);
+
 }  // namespace ostraka::pairing

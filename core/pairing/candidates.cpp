@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "batch/batch.h"
+#include "pairing/assignment.h"
 #include "pairing/paper.h"
 #include "pairing/planar_alignment.h"
 #include "pairing/turning_angles.h"
@@ -245,29 +246,21 @@ std::vector<std::optional<Outline>> outlinesOf(std::span<const scan::Scan> scans
   return outlines;
 }
 
-/// Pairs within reach, or among the best few of one of their scans.
-std::vector<PairCandidate> withinReach(std::vector<PairCandidate> all,
-                                       const CandidateOptions& options) {
-  std::vector<std::size_t> order(all.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return all[a].log_likelihood > all[b].log_likelihood;
-  });
-  std::vector<int> of_front, of_back;
-  std::vector<std::uint8_t> keep(all.size(), 0);
-  for (const std::size_t i : order) {
-    const std::size_t f = static_cast<std::size_t>(all[i].front),
-                      b = static_cast<std::size_t>(all[i].back);
-    if (of_front.size() <= f) of_front.resize(f + 1, 0);
-    if (of_back.size() <= b) of_back.resize(b + 1, 0);
-    keep[i] = !all[i].starts.empty() &&
-              (all[i].log_likelihood >= options.reach || of_front[f] < options.min_per_scan ||
-               of_back[b] < options.min_per_scan);
-    ++of_front[f], ++of_back[b];
+/// Pairs that can still be part of the right assignment.
+Result<std::vector<PairCandidate>> withinReach(std::vector<PairCandidate> all, int n_front,
+                                               int n_back, double reach) {
+  std::vector<Evidence> evidence;
+  for (const PairCandidate& candidate : all) {
+    Evidence e;
+    e.front = candidate.front, e.back = candidate.back;
+    e.log_likelihood = candidate.log_likelihood;
+    evidence.push_back(e);
   }
+  const Result<std::vector<double>> regret = regrets(evidence, n_front, n_back, 0);
+  if (!regret) return regret.error();
   std::vector<PairCandidate> kept;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (keep[i]) kept.push_back(std::move(all[i]));
+    if (!all[i].starts.empty() && (*regret)[i] <= reach) kept.push_back(std::move(all[i]));
   }
   return kept;
 }
@@ -277,8 +270,7 @@ std::vector<PairCandidate> withinReach(std::vector<PairCandidate> all,
 Result<void> CandidateOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (max_starts < 1) return bad("max_starts must be at least 1.");
-  if (min_per_scan < 0) return bad("min_per_scan must not be negative.");
-  if (!std::isfinite(reach)) return bad("reach must be a finite number.");
+  if (!(reach >= 0)) return bad("reach must not be negative.");
   return contour.check();
 }
 
@@ -306,7 +298,8 @@ Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fr
   }
   progress.report(static_cast<std::int64_t>(fronts.size()),
                   static_cast<std::int64_t>(fronts.size()));
-  return withinReach(std::move(all), options);
+  return withinReach(std::move(all), static_cast<int>(fronts.size()),
+                     static_cast<int>(backs.size()), options.reach);
 }
 
 }  // namespace ostraka::pairing

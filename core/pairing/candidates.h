@@ -37,10 +37,10 @@ struct CandidateOptions {
   ContourOptions contour;
   Method method = Method::Default;
   Scale scale = Scale::Fixed;
-  int max_starts = 8;    ///< per pair; the registration pays for each
-  double reach = -15.0;  ///< pairs below this log-likelihood ratio are left out ...
-  int min_per_scan = 3;  ///< ... but each scan keeps its best so many
-  int threads = 0;       ///< 0 = all
+  int max_starts = 8;   ///< per pair; the registration pays for each
+  double reach = 25.0;  ///< pairs are left out when the best assignment that has them is
+                        ///< this much less likely (logarithm) by the outlines alone
+  int threads = 0;      ///< 0 = all
   Result<void> check() const;
 };
 

@@ -1,0 +1,21 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "base/result.h"
+#include "pipeline/pair_sides.h"
+#include "pipeline/register_scans.h"
+#include "scan/scan.h"
+
+namespace ostraka::pipeline {
+
+/// OUT/report.json (figures per pair; seconds are the only values that differ between two runs) and
+/// OUT/report.html: one file without a network, the pair table with reasons and both sides' points
+/// laid over each other, seen from above and from the side.
+Result<void> writeRegisterReport(const std::filesystem::path& output,
+                                 const RegisterSummary& summary, const PairTable& table,
+                                 std::span<const scan::Scan> fronts,
+                                 std::span<const scan::Scan> backs, const std::string& inputs_hash);
+
+}  // namespace ostraka::pipeline

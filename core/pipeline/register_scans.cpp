@@ -1,0 +1,243 @@
+#include "pipeline/register_scans.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "base/parallel.h"
+#include "cloud/ply.h"
+#include "pipeline/pair_sides.h"
+#include "pipeline/register_report.h"
+#include "scan/rim.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct ReadScans {
+  std::vector<scan::Scan> scans;
+  std::vector<std::string> warnings;
+  std::string hash;  ///< names and contents
+  int unusable = 0;
+};
+
+/// The *.ply of a folder in the order of their names.
+Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
+  std::error_code failed;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    std::string ending = it->path().extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".ply") files.push_back(it->path());
+  }
+  if (failed) {
+    return Error{ErrorCode::UnusableInput, "The folder cannot be read; name a folder of PLY files.",
+                 folder.string()};
+  }
+  if (files.empty()) {
+    return Error{ErrorCode::UnusableInput,
+                 "There is no PLY file in this folder; each sherd's scan must be one PLY file.",
+                 folder.string()};
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return bytes.error();
+  Result<PlyContents> contents = parsePly(*bytes, file.string());
+  if (!contents) return contents.error();
+  if (contents->dropped_not_finite > 0) {
+    warning = file.string() + ": " + std::to_string(contents->dropped_not_finite) +
+              " points without finite coordinates were left out; check the export.";
+  }
+  scan::Scan scan;
+  scan.id = file.stem().string();
+  scan.cloud.points = std::move(contents->mesh.vertices);
+  scan.cloud.normals = std::move(contents->mesh.normals);
+  scan.cloud.colors = std::move(contents->mesh.colors);
+  if (scan.cloud.size() < 100) {
+    return Error{ErrorCode::NotEnough, "The scan has fewer than 100 points; scan this side again.",
+                 file.string()};
+  }
+  if (!scan.cloud.hasNormals()) {
+    return Error{ErrorCode::UnusableInput, "The scan has no normals; export it with nx, ny and nz.",
+                 file.string()};
+  }
+  scan.up = scan::estimateUp(scan.cloud);
+  return scan;
+}
+
+Result<ReadScans> readSide(const fs::path& folder, int threads) {
+  const Result<std::vector<fs::path>> files = plyFiles(folder);
+  if (!files) return files.error();
+  std::vector<std::optional<Result<scan::Scan>>> read(files->size());
+  std::vector<std::string> warnings(files->size()), hashes(files->size());
+  parallelFor(files->size(), threads, [&](std::size_t i) {
+    const Result<std::string> bytes = readFile((*files)[i]);
+    hashes[i] = (*files)[i].filename().string() + ":" + (bytes ? sha256(*bytes) : "unreadable");
+    read[i] = readScan((*files)[i], warnings[i]);
+  });
+  ReadScans side;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    side.hash += hashes[i] + "\n";
+    if (!warnings[i].empty()) side.warnings.push_back(warnings[i]);
+    Result<scan::Scan>& scan = *read[i];
+    if (scan) {
+      side.scans.push_back(std::move(*scan));
+    } else {
+      side.warnings.push_back(scan.error().sentence());
+      ++side.unusable;
+    }
+  }
+  if (side.scans.empty()) {
+    return Error{ErrorCode::UnusableInput,
+                 "None of the scans can be used: " + side.warnings.front(), folder.string()};
+  }
+  return side;
+}
+
+/// Whether the scans' frame is a plate's: all stand on z = 0 with their faces up. Scans stop up to
+/// 0.6 mm above the plate, and up to 4 mm where the lowest strip is hidden.
+bool standOnPlate(const std::vector<scan::Scan>& scans) {
+  return std::all_of(scans.begin(), scans.end(), [](const scan::Scan& scan) {
+    std::vector<float> heights;
+    for (const Eigen::Vector3f& p : scan.cloud.points) heights.push_back(p.z());
+    const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 200);
+    std::nth_element(heights.begin(), low, heights.end());
+    return *low > -0.3f && *low < 4.0f && scan.up.z() > 0.8;
+  });
+}
+
+PointCloud mergedCloud(const scan::Scan& front, const scan::Scan& back,
+                       const registration::Registration& found) {
+  PointCloud merged = front.cloud;
+  PointCloud other = back.cloud;
+  for (Eigen::Vector3f& p : other.points) p *= static_cast<float>(found.scale);
+  other = transformed(other, found.front_from_back);
+  const bool colors = !front.cloud.colors.empty() && !other.colors.empty();
+  merged.points.insert(merged.points.end(), other.points.begin(), other.points.end());
+  merged.normals.insert(merged.normals.end(), other.normals.begin(), other.normals.end());
+  if (colors) {
+    merged.colors.insert(merged.colors.end(), other.colors.begin(), other.colors.end());
+  } else {
+    merged.colors.clear();
+  }
+  merged.quality.clear();
+  return merged;
+}
+
+/// OUT may be new, empty, or of the same scans; anything else is left alone.
+Result<void> checkOutput(const RegisterOptions& options, const std::string& inputs_hash) {
+  std::error_code failed;
+  if (!fs::exists(options.output, failed) || fs::is_empty(options.output, failed)) return {};
+  const fs::path report = options.output / "report.json";
+  const Result<nlohmann::json> earlier = readJson(report);
+  if (earlier && earlier->is_object() && earlier->value("inputs_hash", "") == inputs_hash)
+    return {};
+  return Error{ErrorCode::UnusableInput,
+               "The output folder holds something else; name a new or empty folder.",
+               options.output.string()};
+}
+
+std::string numberOf(std::size_t i) {
+  const std::string digits = std::to_string(i + 1);
+  return digits.size() < 2 ? "0" + digits : digits;
+}
+
+RegisterSummary summaryOf(const PairTable& table, const ReadScans& fronts, const ReadScans& backs) {
+  RegisterSummary summary;
+  for (std::size_t i = 0; i < table.pairs.size(); ++i) {
+    const SherdPair& pair = table.pairs[i];
+    summary.pairs.push_back(
+        {numberOf(i), fronts.scans[static_cast<std::size_t>(pair.decision.front)].id,
+         backs.scans[static_cast<std::size_t>(pair.decision.back)].id, pair.decision.score,
+         pair.decision.margin, pair.registration.rim_rms_mm, pair.registration.rim_overlap,
+         pair.registration.uncertainty_mm, pair.decision.ambiguous, pair.decision.reason});
+  }
+  for (const int f : table.unpaired_front) {
+    summary.unpaired_front.push_back(fronts.scans[static_cast<std::size_t>(f)].id);
+  }
+  for (const int b : table.unpaired_back) {
+    summary.unpaired_back.push_back(backs.scans[static_cast<std::size_t>(b)].id);
+  }
+  summary.warnings = fronts.warnings;
+  summary.warnings.insert(summary.warnings.end(), backs.warnings.begin(), backs.warnings.end());
+  summary.unusable = fronts.unusable + backs.unusable;
+  return summary;
+}
+
+}  // namespace
+
+Result<void> RegisterOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (front.empty()) return bad("Name the folder of the front scans (--front DIR).");
+  if (back.empty()) return bad("Name the folder of the back scans (--back DIR).");
+  if (output.empty()) return bad("Name the output folder (--output OUT).");
+  return {};
+}
+
+int RegisterSummary::ambiguous() const {
+  return static_cast<int>(
+      std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.ambiguous; }));
+}
+
+Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& progress,
+                                      std::stop_token stop) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (const Result<void> valid = options.check(); !valid) return valid.error();
+  const Result<ReadScans> fronts = readSide(options.front, options.threads);
+  if (!fronts) return fronts.error();
+  const Result<ReadScans> backs = readSide(options.back, options.threads);
+  if (!backs) return backs.error();
+  const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
+  if (const Result<void> free = checkOutput(options, inputs_hash); !free) return free.error();
+
+  PairOptions pair_options;
+  pair_options.candidates.method = options.pairing;
+  pair_options.candidates.scale = options.scale;
+  pair_options.candidates.threads = options.threads;
+  pair_options.registration.scale = options.scale == pairing::Scale::Free
+                                        ? registration::Scale::Free
+                                        : registration::Scale::Fixed;
+  pair_options.threads = options.threads;
+  registration::Witnesses witnesses;
+  witnesses.front_on_plate = standOnPlate(fronts->scans);
+  witnesses.back_on_plate = standOnPlate(backs->scans);
+  const Result<PairTable> table =
+      pairSides(fronts->scans, backs->scans, witnesses, pair_options, progress, stop);
+  if (!table) return table.error();
+
+  RegisterSummary summary = summaryOf(*table, *fronts, *backs);
+  for (std::size_t i = 0; i < table->pairs.size(); ++i) {
+    if (stop.stop_requested()) return Error::cancelled();
+    const SherdPair& pair = table->pairs[i];
+    const PointCloud merged =
+        mergedCloud(fronts->scans[static_cast<std::size_t>(pair.decision.front)],
+                    backs->scans[static_cast<std::size_t>(pair.decision.back)], pair.registration);
+    const fs::path file = options.output / "sherds" / numberOf(i) / "merged.ply";
+    if (const Result<void> wrote = writePly(file, merged, "front scan"); !wrote)
+      return wrote.error();
+  }
+  summary.pairs_file = options.output / "pairs.json";
+  const ordered_json pairs = toJson(*table, fronts->scans, backs->scans);
+  if (const Result<void> wrote = writeJson(summary.pairs_file, pairs); !wrote) return wrote.error();
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (const Result<void> wrote = writeRegisterReport(options.output, summary, *table, fronts->scans,
+                                                     backs->scans, inputs_hash);
+      !wrote) {
+    return wrote.error();
+  }
+  return summary;
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "pairing/candidates.h"
+
+namespace ostraka::pipeline {
+
+struct RegisterOptions {
+  std::filesystem::path front, back;  ///< folders of *.ply, one scan each; opened for reading only
+  std::filesystem::path output;       ///< OUT; created, or continued when of the same scans
+  pairing::Scale scale = pairing::Scale::Fixed;
+  pairing::Method pairing = pairing::Method::Default;
+  int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
+  Result<void> check() const;
+};
+
+struct RegisterSummary {
+  struct Pair {
+    std::string number;  ///< "01": folder under OUT/sherds
+    std::string front, back;
+    double score = 0, margin = 0, rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
+    bool ambiguous = false;
+    std::string reason;  ///< why a person must look; empty otherwise
+  };
+  std::vector<Pair> pairs;  ///< by front
+  std::vector<std::string> unpaired_front, unpaired_back;
+  std::vector<std::string> warnings;  ///< whole sentences
+  int unusable = 0;                   ///< files that could not be read: the result is not whole
+  double seconds = 0;
+  std::filesystem::path pairs_file;
+  int ambiguous() const;
+};
+
+/// Scans split already (one PLY per sherd and side, oriented points, mm) to registered pairs:
+/// writes OUT/pairs.json (metrics.md), OUT/sherds/<nn>/merged.ply in the front scan's frame,
+/// OUT/report.json and OUT/report.html. A file that cannot be used costs that scan, with a warning.
+/// Errors: UnusableInput (no usable scan on a side, OUT of other scans), CannotWrite, Cancelled.
+Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& progress,
+                                      std::stop_token stop);
+
+}  // namespace ostraka::pipeline

@@ -34,14 +34,15 @@ double placeLogLikelihood(const scan::Scan& front, const scan::Scan& back) {
   return std::min(2.5, std::log(0.5 + 0.5 * near / anywhere));
 }
 
-pairing::Evidence evidenceOf(const Registered& r, double place_log_likelihood) {
+pairing::Evidence evidenceOf(const Registered& r, double place_log_likelihood, int n_scans) {
   const registration::Registration& found = *r.registration;
   const auto start = static_cast<std::size_t>(std::max(0, found.start));
   const double contour = r.candidate->starts.at(start).log_likelihood;
   pairing::Evidence evidence;
   evidence.front = r.candidate->front;
   evidence.back = r.candidate->back;
-  evidence.log_likelihood = contour + found.log_likelihood + place_log_likelihood;
+  evidence.log_likelihood =
+      pairing::jointLogLikelihood(contour, found.log_likelihood, n_scans) + place_log_likelihood;
   evidence.rim_rms_mm = found.rim_rms_mm;
   evidence.overlap = found.rim_overlap;
   evidence.slipped = found.slipped;
@@ -99,7 +100,8 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
             ? 0.0
             : placeLogLikelihood(fronts[static_cast<std::size_t>(r.candidate->front)],
                                  backs[static_cast<std::size_t>(r.candidate->back)]);
-    evidence.push_back(evidenceOf(r, hint));
+    evidence.push_back(
+        evidenceOf(r, hint, static_cast<int>(std::max(fronts.size(), backs.size()))));
   }
   const Result<pairing::Assignment> assignment = pairing::assignPairs(
       evidence, static_cast<int>(fronts.size()), static_cast<int>(backs.size()), options.assign);

@@ -131,7 +131,8 @@ Result<PairsEvaluation> evaluatePairs(const Proposal& proposal, const PairsTruth
   const Names names = namesOf(truth);
   PairsEvaluation evaluation;
   evaluation.set = truth.set;
-  evaluation.true_pairs = static_cast<int>(truth.pairs.size());
+  evaluation.unseen = truth.unseen_pairs;
+  evaluation.true_pairs = static_cast<int>(truth.pairs.size()) + truth.unseen_pairs;
   std::set<std::string> seen_fronts, seen_backs;
   for (const ProposedPair& pair : proposal.pairs) {
     const bool known =
@@ -171,7 +172,7 @@ PairsSummary summarise(const std::vector<PairsEvaluation>& sets) {
   std::vector<double> rms, rotations, shifts;
   for (const PairsEvaluation& set : sets) {
     sum.true_pairs += set.true_pairs;
-    sum.missed += static_cast<int>(set.missed.size());
+    sum.missed += static_cast<int>(set.missed.size()) + set.unseen;
     sum.forgotten += static_cast<int>(set.forgotten.size());
     sum.lone += set.lone;
     sum.lone_right += set.lone_right;

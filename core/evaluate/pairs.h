@@ -38,6 +38,7 @@ struct PairsTruth {
   std::string set;  ///< name of the folder
   std::vector<TruePair> pairs;
   std::vector<std::string> unpaired_front, unpaired_back;
+  int unseen_pairs = 0;  ///< true pairs of which a scan is not there at all
 };
 
 /// pairs.json of `register` and `process`. Errors: unreadable, a pair without front or back.
@@ -76,6 +77,7 @@ struct PairsEvaluation {
   std::vector<PairVerdict> verdicts;   ///< in the proposal's order
   std::vector<std::string> missed;     ///< fronts of true pairs of which neither scan was paired
   std::vector<std::string> forgotten;  ///< scans in no pair and in no unpaired list
+  int unseen = 0;                      ///< true pairs without both scans; counted in true_pairs
   int lone = 0, lone_right = 0;        ///< scans without a partner; those left alone
 };
 

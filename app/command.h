@@ -1,0 +1,47 @@
+#pragma once
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <stop_token>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ostraka::app {
+
+/// What the shell gets to know: README, 'Exit status'.
+enum ExitStatus { Whole = 0, NotWhole = 1, UnusableInputStatus = 2, PersonMustDecide = 3 };
+
+ExitStatus statusOf(const Error& error);
+
+/// What every sub-command is handed when it runs.
+struct Session {
+  Progress& progress;
+  std::stop_token stop;
+  bool json = false;                     ///< the result as JSON on standard output instead of words
+  std::function<void()> finishProgress;  ///< ends the line of progress, before other output
+};
+
+/// The work of the sub-command that was chosen.
+using Command = std::function<int(Session&)>;
+
+/// Each adds its sub-command to the root; when it was chosen on the command line, `chosen` becomes
+/// its work.
+void addProcess(CLI::App& root, Command& chosen);
+void addDense(CLI::App& root, Command& chosen);
+void addEvaluate(CLI::App& root, Command& chosen);
+void addRig(CLI::App& root, Command& chosen);
+void addCompletion(CLI::App& root, Command& chosen);
+
+/// Says what went wrong on standard error, with --json as an object on standard output, and gives
+/// the exit status.
+int fail(const Session& session, const Error& error);
+
+/// JSON to standard output, indented, with a line's end.
+void printJson(const nlohmann::ordered_json& value);
+
+}  // namespace ostraka::app

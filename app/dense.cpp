@@ -1,0 +1,150 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "batch/photograph.h"
+#include "cloud/ply.h"
+#include "command.h"
+#include "mask/given_mask.h"
+#include "rig/camera.h"
+#include "stereo/stereo.h"
+
+namespace ostraka::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DenseArguments {
+  fs::path images, cameras, output;
+  std::optional<fs::path> masks;
+  int threads = 0;
+};
+
+// The photograph's mask beside its own name or stem, whatever folder the camera file gives.
+std::optional<fs::path> maskFileOf(const fs::path& folder, const fs::path& file) {
+  const std::string stem = file.stem().string(), name = file.filename().string();
+  fs::path with_folders = folder / file;
+  with_folders.replace_extension(".png");
+  for (const fs::path& candidate :
+       {with_folders, folder / (stem + ".png"), folder / (name + ".png"),
+        folder / (stem + "_mask.png"), folder / (stem + ".tif")}) {
+    std::error_code failed;
+    if (fs::is_regular_file(candidate, failed)) return candidate;
+  }
+  return {};
+}
+
+Result<stereo::View> readView(const DenseArguments& arguments, const rig::PosedImage& camera) {
+  const fs::path file = arguments.images / camera.file;
+  stereo::View view;
+  view.camera = camera;
+  Result<cv::Mat> photograph = batch::readPhotograph(file);
+  if (!photograph) return photograph.error();
+  view.photograph = std::move(*photograph);
+  const int width = camera.intrinsics.width, height = camera.intrinsics.height;
+  if (view.photograph.cols != width || view.photograph.rows != height)
+    return Error{ErrorCode::UnusableInput,
+                 "The photograph is " + std::to_string(view.photograph.cols) + "x" +
+                     std::to_string(view.photograph.rows) + " pixels, but its camera says " +
+                     std::to_string(width) + "x" + std::to_string(height) + ".",
+                 file.string()};
+  if (!arguments.masks) return view;
+  const std::optional<fs::path> mask_file = maskFileOf(*arguments.masks, camera.file);
+  if (!mask_file)
+    return Error{ErrorCode::UnusableInput,
+                 "This photograph has no mask; expected " + fs::path(camera.file).stem().string() +
+                     ".png in " + arguments.masks->string() + ".",
+                 file.string()};
+  Result<cv::Mat1b> mask = mask::readGivenMask(*mask_file, width, height);
+  if (!mask) return mask.error();
+  view.mask = std::move(*mask);
+  return view;
+}
+
+// One bad photograph costs that view, with a warning.
+Result<std::vector<stereo::View>> readViews(const DenseArguments& arguments, Session& session) {
+  const Result<std::vector<rig::PosedImage>> cameras = rig::readCameras(arguments.cameras);
+  if (!cameras) return cameras.error();
+  session.progress.begin("photographs", 0.02);
+  std::vector<stereo::View> views;
+  std::string first_wrong;
+  for (const rig::PosedImage& camera : *cameras) {
+    if (session.stop.stop_requested()) return Error::cancelled();
+    Result<stereo::View> view = readView(arguments, camera);
+    if (view) {
+      views.push_back(std::move(*view));
+    } else {
+      if (first_wrong.empty()) first_wrong = view.error().sentence();
+      session.progress.note(NoteLevel::Warning, view.error().sentence() + " It is left out.");
+    }
+  }
+  if (views.size() < 3)
+    return Error{ErrorCode::NotEnough,
+                 "Only " + std::to_string(views.size()) + " of " + std::to_string(cameras->size()) +
+                     " photographs can be used; 3 are needed." +
+                     (first_wrong.empty() ? "" : " The first trouble: " + first_wrong),
+                 arguments.cameras.string()};
+  return views;
+}
+
+int runDense(const DenseArguments& arguments, Session& session) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (!arguments.output.has_filename() || fs::is_directory(arguments.output))
+    return fail(session, {ErrorCode::UnusableInput, "The output must be a PLY file.",
+                          arguments.output.string()});
+  const Result<std::vector<stereo::View>> views = readViews(arguments, session);
+  if (!views) return fail(session, views.error());
+  session.progress.begin("stereo", 0.98);
+  stereo::DenseOptions options;
+  options.threads = arguments.threads;
+  const Result<PointCloud> cloud =
+      stereo::reconstruct(*views, options, session.progress, session.stop);
+  if (!cloud) return fail(session, cloud.error());
+  const Result<void> written = writePly(arguments.output, *cloud, "world");
+  if (!written) return fail(session, written.error());
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  session.finishProgress();
+  if (session.json)
+    printJson({{"output", arguments.output.string()},
+               {"points", cloud->size()},
+               {"views", views->size()},
+               {"seconds", seconds},
+               {"exit_status", static_cast<int>(Whole)}});
+  else
+    std::printf("%zu points from %zu photographs in %.0f s: %s\n", cloud->size(), views->size(),
+                seconds, arguments.output.c_str());
+  return Whole;
+}
+
+}  // namespace
+
+void addDense(CLI::App& root, Command& chosen) {
+  CLI::App* command =
+      root.add_subcommand("dense", "Dense reconstruction alone, of photographs with known cameras");
+  command->footer(
+      "CAMERAS.json: "
+      "{\"unit\":\"mm\",\"images\":[{\"file\",\"width\",\"height\",\"K\",\"dist\",\"R\",\"t\"}]},\n"
+      "x_cam = R X + t, OpenCV's axes, a pixel's centre has integer coordinates.");
+  auto arguments = std::make_shared<DenseArguments>();
+  command->add_option("IMAGES", arguments->images, "Folder of the photographs")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--cameras", arguments->cameras, "CAMERAS.json")->required();
+  command
+      ->add_option("--masks", arguments->masks,
+                   "Folder of masks: NAME.png for NAME.jpg, 0 = background")
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--output,-o", arguments->output, "The cloud, a PLY file")->required();
+  command->add_option("--threads", arguments->threads, "Threads; 0 = all processors")
+      ->check(CLI::Range(0, 1024));
+  command->callback([arguments, &chosen] {
+    chosen = [arguments](Session& session) { return runDense(*arguments, session); };
+  });
+}
+
+}  // namespace ostraka::app

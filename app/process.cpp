@@ -1,0 +1,124 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "pipeline/process_batch.h"
+
+namespace ostraka::app {
+namespace {
+
+using nlohmann::ordered_json;
+using pipeline::DenseMethod;
+using pipeline::PairingForm;
+using pipeline::ProcessOptions;
+using pipeline::ProcessSummary;
+using pipeline::SherdSummary;
+
+ordered_json toJson(const ProcessSummary& summary, int status) {
+  ordered_json sherds = ordered_json::array();
+  for (const SherdSummary& s : summary.sherds)
+    sherds.push_back({{"number", s.number},
+                      {"front", s.front},
+                      {"back", s.back},
+                      {"score", s.score},
+                      {"ambiguous", s.ambiguous},
+                      {"rim_rms_mm", s.rim_rms_mm},
+                      {"uncertainty_mm", s.uncertainty_mm},
+                      {"model", s.has_model},
+                      {"remark", s.remark}});
+  return {{"sherds", sherds},
+          {"unpaired_front", summary.unpaired_front},
+          {"unpaired_back", summary.unpaired_back},
+          {"warnings", summary.warnings},
+          {"reprojection_rms_px", summary.reprojection_rms_px},
+          {"seconds", summary.seconds},
+          {"report", summary.report.string()},
+          {"whole", summary.whole()},
+          {"exit_status", status}};
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+void printTable(const ProcessSummary& summary) {
+  std::printf("%-6s %-8s %-8s %7s %10s %12s  %s\n", "sherd", "front", "back", "score", "rim RMS mm",
+              "uncertain mm", "");
+  for (const SherdSummary& s : summary.sherds) {
+    const std::string state =
+        std::string(s.ambiguous ? "AMBIGUOUS " : "") + (s.has_model ? "" : "no model ") + s.remark;
+    std::printf("%-6s %-8s %-8s %7.4f %10.3f %12.3f  %s\n", s.number.c_str(), s.front.c_str(),
+                s.back.c_str(), s.score, s.rim_rms_mm, s.uncertainty_mm, state.c_str());
+  }
+  if (!summary.unpaired_front.empty())
+    std::printf("Fronts without a back: %s\n", joined(summary.unpaired_front).c_str());
+  if (!summary.unpaired_back.empty())
+    std::printf("Backs without a front: %s\n", joined(summary.unpaired_back).c_str());
+  std::printf("%zu sherds, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
+              summary.reprojection_rms_px, summary.seconds, summary.report.c_str());
+  if (summary.ambiguous() > 0)
+    std::printf("%d pair(s) need a person's eye; the report shows the alternatives.\n",
+                summary.ambiguous());
+}
+
+int runProcess(const ProcessOptions& options, Session& session) {
+  const Result<ProcessSummary> summary =
+      pipeline::processBatch(options, session.progress, session.stop);
+  if (!summary) return fail(session, summary.error());
+  const int status = summary->ambiguous() > 0 ? PersonMustDecide
+                     : summary->whole()       ? Whole
+                                              : NotWhole;
+  session.finishProgress();
+  if (session.json)
+    printJson(toJson(*summary, status));
+  else
+    printTable(*summary);
+  return status;
+}
+
+}  // namespace
+
+void addProcess(CLI::App& root, Command& chosen) {
+  CLI::App* command =
+      root.add_subcommand("process", "Turn a batch folder of photographs into complete sherds");
+  command->footer(
+      "Stopped or killed, the same command goes on from the last whole stage. Open "
+      "OUT/report.html\n"
+      "to look at the result.");
+  auto options = std::make_shared<ProcessOptions>();
+  command->add_option("BATCH", options->batch, "Batch folder (front/, back/, plate.json, ...)")
+      ->required();
+  command->add_option("--output,-o", options->output, "Folder for the result; made when absent")
+      ->required();
+  command->add_option("--rig", options->rig, "RIG.json of an earlier calibration");
+  command
+      ->add_option("--threads", options->threads,
+                   "Threads; 0 = all processors. The result does not depend on it")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--dense", options->dense, "Dense reconstruction: builtin, colmap or openmvs")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, DenseMethod>{{"builtin", DenseMethod::Builtin},
+                                             {"colmap", DenseMethod::Colmap},
+                                             {"openmvs", DenseMethod::OpenMvs}}))
+      ->default_str("builtin");
+  command
+      ->add_option("--masks", options->masks,
+                   "Masks: auto (from the plate), given (beside the photographs), or a "
+                   "segmentation network as an ONNX file")
+      ->capture_default_str();
+  command
+      ->add_option("--pairing", options->pairing, "Pairing: default, or paper (Wang et al. 2023)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PairingForm>{
+          {"default", PairingForm::Default}, {"paper", PairingForm::Paper}}))
+      ->default_str("default");
+  command->callback([options, &chosen] {
+    chosen = [options](Session& session) { return runProcess(*options, session); };
+  });
+}
+
+}  // namespace ostraka::app

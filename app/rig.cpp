@@ -1,0 +1,80 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "virtualrig/simulate.h"
+
+namespace ostraka::app {
+namespace {
+
+using virtualrig::Fault;
+using virtualrig::PlateColor;
+using virtualrig::SimulateOptions;
+
+int runSimulate(const SimulateOptions& options, Session& session) {
+  if (const Result<void> checked = options.check(); !checked) return fail(session, checked.error());
+  session.progress.begin(options.scans_only ? "scans" : "photographs", 1.0);
+  const Result<void> made = virtualrig::simulateBatch(options, session.progress, session.stop);
+  if (!made) return fail(session, made.error());
+  session.finishProgress();
+  if (session.json)
+    printJson({{"output", options.output.string()},
+               {"sherds", options.sherds},
+               {"seed", options.seed},
+               {"exit_status", static_cast<int>(Whole)}});
+  else
+    std::printf("A batch of %d virtual sherds, with its truth: %s\n", options.sherds,
+                options.output.c_str());
+  return Whole;
+}
+
+void addSimulate(CLI::App& rig, Command& chosen) {
+  CLI::App* command =
+      rig.add_subcommand("simulate", "Write a batch of a virtual rig, with the complete truth");
+  auto options = std::make_shared<SimulateOptions>();
+  command->add_option("--output,-o", options->output, "New or empty folder for the batch")
+      ->required();
+  command->add_option("--seed", options->seed, "Start of all chance")->capture_default_str();
+  command->add_option("--sherds", options->sherds, "Number of sherds")->capture_default_str();
+  command->add_option("--width", options->width, "Width of a photograph in pixels")
+      ->capture_default_str();
+  command->add_option("--stops", options->stops, "Stops of the plate in a turn")
+      ->capture_default_str();
+  command->add_option("--plate", options->plate, "Colour of the plate: dark or grey")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PlateColor>{
+          {"dark", PlateColor::Dark}, {"grey", PlateColor::Grey}}))
+      ->default_str("dark");
+  command->add_flag("--plain", options->plain, "Plain clay: neither slip nor paint");
+  command->add_flag("--scramble", options->scramble, "The sherds change places at the flip");
+  command->add_option("--lookalikes", options->lookalikes, "Groups of two that look alike")
+      ->capture_default_str();
+  command->add_option("--touching", options->touching, "Pairs of sherds that touch each other")
+      ->capture_default_str();
+  command->add_flag("--scans-only", options->scans_only, "Scans of both sides, no photographs");
+  command->add_option("--threads", options->threads, "Threads; 0 = all processors")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--fault", options->fault, "Something that goes wrong on purpose")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Fault>{{"blur", Fault::Blur},
+                                                               {"missing", Fault::Missing},
+                                                               {"moved", Fault::Moved},
+                                                               {"covered", Fault::Covered},
+                                                               {"shadow", Fault::Shadow},
+                                                               {"truncated", Fault::Truncated}}));
+  command->callback([options, &chosen] {
+    chosen = [options](Session& session) { return runSimulate(*options, session); };
+  });
+}
+
+}  // namespace
+
+void addRig(CLI::App& root, Command& chosen) {
+  CLI::App* rig = root.add_subcommand("rig", "Cameras and turntable: simulate a batch");
+  rig->require_subcommand(1);
+  addSimulate(*rig, chosen);
+}
+
+}  // namespace ostraka::app

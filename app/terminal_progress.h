@@ -1,0 +1,53 @@
+#pragma once
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "base/progress.h"
+
+namespace ostraka::app {
+
+enum class Loudness { Quiet, Warnings, Everything };
+
+/// Progress for a person: on a terminal one line that is drawn anew, with the time left; into a
+/// pipe plain lines, one per stage and one every ten seconds.
+class TerminalProgress final : public Progress {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// now: the clock, handed in for tests.
+  TerminalProgress(std::FILE* out, bool terminal, Loudness loudness,
+                   std::function<Clock::time_point()> now = Clock::now);
+  ~TerminalProgress() override;
+
+  void begin(std::string_view stage, double share) override;
+  void report(std::int64_t done, std::int64_t total) override;
+  void note(NoteLevel level, std::string_view text) override;
+  /// Ends the line that is drawn anew, before other output.
+  void finish();
+
+ private:
+  void draw(bool whole_line);
+  void clearLine();
+  void endStage();
+  std::string line() const;
+  std::optional<double> secondsLeft() const;
+
+  std::FILE* out_;
+  bool terminal_;
+  Loudness loudness_;
+  std::function<Clock::time_point()> now_;
+  std::string stage_;
+  double stage_share_ = 1, share_before_ = 0, stage_done_ = 0;
+  // Stages found whole from an earlier run take no time: the pace comes from the others.
+  double worked_share_ = 0, worked_seconds_ = 0;
+  Clock::time_point stage_begin_, last_drawn_;
+  bool line_open_ = false;
+};
+
+/// "about 40 s", "about 3 min", "about 2 h 10 min".
+std::string durationWords(double seconds);
+
+}  // namespace ostraka::app

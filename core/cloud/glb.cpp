@@ -30,14 +30,22 @@ struct Buffer {
 
   // Closes what was appended since `begin` as one accessor; returns its number.
   int close(std::size_t begin, int target, int component, std::size_t count, const char* type) {
-    views.push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}, {"target", target}});
-    accessors.push_back({{"bufferView", views.size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
+    views.push_back({{"buffer", 0},
+                     {"byteOffset", begin},
+                     {"byteLength", bytes.size() - begin},
+                     {"target", target}});
+    accessors.push_back({{"bufferView", views.size() - 1},
+                         {"componentType", component},
+                         {"count", count},
+                         {"type", type}});
     bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
     return static_cast<int>(accessors.size()) - 1;
   }
 };
 
-Eigen::Vector3f yUp(const Eigen::Vector3f& v) { return {v[0], v[2], -v[1]}; }
+Eigen::Vector3f yUp(const Eigen::Vector3f& v) {
+  return {v[0], v[2], -v[1]};
+}
 
 // IEC 61966-2-1, to 16 bits: COLOR_0 is linear.
 std::uint16_t linear(std::uint8_t level) {
@@ -67,7 +75,8 @@ int addNormals(Buffer& buffer, const TriangleMesh& mesh) {
   for (const Eigen::Vector3f& v : mesh.normals) {
     // The standard wants unit length; a vertex without a normal points up.
     const float length = v.norm();
-    const Eigen::Vector3f n = length > 1e-6f ? Eigen::Vector3f(yUp(v) / length) : Eigen::Vector3f::UnitY();
+    const Eigen::Vector3f n =
+        length > 1e-6f ? Eigen::Vector3f(yUp(v) / length) : Eigen::Vector3f::UnitY();
     for (int k = 0; k < 3; ++k) append(buffer.bytes, n[k]);
   }
   return buffer.close(begin, kArrayBuffer, kFloat, mesh.normals.size(), "VEC3");
@@ -96,10 +105,13 @@ int addIndices(Buffer& buffer, const TriangleMesh& mesh) {
   const bool is_short = mesh.vertices.size() <= 65535;
   for (const auto& t : mesh.triangles)
     for (const int v : t) {
-      if (is_short) append(buffer.bytes, static_cast<std::uint16_t>(v));
-      else append(buffer.bytes, static_cast<std::uint32_t>(v));
+      if (is_short)
+        append(buffer.bytes, static_cast<std::uint16_t>(v));
+      else
+        append(buffer.bytes, static_cast<std::uint32_t>(v));
     }
-  return buffer.close(begin, kElementArrayBuffer, is_short ? kUnsignedShort : kUnsignedInt, mesh.triangles.size() * 3, "SCALAR");
+  return buffer.close(begin, kElementArrayBuffer, is_short ? kUnsignedShort : kUnsignedInt,
+                      mesh.triangles.size() * 3, "SCALAR");
 }
 
 ordered_json describe(const GlbExtras& extras) {
@@ -122,10 +134,12 @@ void appendChunk(std::string& file, std::uint32_t type, std::string chunk, char 
 
 Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras) {
   const int n = static_cast<int>(mesh.vertices.size());
-  if (mesh.triangles.empty()) return Error{ErrorCode::UnusableInput, "The mesh has no faces to write.", {}};
+  if (mesh.triangles.empty())
+    return Error{ErrorCode::UnusableInput, "The mesh has no faces to write.", {}};
   for (const auto& t : mesh.triangles)
     if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
-      return Error{ErrorCode::UnusableInput, "A face of the mesh names a vertex that is not there.", {}};
+      return Error{
+          ErrorCode::UnusableInput, "A face of the mesh names a vertex that is not there.", {}};
   Buffer buffer;
   ordered_json attributes = {{"POSITION", addPositions(buffer, mesh)}};
   if (mesh.normals.size() == mesh.vertices.size()) attributes["NORMAL"] = addNormals(buffer, mesh);
@@ -140,9 +154,13 @@ Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras)
   root["scenes"] = ordered_json::array({{{"nodes", {0}}}});
   root["nodes"] = ordered_json::array({{{"mesh", 0}, {"extras", {{"ostraka", describe(extras)}}}}});
   // Fired clay: no metal, no gloss.
-  root["materials"] = ordered_json::array({{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}}});
-  root["meshes"] = ordered_json::array(
-      {{{"primitives", ordered_json::array({{{"attributes", attributes}, {"indices", indices}, {"material", 0}, {"mode", 4}}})}}});
+  root["materials"] = ordered_json::array(
+      {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}}});
+  root["meshes"] =
+      ordered_json::array({{{"primitives", ordered_json::array({{{"attributes", attributes},
+                                                                 {"indices", indices},
+                                                                 {"material", 0},
+                                                                 {"mode", 4}}})}}});
   root["accessors"] = buffer.accessors;
   root["bufferViews"] = buffer.views;
   root["buffers"] = ordered_json::array({{{"byteLength", buffer.bytes.size()}}});
@@ -157,7 +175,8 @@ Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras)
   return file;
 }
 
-Result<void> writeGlb(const std::filesystem::path& path, const TriangleMesh& mesh, const GlbExtras& extras) {
+Result<void> writeGlb(const std::filesystem::path& path, const TriangleMesh& mesh,
+                      const GlbExtras& extras) {
   const Result<std::string> bytes = formatGlb(mesh, extras);
   if (!bytes) return Error{bytes.error().code, bytes.error().what, path.string()};
   return writeFileAtomically(path, *bytes);

@@ -18,7 +18,8 @@ void append(std::string& text, float value) {
 
 Result<std::string> formatObj(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.size());
-  const bool colors = mesh.colors.size() == mesh.vertices.size(), normals = mesh.normals.size() == mesh.vertices.size();
+  const bool colors = mesh.colors.size() == mesh.vertices.size(),
+             normals = mesh.normals.size() == mesh.vertices.size();
   std::string text = "# Ostraka, unit mm\n";
   for (int v = 0; v < n; ++v) {
     text += 'v';
@@ -37,7 +38,8 @@ Result<std::string> formatObj(const TriangleMesh& mesh) {
     text += 'f';
     for (const int v : t) {
       if (v < 0 || v >= n)
-        return Error{ErrorCode::UnusableInput, "A face of the mesh names a vertex that is not there.", {}};
+        return Error{
+            ErrorCode::UnusableInput, "A face of the mesh names a vertex that is not there.", {}};
       const std::string number = std::to_string(v + 1);
       text += ' ' + number + (normals ? "//" + number : "");
     }

@@ -31,7 +31,8 @@ class FineGrid {
   FineGrid(const SurfaceField& field, const Grid& coarse, float cell_mm) : field_(field) {
     grid_.cell_mm = cell_mm;
     grid_.origin = coarse.origin;
-    grid_.size = ((coarse.size - 1).cast<float>() * (coarse.cell_mm / cell_mm)).floor().cast<int>() + 1;
+    grid_.size =
+        ((coarse.size - 1).cast<float>() * (coarse.cell_mm / cell_mm)).floor().cast<int>() + 1;
     grid_.values.resize(static_cast<std::size_t>(grid_.size[0]) * grid_.size[1] * grid_.size[2]);
     measured_.assign(grid_.values.size(), 0);
   }
@@ -61,7 +62,8 @@ class FineGrid {
   Vector3f position(std::size_t node) const {
     const std::size_t row = static_cast<std::size_t>(grid_.size[0]);
     const std::size_t y = node / row;
-    return grid_.node(static_cast<int>(node % row), static_cast<int>(y % grid_.size[1]), static_cast<int>(y / grid_.size[1]));
+    return grid_.node(static_cast<int>(node % row), static_cast<int>(y % grid_.size[1]),
+                      static_cast<int>(y / grid_.size[1]));
   }
 
   std::vector<std::size_t> nodesAround(const Surfels& surfels) {
@@ -85,9 +87,11 @@ class FineGrid {
     const std::ptrdiff_t row = grid_.size[0], layer = row * grid_.size[1];
     std::vector<std::size_t> open;
     for (const std::size_t node : nodes)
-      for (const std::ptrdiff_t step : {-layer, -row, std::ptrdiff_t{-1}, std::ptrdiff_t{1}, row, layer}) {
+      for (const std::ptrdiff_t step :
+           {-layer, -row, std::ptrdiff_t{-1}, std::ptrdiff_t{1}, row, layer}) {
         const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(node) + step;
-        if (next < 0 || next >= static_cast<std::ptrdiff_t>(measured_.size()) || measured_[next]) continue;
+        if (next < 0 || next >= static_cast<std::ptrdiff_t>(measured_.size()) || measured_[next])
+          continue;
         if ((grid_.values[node] < 0) == (grid_.values[next] < 0)) continue;
         measured_[next] = 1;
         open.push_back(static_cast<std::size_t>(next));
@@ -112,7 +116,8 @@ class FineGrid {
 };
 
 // Takes the vertices onto the zero set itself: the grid's straight cuts chamfer edges.
-bool ontoSurface(TriangleMesh& mesh, const SurfaceField& field, float cell_mm, int threads, std::stop_token stop) {
+bool ontoSurface(TriangleMesh& mesh, const SurfaceField& field, float cell_mm, int threads,
+                 std::stop_token stop) {
   return inBlocks(mesh.vertices.size(), threads, stop, [&](std::size_t v) {
     const Vector3f start = mesh.vertices[v];
     for (int round = 0; round < 2; ++round) {
@@ -125,7 +130,8 @@ bool ontoSurface(TriangleMesh& mesh, const SurfaceField& field, float cell_mm, i
   });
 }
 
-bool markSeen(TriangleMesh& mesh, const Surfels& surfels, float reach_mm, int threads, std::stop_token stop) {
+bool markSeen(TriangleMesh& mesh, const Surfels& surfels, float reach_mm, int threads,
+              std::stop_token stop) {
   const PointBins bins(surfels.points, reach_mm);
   mesh.seen.assign(mesh.vertices.size(), 0);
   return inBlocks(mesh.vertices.size(), threads, stop, [&](std::size_t v) {
@@ -137,8 +143,8 @@ bool markSeen(TriangleMesh& mesh, const Surfels& surfels, float reach_mm, int th
 }
 
 // Colours of the scans' own points, blended by nearness and by how squarely they face the vertex.
-bool paint(TriangleMesh& mesh, const PointCloud& front, const PointCloud& back, float reach_mm, int threads,
-           std::stop_token stop) {
+bool paint(TriangleMesh& mesh, const PointCloud& front, const PointCloud& back, float reach_mm,
+           int threads, std::stop_token stop) {
   PointCloud all;
   for (const PointCloud* side : {&front, &back}) {
     if (side->colors.size() != side->size()) continue;
@@ -166,7 +172,8 @@ bool paint(TriangleMesh& mesh, const PointCloud& front, const PointCloud& back, 
         sum += w * Eigen::Vector3f(c[0], c[1], c[2]);
         weight += w;
       });
-    const Eigen::Vector3f level = weight > 0 ? Eigen::Vector3f(sum / weight) : Eigen::Vector3f(mean.cast<float>());
+    const Eigen::Vector3f level =
+        weight > 0 ? Eigen::Vector3f(sum / weight) : Eigen::Vector3f(mean.cast<float>());
     for (int k = 0; k < 3; ++k) mesh.colors[v][k] = static_cast<std::uint8_t>(level[k] + 0.5f);
   });
 }
@@ -175,22 +182,29 @@ void countFilled(SherdModel& model) {
   const TriangleMesh& mesh = model.mesh;
   for (const auto& t : mesh.triangles) {
     const Eigen::Vector3d a = mesh.vertices[t[0]].cast<double>();
-    const double area = 0.5 * (mesh.vertices[t[1]].cast<double>() - a).cross(mesh.vertices[t[2]].cast<double>() - a).norm();
+    const double area = 0.5 * (mesh.vertices[t[1]].cast<double>() - a)
+                                  .cross(mesh.vertices[t[2]].cast<double>() - a)
+                                  .norm();
     model.area_mm2 += area;
     if (!mesh.seen[t[0]] || !mesh.seen[t[1]] || !mesh.seen[t[2]]) model.filled_mm2 += area;
   }
   model.filled_share = model.area_mm2 > 0 ? model.filled_mm2 / model.area_mm2 : 0;
 }
 
-Error noModel(std::string what) { return {ErrorCode::NotEnough, std::move(what), {}}; }
+Error noModel(std::string what) {
+  return {ErrorCode::NotEnough, std::move(what), {}};
+}
 
-Result<void> checkInput(const PointCloud& front, const PointCloud& back, const ModelOptions& options) {
+Result<void> checkInput(const PointCloud& front, const PointCloud& back,
+                        const ModelOptions& options) {
   if (Result<void> fine = options.check(); !fine) return fine;
   for (const PointCloud* side : {&front, &back}) {
     const std::string name = side == &front ? "front" : "back";
     if (side->empty()) return noModel("The " + name + " scan holds no points.");
     if (!side->hasNormals())
-      return Error{ErrorCode::UnusableInput, "The " + name + " scan has no normals; a model needs to know what is outside.", {}};
+      return Error{ErrorCode::UnusableInput,
+                   "The " + name + " scan has no normals; a model needs to know what is outside.",
+                   {}};
   }
   return {};
 }
@@ -198,11 +212,15 @@ Result<void> checkInput(const PointCloud& front, const PointCloud& back, const M
 }  // namespace
 
 Result<void> ModelOptions::check() const {
-  const auto bad = [](const std::string& what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  const auto bad = [](const std::string& what) {
+    return Error{ErrorCode::UnusableInput, what, {}};
+  };
   if (!(point_spacing_mm == 0 || (point_spacing_mm >= 0.05 && point_spacing_mm <= 10)))
     return bad("point_spacing_mm must be 0 or between 0.05 and 10.");
-  if (!(cell_mm == 0 || (cell_mm >= 0.05 && cell_mm <= 10))) return bad("cell_mm must be 0 or between 0.05 and 10.");
-  if (!(seen_spacings >= 1 && seen_spacings <= 10)) return bad("seen_spacings must be between 1 and 10.");
+  if (!(cell_mm == 0 || (cell_mm >= 0.05 && cell_mm <= 10)))
+    return bad("cell_mm must be 0 or between 0.05 and 10.");
+  if (!(seen_spacings >= 1 && seen_spacings <= 10))
+    return bad("seen_spacings must be between 1 and 10.");
   return {};
 }
 
@@ -213,12 +231,13 @@ Result<SherdModel> closeModel(const PointCloud& front, const PointCloud& back,
   const int threads = options.threads;
   constexpr int kSteps = 5;
   progress.report(0, kSteps);
-  const Result<Surfels> surfels = mergedSurfels(front, back, front_from_back, options.point_spacing_mm, threads, stop);
+  Result<Surfels> surfels =
+      mergedSurfels(front, back, front_from_back, options.point_spacing_mm, threads, stop);
   if (!surfels) return surfels.error();
   progress.report(1, kSteps);
-  const float cell = static_cast<float>(options.cell_mm > 0 ? options.cell_mm
-                                                            : std::clamp(0.75 * surfels->spacing_mm, 0.28, 0.45));
-  const Result<Grid> inside = indicator(*surfels, 2 * cell, threads, stop);
+  const float cell = static_cast<float>(
+      options.cell_mm > 0 ? options.cell_mm : std::clamp(0.75 * surfels->spacing_mm, 0.28, 0.45));
+  const Result<Grid> inside = trustedIndicator(*surfels, 2 * cell, threads, stop);
   if (!inside) return inside.error();
   progress.report(2, kSteps);
   const SurfaceField field(*surfels, *inside);
@@ -228,13 +247,16 @@ Result<SherdModel> closeModel(const PointCloud& front, const PointCloud& back,
 
   SherdModel model;
   model.mesh = largestPart(contour(fine.grid()));
-  if (model.mesh.triangles.empty()) return noModel("The scans enclose no body; their normals may point inward.");
+  if (model.mesh.triangles.empty())
+    return noModel("The scans enclose no body; their normals may point inward.");
   if (!ontoSurface(model.mesh, field, cell, threads, stop)) return Error::cancelled();
   progress.report(4, kSteps);
   model.mesh.normals = vertexNormals(model.mesh);
-  const float reach = static_cast<float>(std::max(0.5, options.seen_spacings * surfels->spacing_mm));
+  const float reach =
+      static_cast<float>(std::max(0.5, options.seen_spacings * surfels->spacing_mm));
   if (!markSeen(model.mesh, *surfels, reach, threads, stop)) return Error::cancelled();
-  if (!paint(model.mesh, front, transformed(back, front_from_back), 1.5f * static_cast<float>(surfels->spacing_mm), threads, stop))
+  if (!paint(model.mesh, front, transformed(back, front_from_back),
+             1.5f * static_cast<float>(surfels->spacing_mm), threads, stop))
     return Error::cancelled();
   countFilled(model);
   model.noise_mm = surfels->noise_mm;

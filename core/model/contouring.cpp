@@ -15,18 +15,29 @@ struct CellEdge {
   int from, to, axis;
 };
 
-constexpr std::array<CellEdge, 12> kEdges = {{{0, 1, 0}, {2, 3, 0}, {4, 5, 0}, {6, 7, 0},
-                                              {0, 2, 1}, {1, 3, 1}, {4, 6, 1}, {5, 7, 1},
-                                              {0, 4, 2}, {1, 5, 2}, {2, 6, 2}, {3, 7, 2}}};
+constexpr std::array<CellEdge, 12> kEdges = {{{0, 1, 0},
+                                              {2, 3, 0},
+                                              {4, 5, 0},
+                                              {6, 7, 0},
+                                              {0, 2, 1},
+                                              {1, 3, 1},
+                                              {4, 6, 1},
+                                              {5, 7, 1},
+                                              {0, 4, 2},
+                                              {1, 5, 2},
+                                              {2, 6, 2},
+                                              {3, 7, 2}}};
 
 int edgeBetween(int a, int b) {
   for (int e = 0; e < 12; ++e)
-    if ((kEdges[e].from == a && kEdges[e].to == b) || (kEdges[e].from == b && kEdges[e].to == a)) return e;
+    if ((kEdges[e].from == a && kEdges[e].to == b) || (kEdges[e].from == b && kEdges[e].to == a))
+      return e;
   return -1;
 }
 
 // The corners of each face, counter-clockwise seen from outside the cell.
-constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                              {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
 
 // The polygons of a cell, as edges in order, outward; one list per pattern of inside corners.
 struct Polygons {
@@ -34,8 +45,8 @@ struct Polygons {
 };
 
 // Walking round a face counter-clockwise (seen from outside the cell), the surface's segment runs
-// from the crossing that leaves the inside to the crossing that enters it next to it: corners inside
-// lie then to the left of ... so the loop of segments has the inside on one constant side.
+// from the crossing that leaves the inside to the crossing that enters it next to it: corners
+// inside lie then to the left of ... so the loop of segments has the inside on one constant side.
 Polygons polygonsOf(int inside) {
   std::array<int, 12> next;
   next.fill(-1);
@@ -112,7 +123,8 @@ class Contouring {
   int vertexOn(int e, int x, int y, int z, const float (&corner)[8]) {
     const CellEdge& edge = kEdges[static_cast<std::size_t>(e)];
     const int dx = edge.from & 1, dy = (edge.from >> 1) & 1, dz = edge.from >> 2;
-    int& slot = vertex_[dz][(static_cast<std::size_t>(y + dy) * grid_.size[0] + (x + dx)) * 3 + edge.axis];
+    int& slot =
+        vertex_[dz][(static_cast<std::size_t>(y + dy) * grid_.size[0] + (x + dx)) * 3 + edge.axis];
     if (slot >= 0) return slot;
     const float a = corner[edge.from], b = corner[edge.to];
     // Kept off the nodes: no two vertices of a cell fall together.
@@ -131,7 +143,9 @@ class Contouring {
       return;
     }
     if (n == 4) {
-      const auto d = [&](int i, int j) { return (mesh_.vertices[polygon_[i]] - mesh_.vertices[polygon_[j]]).squaredNorm(); };
+      const auto d = [&](int i, int j) {
+        return (mesh_.vertices[polygon_[i]] - mesh_.vertices[polygon_[j]]).squaredNorm();
+      };
       const int s = d(0, 2) <= d(1, 3) ? 0 : 1;  // the shorter diagonal
       mesh_.triangles.push_back({polygon_[s], polygon_[s + 1], polygon_[s + 2]});
       mesh_.triangles.push_back({polygon_[s], polygon_[s + 2], polygon_[(s + 3) & 3]});
@@ -141,7 +155,8 @@ class Contouring {
     for (const int v : polygon_) middle += mesh_.vertices[v];
     const int m = static_cast<int>(mesh_.vertices.size());
     mesh_.vertices.push_back(middle / static_cast<float>(n));
-    for (std::size_t k = 0; k < n; ++k) mesh_.triangles.push_back({polygon_[k], polygon_[(k + 1) % n], m});
+    for (std::size_t k = 0; k < n; ++k)
+      mesh_.triangles.push_back({polygon_[k], polygon_[(k + 1) % n], m});
   }
 
   const Grid& grid_;
@@ -153,7 +168,9 @@ class Contouring {
 
 }  // namespace
 
-TriangleMesh contour(const Grid& distance) { return Contouring(distance).run(); }
+TriangleMesh contour(const Grid& distance) {
+  return Contouring(distance).run();
+}
 
 TriangleMesh largestPart(const TriangleMesh& mesh) {
   std::vector<int> parent(mesh.vertices.size());
@@ -169,11 +186,13 @@ TriangleMesh largestPart(const TriangleMesh& mesh) {
     }
   std::vector<double> volume(mesh.vertices.size(), 0.0);
   for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d a = mesh.vertices[t[0]].cast<double>(), b = mesh.vertices[t[1]].cast<double>();
+    const Eigen::Vector3d a = mesh.vertices[t[0]].cast<double>(),
+                          b = mesh.vertices[t[1]].cast<double>();
     volume[root(t[0])] += a.dot(b.cross(mesh.vertices[t[2]].cast<double>())) / 6;
   }
   if (volume.empty()) return {};
-  const int best = static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
+  const int best =
+      static_cast<int>(std::max_element(volume.begin(), volume.end()) - volume.begin());
   TriangleMesh part;
   std::vector<int> number(mesh.vertices.size(), -1);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)

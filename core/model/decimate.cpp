@@ -14,8 +14,9 @@ TriangleMesh simplified(const TriangleMesh& mesh, float relative_error) {
   for (const auto& t : mesh.triangles)
     for (const int v : t) indices.push_back(static_cast<unsigned>(v));
   std::vector<unsigned> fewer(indices.size());
-  const std::size_t n = meshopt_simplify(fewer.data(), indices.data(), indices.size(), mesh.vertices[0].data(),
-                                         mesh.vertices.size(), sizeof(Eigen::Vector3f), 12, relative_error, 0, nullptr);
+  const std::size_t n = meshopt_simplify(fewer.data(), indices.data(), indices.size(),
+                                         mesh.vertices[0].data(), mesh.vertices.size(),
+                                         sizeof(Eigen::Vector3f), 12, relative_error, 0, nullptr);
   TriangleMesh out;
   std::vector<int> number(mesh.vertices.size(), -1);
   for (std::size_t i = 0; i < n; i += 3) {
@@ -43,8 +44,10 @@ Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm
   if (!isClosedManifold(mesh, &why))
     return Error{ErrorCode::UnusableInput, "Only a closed mesh can be thinned out. " + why, {}};
   if (!(max_deviation_mm > 0))
-    return Error{ErrorCode::UnusableInput, "The deviation of a thinner mesh must be above 0 mm.", {}};
-  const float scale = meshopt_simplifyScale(mesh.vertices[0].data(), mesh.vertices.size(), sizeof(Eigen::Vector3f));
+    return Error{
+        ErrorCode::UnusableInput, "The deviation of a thinner mesh must be above 0 mm.", {}};
+  const float scale =
+      meshopt_simplifyScale(mesh.vertices[0].data(), mesh.vertices.size(), sizeof(Eigen::Vector3f));
   // Collapses may pinch two sheets together; a smaller error leaves them apart.
   for (double error = max_deviation_mm; error > 0.05 * max_deviation_mm; error *= 0.5) {
     TriangleMesh fewer = simplified(mesh, static_cast<float>(error) / scale);

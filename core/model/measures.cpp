@@ -17,7 +17,8 @@ struct Corners {
 };
 
 Corners cornersOf(const TriangleMesh& mesh, const std::array<int, 3>& t) {
-  return {mesh.vertices[t[0]].cast<double>(), mesh.vertices[t[1]].cast<double>(), mesh.vertices[t[2]].cast<double>()};
+  return {mesh.vertices[t[0]].cast<double>(), mesh.vertices[t[1]].cast<double>(),
+          mesh.vertices[t[2]].cast<double>()};
 }
 
 // Centre and covariance of the surface, exact per triangle.
@@ -31,14 +32,18 @@ void surfaceMoments(const TriangleMesh& mesh, Vector3d& mean, Eigen::Matrix3d& c
     const Vector3d s = p.a + p.b + p.c;
     area += w;
     mean += w / 3 * s;
-    square += w / 12 * (s * s.transpose() + p.a * p.a.transpose() + p.b * p.b.transpose() + p.c * p.c.transpose());
+    square +=
+        w / 12 *
+        (s * s.transpose() + p.a * p.a.transpose() + p.b * p.b.transpose() + p.c * p.c.transpose());
   }
   mean /= area;
   covariance = square / area - mean * mean.transpose();
 }
 
 std::vector<Vector2d> convexHull(std::vector<Vector2d> points) {
-  const auto before = [](const Vector2d& a, const Vector2d& b) { return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]); };
+  const auto before = [](const Vector2d& a, const Vector2d& b) {
+    return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
+  };
   std::sort(points.begin(), points.end(), before);
   const auto turn = [](const Vector2d& o, const Vector2d& a, const Vector2d& b) {
     return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
@@ -47,7 +52,8 @@ std::vector<Vector2d> convexHull(std::vector<Vector2d> points) {
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t base = hull.size();
     for (const Vector2d& p : points) {
-      while (hull.size() >= base + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
+      while (hull.size() >= base + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0)
+        hull.pop_back();
       hull.push_back(p);
     }
     hull.pop_back();
@@ -91,7 +97,8 @@ std::vector<double> thicknesses(const TriangleMesh& mesh) {
     if (due < 1) continue;
     due = std::fmod(due, 1.0);
     const Vector3d normal = across.normalized();
-    const auto hit = rays.leaving(((p.a + p.b + p.c) / 3).cast<float>(), (-normal).cast<float>(), static_cast<int>(i));
+    const auto hit = rays.leaving(((p.a + p.b + p.c) / 3).cast<float>(), (-normal).cast<float>(),
+                                  static_cast<int>(i));
     if (hit && hit->normal.cast<double>().dot(normal) < -0.5) found.push_back(hit->distance_mm);
   }
   return found;
@@ -126,10 +133,13 @@ Measures measure(const TriangleMesh& mesh) {
   std::vector<double> walls = thicknesses(mesh);
   if (!walls.empty()) {
     std::sort(walls.begin(), walls.end());
-    const auto at = [&](double share) { return walls[static_cast<std::size_t>(share * static_cast<double>(walls.size() - 1) + 0.5)]; };
+    const auto at = [&](double share) {
+      return walls[static_cast<std::size_t>(share * static_cast<double>(walls.size() - 1) + 0.5)];
+    };
     m.thickness_min_mm = at(0.02);
     m.thickness_max_mm = at(0.98);
-    m.thickness_mean_mm = std::accumulate(walls.begin(), walls.end(), 0.0) / static_cast<double>(walls.size());
+    m.thickness_mean_mm =
+        std::accumulate(walls.begin(), walls.end(), 0.0) / static_cast<double>(walls.size());
   }
   return m;
 }

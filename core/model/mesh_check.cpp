@@ -12,7 +12,9 @@ bool fail(std::string* why, std::string text) {
   return false;
 }
 
-std::string name(int a, int b) { return std::to_string(a) + "-" + std::to_string(b); }
+std::string name(int a, int b) {
+  return std::to_string(a) + "-" + std::to_string(b);
+}
 
 // Directed edges sorted by key; false when one is used twice or lacks its opposite.
 bool edgesPair(const TriangleMesh& mesh, std::string* why) {
@@ -20,7 +22,8 @@ bool edgesPair(const TriangleMesh& mesh, std::string* why) {
   edges.reserve(mesh.triangles.size() * 3);
   for (const auto& t : mesh.triangles)
     for (int k = 0; k < 3; ++k)
-      edges.push_back(static_cast<std::uint64_t>(t[k]) << 32 | static_cast<std::uint32_t>(t[(k + 1) % 3]));
+      edges.push_back(static_cast<std::uint64_t>(t[k]) << 32 |
+                      static_cast<std::uint32_t>(t[(k + 1) % 3]));
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const int a = static_cast<int>(edges[i] >> 32), b = static_cast<int>(edges[i] & 0xffffffffu);
@@ -40,10 +43,12 @@ bool oneFanEach(const TriangleMesh& mesh, std::string* why) {
   for (const auto& t : mesh.triangles)
     for (const int v : t) ++start[static_cast<std::size_t>(v) + 1];
   for (std::size_t v = 0; v < n; ++v) start[v + 1] += start[v];
-  std::vector<std::pair<int, int>> spoke(mesh.triangles.size() * 3);  // (next, after next) round a vertex
+  std::vector<std::pair<int, int>> spoke(mesh.triangles.size() *
+                                         3);  // (next, after next) round a vertex
   std::vector<int> fill(start.begin(), start.end() - 1);
   for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) spoke[static_cast<std::size_t>(fill[t[k]]++)] = {t[(k + 1) % 3], t[(k + 2) % 3]};
+    for (int k = 0; k < 3; ++k)
+      spoke[static_cast<std::size_t>(fill[t[k]]++)] = {t[(k + 1) % 3], t[(k + 2) % 3]};
   for (std::size_t v = 0; v < n; ++v) {
     const auto begin = spoke.begin() + start[v], end = spoke.begin() + start[v + 1];
     if (begin == end) return fail(why, "Vertex " + std::to_string(v) + " belongs to no face.");
@@ -68,7 +73,8 @@ bool isClosedManifold(const TriangleMesh& mesh, std::string* why) {
   for (const auto& t : mesh.triangles) {
     if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
       return fail(why, "A face names a vertex that is not there.");
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return fail(why, "A face has the same vertex twice.");
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+      return fail(why, "A face has the same vertex twice.");
   }
   return edgesPair(mesh, why) && oneFanEach(mesh, why);
 }

@@ -27,13 +27,14 @@ struct ModelOptions {
 
 /// One whole sherd.
 struct SherdModel {
-  TriangleMesh mesh;       ///< closed, manifold, outward; frame of the front scan, mm; with normals
-                           ///< and seen flags, with colours when a scan has them
-  double area_mm2 = 0;     ///< of the whole mesh
-  double filled_mm2 = 0;   ///< area of the faces with an unseen vertex
-  double filled_share = 0; ///< filled_mm2 / area_mm2
-  double noise_mm = 0;     ///< median scatter of the scans' points about the surface
-  double side_gap_mm = 0;  ///< median distance between the sides where both saw the surface; 0 when nowhere
+  TriangleMesh mesh;      ///< closed, manifold, outward; frame of the front scan, mm; with normals
+                          ///< and seen flags, with colours when a scan has them
+  double area_mm2 = 0;    ///< of the whole mesh
+  double filled_mm2 = 0;  ///< area of the faces with an unseen vertex
+  double filled_share = 0;  ///< filled_mm2 / area_mm2
+  double noise_mm = 0;      ///< median scatter of the scans' points about the surface
+  double side_gap_mm =
+      0;  ///< median distance between the sides where both saw the surface; 0 when nowhere
   int points_used = 0;     ///< scan points that the surface was made from (after thinning)
   int points_dropped = 0;  ///< flying points left aside
 };
@@ -59,7 +60,7 @@ struct Measures {
   /// meets a wall.
   double thickness_min_mm = 0, thickness_mean_mm = 0, thickness_max_mm = 0;
   double area_mm2 = 0;
-  double volume_mm3 = 0;  ///< positive for outward faces
+  double volume_mm3 = 0;                               ///< positive for outward faces
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< of the volume
 };
 Measures measure(const TriangleMesh& mesh);

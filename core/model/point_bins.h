@@ -47,7 +47,8 @@ class PointBins {
   template <class Visit>
   void within(const Eigen::Vector3f& query, float radius_mm, Visit&& visit) const {
     if (index_.empty()) return;
-    const Eigen::Array3i first = clamped(query.array() - radius_mm), last = clamped(query.array() + radius_mm);
+    const Eigen::Array3i first = clamped(query.array() - radius_mm),
+                         last = clamped(query.array() + radius_mm);
     const float r2 = radius_mm * radius_mm;
     for (int z = first[2]; z <= last[2]; ++z)
       for (int y = first[1]; y <= last[1]; ++y) {

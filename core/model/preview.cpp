@@ -40,22 +40,29 @@ double fittingScale(const Box& box, const PreviewOptions& o) {
 // Two lamps and some light from everywhere; the main lamp stands at the upper left, low enough to
 // show relief, as archaeological drawings have it.
 double shade(const Vector3d& normal) {
-  const Vector3d main = Vector3d(-0.55, 0.55, 0.63).normalized(), fill = Vector3d(0.6, -0.2, 0.77).normalized();
+  const Vector3d main = Vector3d(-0.55, 0.55, 0.63).normalized(),
+                 fill = Vector3d(0.6, -0.2, 0.77).normalized();
   return 0.25 + 0.65 * std::max(0.0, normal.dot(main)) + 0.2 * std::max(0.0, normal.dot(fill));
 }
 
 class Raster {
  public:
-  Raster(const TriangleMesh& mesh, const Matrix3d& view, const Frame& frame, const PreviewOptions& o)
-      : mesh_(mesh), o_(o), width_(o.width_px * o.supersampling), height_(o.height_px * o.supersampling) {
+  Raster(const TriangleMesh& mesh, const Matrix3d& view, const Frame& frame,
+         const PreviewOptions& o)
+      : mesh_(mesh),
+        o_(o),
+        width_(o.width_px * o.supersampling),
+        height_(o.height_px * o.supersampling) {
     const double s = frame.px_per_mm * o.supersampling;
     for (const Vector3f& v : mesh.vertices) {
       const Vector3d p = view * v.cast<double>() - frame.centre;
       points_.emplace_back(0.5 * width_ + s * p[0] - 0.5, 0.5 * height_ - s * p[1] - 0.5, p[2]);
     }
-    for (std::size_t i = 0; i < mesh.normals.size(); ++i) normals_.push_back(view * mesh.normals[i].cast<double>());
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+      normals_.push_back(view * mesh.normals[i].cast<double>());
     view_ = view;
-    image_ = cv::Mat(height_, width_, CV_8UC3, cv::Scalar(o.background[2], o.background[1], o.background[0]));
+    image_ = cv::Mat(height_, width_, CV_8UC3,
+                     cv::Scalar(o.background[2], o.background[1], o.background[0]));
     depth_.assign(static_cast<std::size_t>(width_) * height_, -INFINITY);
   }
 
@@ -71,10 +78,12 @@ class Raster {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
     if (!(area < 0)) return;
     const auto range = [](double low, double high, int size) {
-      return std::pair(std::max(0, static_cast<int>(std::ceil(low))), std::min(size - 1, static_cast<int>(std::floor(high))));
+      return std::pair(std::max(0, static_cast<int>(std::ceil(low))),
+                       std::min(size - 1, static_cast<int>(std::floor(high))));
     };
     const auto [x0, x1] = range(std::min({a[0], b[0], c[0]}), std::max({a[0], b[0], c[0]}), width_);
-    const auto [y0, y1] = range(std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]}), height_);
+    const auto [y0, y1] =
+        range(std::min({a[1], b[1], c[1]}), std::max({a[1], b[1], c[1]}), height_);
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
         const double wb = ((x - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (y - a[1])) / area;
@@ -100,11 +109,14 @@ class Raster {
       seen = seen && (mesh_.seen.empty() || mesh_.seen[v]);
     }
     if (normals_.empty())
-      normal = view_ * (mesh_.vertices[t[1]] - mesh_.vertices[t[0]]).cross(mesh_.vertices[t[2]] - mesh_.vertices[t[0]]).cast<double>();
+      normal = view_ * (mesh_.vertices[t[1]] - mesh_.vertices[t[0]])
+                           .cross(mesh_.vertices[t[2]] - mesh_.vertices[t[0]])
+                           .cast<double>();
     if (!seen) color = Vector3d(o_.filled[0], o_.filled[1], o_.filled[2]);
     const double light = shade(normal.normalized());
     cv::Vec3b& pixel = image_.at<cv::Vec3b>(y, x);
-    for (int k = 0; k < 3; ++k) pixel[2 - k] = static_cast<std::uint8_t>(std::clamp(light * color[k] + 0.5, 0.0, 255.0));
+    for (int k = 0; k < 3; ++k)
+      pixel[2 - k] = static_cast<std::uint8_t>(std::clamp(light * color[k] + 0.5, 0.0, 255.0));
   }
 
   const TriangleMesh& mesh_;
@@ -126,12 +138,14 @@ cv::Mat averaged(const cv::Mat& fine, int n) {
         const cv::Vec3b& p = fine.at<cv::Vec3b>(y * n + j / n, x * n + j % n);
         for (int k = 0; k < 3; ++k) sum[k] += p[k];
       }
-      for (int k = 0; k < 3; ++k) out.at<cv::Vec3b>(y, x)[k] = static_cast<std::uint8_t>((sum[k] + n * n / 2) / (n * n));
+      for (int k = 0; k < 3; ++k)
+        out.at<cv::Vec3b>(y, x)[k] = static_cast<std::uint8_t>((sum[k] + n * n / 2) / (n * n));
     }
   return out;
 }
 
-cv::Mat drawn(const TriangleMesh& mesh, const Matrix3d& view, double px_per_mm, const PreviewOptions& o) {
+cv::Mat drawn(const TriangleMesh& mesh, const Matrix3d& view, double px_per_mm,
+              const PreviewOptions& o) {
   const Box box = boxOf(mesh, view);
   const Frame frame{px_per_mm, 0.5 * (box.low + box.high)};
   return averaged(Raster(mesh, view, frame, o).run(), std::max(1, o.supersampling));
@@ -144,7 +158,8 @@ Matrix3d frontView(const TriangleMesh& mesh) {
   for (const Vector3f& v : mesh.vertices) mean += v.cast<double>();
   mean /= static_cast<double>(mesh.vertices.size());
   Matrix3d covariance = Matrix3d::Zero();
-  for (const Vector3f& v : mesh.vertices) covariance += (v.cast<double>() - mean) * (v.cast<double>() - mean).transpose();
+  for (const Vector3f& v : mesh.vertices)
+    covariance += (v.cast<double>() - mean) * (v.cast<double>() - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covariance);
   Vector3d towards = axes.eigenvectors().col(0), right = axes.eigenvectors().col(2);
   if (towards[2] < 0) towards = -towards;
@@ -158,7 +173,8 @@ Matrix3d frontView(const TriangleMesh& mesh) {
 
 }  // namespace
 
-cv::Mat renderView(const TriangleMesh& mesh, const Matrix3d& view_from_model, const PreviewOptions& options) {
+cv::Mat renderView(const TriangleMesh& mesh, const Matrix3d& view_from_model,
+                   const PreviewOptions& options) {
   if (mesh.vertices.empty())
     return cv::Mat(options.height_px, options.width_px, CV_8UC3,
                    cv::Scalar(options.background[2], options.background[1], options.background[0]));
@@ -175,11 +191,13 @@ cv::Mat renderPreview(const TriangleMesh& mesh, const PreviewOptions& options) {
   edge.row(1) = front.row(2);
   edge.row(2) = -front.row(1);
   double scale = INFINITY;
-  for (const Matrix3d& view : {front, back, edge}) scale = std::min(scale, fittingScale(boxOf(mesh, view), options));
+  for (const Matrix3d& view : {front, back, edge})
+    scale = std::min(scale, fittingScale(boxOf(mesh, view), options));
   cv::Mat picture(options.height_px, 3 * options.width_px, CV_8UC3);
   int at = 0;
   for (const Matrix3d& view : {front, back, edge}) {
-    drawn(mesh, view, scale, options).copyTo(picture(cv::Rect(at, 0, options.width_px, options.height_px)));
+    drawn(mesh, view, scale, options)
+        .copyTo(picture(cv::Rect(at, 0, options.width_px, options.height_px)));
     at += options.width_px;
   }
   return picture;

@@ -7,12 +7,12 @@
 namespace ostraka::model {
 
 struct PreviewOptions {
-  int width_px = 480, height_px = 480;     ///< of one view
-  double margin = 0.06;                    ///< of the picture, free on each side
-  Color clay = {188, 176, 160};            ///< for meshes without colours
+  int width_px = 480, height_px = 480;  ///< of one view
+  double margin = 0.06;                 ///< of the picture, free on each side
+  Color clay = {188, 176, 160};         ///< for meshes without colours
   Color background = {255, 255, 255};
-  Color filled = {220, 120, 40};           ///< faces that no camera saw
-  int supersampling = 2;                   ///< samples per pixel and axis
+  Color filled = {220, 120, 40};  ///< faces that no camera saw
+  int supersampling = 2;          ///< samples per pixel and axis
 };
 
 /// An orthographic, shaded picture (BGR, 8 bit) along view_from_model's -z axis (the viewer looks

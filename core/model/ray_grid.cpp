@@ -10,11 +10,13 @@ using Eigen::Array3i;
 using Eigen::Vector3f;
 
 template <class Visit>
-void cubesOf(const TriangleMesh& mesh, const std::array<int, 3>& t, const Vector3f& low, float edge, const Array3i& size,
-             Visit&& visit) {
+void cubesOf(const TriangleMesh& mesh, const std::array<int, 3>& t, const Vector3f& low, float edge,
+             const Array3i& size, Visit&& visit) {
   const Vector3f &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-  const Array3i first = ((a.cwiseMin(b).cwiseMin(c) - low) / edge).array().floor().cast<int>().max(0);
-  const Array3i last = ((a.cwiseMax(b).cwiseMax(c) - low) / edge).array().floor().cast<int>().min(size - 1);
+  const Array3i first =
+      ((a.cwiseMin(b).cwiseMin(c) - low) / edge).array().floor().cast<int>().max(0);
+  const Array3i last =
+      ((a.cwiseMax(b).cwiseMax(c) - low) / edge).array().floor().cast<int>().min(size - 1);
   for (int z = first[2]; z <= last[2]; ++z)
     for (int y = first[1]; y <= last[1]; ++y)
       for (int x = first[0]; x <= last[0]; ++x) visit((z * size[1] + y) * size[0] + x);
@@ -34,19 +36,24 @@ RayGrid::RayGrid(const TriangleMesh& mesh) : mesh_(mesh), edge_(1) {
   edge_ = std::max(1.0f, std::cbrt(box.prod() / 2e6f));
   size_ = (box / edge_).floor().cast<int>() + 1;
   start_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
-  for (const auto& t : mesh.triangles) cubesOf(mesh, t, low_, edge_, size_, [&](int c) { ++start_[static_cast<std::size_t>(c) + 1]; });
+  for (const auto& t : mesh.triangles)
+    cubesOf(mesh, t, low_, edge_, size_, [&](int c) { ++start_[static_cast<std::size_t>(c) + 1]; });
   for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
   std::vector<int> next(start_.begin(), start_.end() - 1);
   triangles_.resize(static_cast<std::size_t>(start_.back()));
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    cubesOf(mesh, mesh.triangles[i], low_, edge_, size_,
-            [&](int c) { triangles_[static_cast<std::size_t>(next[static_cast<std::size_t>(c)]++)] = static_cast<int>(i); });
+    cubesOf(mesh, mesh.triangles[i], low_, edge_, size_, [&](int c) {
+      triangles_[static_cast<std::size_t>(next[static_cast<std::size_t>(c)]++)] =
+          static_cast<int>(i);
+    });
 }
 
-std::optional<float> RayGrid::meets(int triangle, const Vector3f& start, const Vector3f& direction) const {
+std::optional<float> RayGrid::meets(int triangle, const Vector3f& start,
+                                    const Vector3f& direction) const {
   // Moeller, Trumbore, 1997.
   const auto& t = mesh_.triangles[static_cast<std::size_t>(triangle)];
-  const Vector3f a = mesh_.vertices[t[0]], e1 = mesh_.vertices[t[1]] - a, e2 = mesh_.vertices[t[2]] - a;
+  const Vector3f a = mesh_.vertices[t[0]], e1 = mesh_.vertices[t[1]] - a,
+                 e2 = mesh_.vertices[t[2]] - a;
   const Vector3f p = direction.cross(e2);
   const float det = e1.dot(p);
   if (std::abs(det) < 1e-12f) return std::nullopt;
@@ -58,7 +65,8 @@ std::optional<float> RayGrid::meets(int triangle, const Vector3f& start, const V
   return e2.dot(q) / det;
 }
 
-std::optional<RayHit> RayGrid::leaving(const Vector3f& start, const Vector3f& direction, int from) const {
+std::optional<RayHit> RayGrid::leaving(const Vector3f& start, const Vector3f& direction,
+                                       int from) const {
   Array3i cube = ((start - low_) / edge_).array().floor().cast<int>().max(0).min(size_ - 1);
   Array3i step;
   Eigen::Array3f next, span;
@@ -72,7 +80,8 @@ std::optional<RayHit> RayGrid::leaving(const Vector3f& start, const Vector3f& di
   while ((cube >= 0).all() && (cube < size_).all()) {
     int axis = 0;
     const float leave = next.minCoeff(&axis);
-    const std::size_t c = static_cast<std::size_t>((cube[2] * size_[1] + cube[1]) * size_[0] + cube[0]);
+    const std::size_t c =
+        static_cast<std::size_t>((cube[2] * size_[1] + cube[1]) * size_[0] + cube[0]);
     RayHit best{INFINITY, Vector3f::Zero()};
     for (int i = start_[c]; i < start_[c + 1]; ++i) {
       const int triangle = triangles_[static_cast<std::size_t>(i)];
@@ -81,7 +90,8 @@ std::optional<RayHit> RayGrid::leaving(const Vector3f& start, const Vector3f& di
       // 0.01 mm: the start's own neighbours on a rough surface are no far side.
       if (!at || *at < 0.01f || *at >= best.distance_mm || *at > leave + 1e-4f) continue;
       const auto& t = mesh_.triangles[static_cast<std::size_t>(triangle)];
-      const Vector3f across = (mesh_.vertices[t[1]] - mesh_.vertices[t[0]]).cross(mesh_.vertices[t[2]] - mesh_.vertices[t[0]]);
+      const Vector3f across = (mesh_.vertices[t[1]] - mesh_.vertices[t[0]])
+                                  .cross(mesh_.vertices[t[2]] - mesh_.vertices[t[0]]);
       if (across.dot(direction) > 0) best = {*at, across.normalized()};
     }
     if (std::isfinite(best.distance_mm)) return best;

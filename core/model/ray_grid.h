@@ -17,10 +17,12 @@ class RayGrid {
  public:
   explicit RayGrid(const TriangleMesh& mesh);
   /// Where a ray that starts on triangle `from` and runs inward leaves the body.
-  std::optional<RayHit> leaving(const Eigen::Vector3f& start, const Eigen::Vector3f& direction, int from) const;
+  std::optional<RayHit> leaving(const Eigen::Vector3f& start, const Eigen::Vector3f& direction,
+                                int from) const;
 
  private:
-  std::optional<float> meets(int triangle, const Eigen::Vector3f& start, const Eigen::Vector3f& direction) const;
+  std::optional<float> meets(int triangle, const Eigen::Vector3f& start,
+                             const Eigen::Vector3f& direction) const;
 
   const TriangleMesh& mesh_;
   Eigen::Vector3f low_;

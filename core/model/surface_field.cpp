@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr int kRounds = 3;
-constexpr float kNormalSigma = 0.5f;    // about 29 degrees: the paper's value, between 0.5 and 1.5
+constexpr float kNormalSigma = 0.5f;  // about 29 degrees: the paper's value, between 0.5 and 1.5
 constexpr float kRadiusInSpacings = 2.4f;  // some 15 neighbours on a flat, enough after smoothing
 
 struct Near {

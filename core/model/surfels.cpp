@@ -14,8 +14,10 @@ using Eigen::Vector3f;
 
 // A fit is trusted to this much; finer differences are noise of any scan and of the registration.
 constexpr float kFitFloor_mm = 0.02f;
-constexpr float kFirstRadius_mm = 0.9f;  // about 4 pixels of the rig: the window of stereo
-constexpr int kFewest = 5;               // neighbours that a point needs to be believed
+constexpr float kLeastRadius_mm = 0.9f;   // about 4 pixels of the rig: the window of stereo
+constexpr float kLeastSpacings = 3.0f;    // some 18 neighbours on a flat
+constexpr float kNearestSpacings = 2.4f;  // least radius of the smoothing: some 12 neighbours
+constexpr float kFewest = 3;  // neighbours, by weight, that a point needs to be believed
 
 // All points of both sides: what the fits are made from.
 struct Sources {
@@ -41,7 +43,8 @@ void append(Sources& all, const PointCloud& cloud, std::uint8_t side) {
     if (!cloud.points[i].allFinite() || !(cloud.normals[i].squaredNorm() > 0.25f)) continue;
     all.points.push_back(cloud.points[i]);
     all.normals.push_back(cloud.normals[i].normalized());
-    all.quality.push_back(cloud.quality.size() == cloud.size() ? std::clamp(cloud.quality[i], 0.05f, 1.0f) : 1.0f);
+    all.quality.push_back(
+        cloud.quality.size() == cloud.size() ? std::clamp(cloud.quality[i], 0.05f, 1.0f) : 1.0f);
     all.noise.push_back(0);
     all.side.push_back(side);
   }
@@ -66,8 +69,8 @@ Vector3f planeNormal(const Eigen::Matrix3f& covariance, const Vector3f& fallback
 }
 
 // Robust local fit about `start`. Each neighbour counts by distance, by how far its normal is from
-// the fit's and by its residual in units of the scatter. The residual uses the mean of both normals,
-// which is exact on spheres: rounded lips do not shrink.
+// the fit's and by its residual in units of the scatter. The residual uses the mean of both
+// normals, which is exact on spheres: rounded lips do not shrink.
 Fit fitAround(const Vector3f& start, const Vector3f& start_normal, const std::vector<Near>& near,
               const Sources& all, const FitOptions& options) {
   Fit fit{start, start_normal, 0, 0, 0};
@@ -87,7 +90,8 @@ Fit fitAround(const Vector3f& start, const Vector3f& start_normal, const std::ve
       const float noise = all.noise[static_cast<std::size_t>(n.index)];
       const float trust = all.quality[static_cast<std::size_t>(n.index)] /
                           (noise * noise + kFitFloor_mm * kFitFloor_mm);
-      const float w = n.kernel * trust * std::exp((cosine - 1) * options.normal_sharpness) * (1 - u * u) * (1 - u * u);
+      const float w = n.kernel * trust * std::exp((cosine - 1) * options.normal_sharpness) *
+                      (1 - u * u) * (1 - u * u);
       sum += w;
       sum2 += w * w;
       offset += w * h;
@@ -102,7 +106,8 @@ Fit fitAround(const Vector3f& start, const Vector3f& start_normal, const std::ve
     const Vector3f average = normal.normalized();
     fit.normal = planeNormal(square / sum - mean * mean.transpose(), average);
     fit.point += fit.normal * (offset / sum);
-    fit.noise = 1.2533f * spread / sum;  // sigma of a Gaussian from its mean absolute value
+    // Sigma of a Gaussian from its mean absolute value; the plane took three freedoms.
+    fit.noise = 1.2533f * spread / sum * std::sqrt(fit.support / std::max(1.0f, fit.support - 3));
     scale = 3.5f * std::max(fit.noise, kFitFloor_mm);
   }
   return fit;
@@ -113,8 +118,8 @@ float kernel(float squared_distance, float radius) {
   return u * u;
 }
 
-Fit fitWithin(const Vector3f& p, const Vector3f& n, float radius, const PointBins& bins, const Sources& all,
-              const FitOptions& options, std::vector<Near>& near) {
+Fit fitWithin(const Vector3f& p, const Vector3f& n, float radius, const PointBins& bins,
+              const Sources& all, const FitOptions& options, std::vector<Near>& near) {
   near.clear();
   bins.within(p, radius, [&](int j, float d2) { near.push_back({j, kernel(d2, radius)}); });
   Fit fit = fitAround(p, n, near, all, options);
@@ -129,23 +134,26 @@ bool inBlocks(std::size_t count, int threads, std::stop_token stop, const Body& 
   parallelFor((count + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
     if (stop.stop_requested()) return;
     std::vector<Near> near;
-    for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) body(i, near);
+    for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
+      body(i, near);
   });
   return !stop.stop_requested();
 }
 
 // One fit per source: a better normal and the scatter of the source's own side there.
-bool estimateNoise(Sources& all, int threads, std::stop_token stop, std::vector<Fit>& fits) {
-  const PointBins bins(all.points, kFirstRadius_mm);
+bool estimateNoise(Sources& all, float radius, int threads, std::stop_token stop,
+                   std::vector<Fit>& fits) {
+  const PointBins bins(all.points, radius);
   fits.resize(all.points.size());
-  const std::vector<float> none(all.noise);
   return inBlocks(all.points.size(), threads, stop, [&](std::size_t i, std::vector<Near>& near) {
     near.clear();
-    bins.within(all.points[i], kFirstRadius_mm, [&](int j, float d2) {
-      if (all.side[static_cast<std::size_t>(j)] == all.side[i]) near.push_back({j, kernel(d2, kFirstRadius_mm)});
+    bins.within(all.points[i], radius, [&](int j, float d2) {
+      if (all.side[static_cast<std::size_t>(j)] == all.side[i])
+        near.push_back({j, kernel(d2, radius)});
     });
     fits[i] = fitAround(all.points[i], all.normals[i], near, all, {3.0f, 3});
-    fits[i].density = static_cast<float>(near.size()) / (static_cast<float>(M_PI) * kFirstRadius_mm * kFirstRadius_mm);
+    fits[i].density =
+        static_cast<float>(near.size()) / (static_cast<float>(M_PI) * radius * radius);
   });
 }
 
@@ -184,7 +192,8 @@ std::vector<int> seeds(const Sources& all, double edge_mm) {
         index.push_back(static_cast<int>(i));
       }
     // The place of each point travels in `quality`: exact up to 2^24 points.
-    for (std::size_t k = 0; k < index.size(); ++k) numbered.quality.push_back(static_cast<float>(k));
+    for (std::size_t k = 0; k < index.size(); ++k)
+      numbered.quality.push_back(static_cast<float>(k));
     if (edge_mm > 0) numbered = thinned(numbered, edge_mm);
     for (const float k : numbered.quality) chosen.push_back(index[static_cast<std::size_t>(k)]);
   }
@@ -210,23 +219,26 @@ void estimateAreas(Surfels& s, int threads, std::stop_token stop) {
     bins.within(s.points[i], radius, [&](int j, float) {
       count += s.normals[static_cast<std::size_t>(j)].dot(s.normals[i]) > 0.5f;
     });
-    s.area[i] = std::min(most, static_cast<float>(M_PI) * radius * radius / static_cast<float>(count));
+    s.area[i] =
+        std::min(most, static_cast<float>(M_PI) * radius * radius / static_cast<float>(count));
   });
 }
 
 // Median distance along the normal between the sides' own surfaces where both saw the place.
-double sideGap(const Sources& all, const std::vector<Fit>& own_fits, int threads, std::stop_token stop) {
-  const PointBins bins(all.points, kFirstRadius_mm);
+double sideGap(const Sources& all, const std::vector<Fit>& own_fits, float radius, int threads,
+               std::stop_token stop) {
+  const PointBins bins(all.points, radius);
   std::vector<float> gap(all.points.size(), -1);
   inBlocks(all.points.size(), threads, stop, [&](std::size_t i, std::vector<Near>& near) {
     if (all.side[i] != 0) return;
     near.clear();
-    bins.within(all.points[i], kFirstRadius_mm, [&](int j, float d2) {
-      if (all.side[static_cast<std::size_t>(j)] == 1) near.push_back({j, kernel(d2, kFirstRadius_mm)});
+    bins.within(all.points[i], radius, [&](int j, float d2) {
+      if (all.side[static_cast<std::size_t>(j)] == 1) near.push_back({j, kernel(d2, radius)});
     });
     if (near.size() < 8) return;
     const Fit other = fitAround(own_fits[i].point, own_fits[i].normal, near, all, {8.0f, 3});
-    if (other.support >= 8) gap[i] = std::abs((other.point - own_fits[i].point).dot(own_fits[i].normal));
+    if (other.support >= 8)
+      gap[i] = std::abs((other.point - own_fits[i].point).dot(own_fits[i].normal));
   });
   std::erase_if(gap, [](float g) { return g < 0; });
   return gap.size() < 20 ? 0 : median(std::move(gap));
@@ -234,39 +246,61 @@ double sideGap(const Sources& all, const std::vector<Fit>& own_fits, int threads
 
 }  // namespace
 
+void Surfels::keep(const std::vector<int>& indices) {
+  dropped += static_cast<int>(size() - indices.size());
+  const auto choose = [&](auto& values) {
+    for (std::size_t k = 0; k < indices.size(); ++k)
+      values[k] = values[static_cast<std::size_t>(indices[k])];
+    values.resize(indices.size());
+  };
+  choose(points);
+  choose(normals);
+  choose(noise);
+  choose(confidence);
+  choose(area);
+}
+
 Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
-                              const Eigen::Isometry3d& front_from_back, double spacing_mm, int threads,
-                              std::stop_token stop) {
+                              const Eigen::Isometry3d& front_from_back, double spacing_mm,
+                              int threads, std::stop_token stop) {
   Sources raw;
   append(raw, front, 0);
   append(raw, transformed(back, front_from_back), 1);
+  const double given = std::max(medianSpacing(front), medianSpacing(back));
+  const float radius = std::max(kLeastRadius_mm, kLeastSpacings * static_cast<float>(given));
   std::vector<Fit> fits;
-  if (!estimateNoise(raw, threads, stop, fits)) return Error::cancelled();
+  if (!estimateNoise(raw, radius, threads, stop, fits)) return Error::cancelled();
   std::vector<float> density;
   const Sources all = believed(raw, fits, density);
   std::vector<Fit> own;
   for (std::size_t i = 0; i < fits.size(); ++i)
     if (!flies(fits[i], raw.points[i])) own.push_back(fits[i]);
 
-  const double given = std::max(medianSpacing(front), medianSpacing(back));
   Surfels out;
   out.spacing_mm = spacing_mm > 0 ? spacing_mm : std::max(0.28, given);
   out.dropped = static_cast<int>(raw.points.size() - all.points.size());
   // A cube's edge of 1.2 spacings leaves about one point per square of one spacing.
-  const std::vector<int> chosen = seeds(all, given < 0.8 * out.spacing_mm ? 1.2 * out.spacing_mm : 0);
+  const std::vector<int> chosen =
+      seeds(all, given < 0.8 * out.spacing_mm ? 1.2 * out.spacing_mm : 0);
   if (chosen.size() < 50)
-    return Error{ErrorCode::NotEnough, "The scans hold too few points that agree with each other for a model.", {}};
+    return Error{ErrorCode::NotEnough,
+                 "The scans hold too few points that agree with each other for a model.",
+                 {}};
 
-  const float nearest = 1.8f * static_cast<float>(out.spacing_mm);
-  const PointBins bins(all.points, kFirstRadius_mm);
+  const float nearest = kNearestSpacings * static_cast<float>(out.spacing_mm);
+  const PointBins bins(all.points, radius);
   std::vector<Fit> smooth(chosen.size());
-  const bool whole = inBlocks(chosen.size(), threads, stop, [&](std::size_t k, std::vector<Near>& near) {
-    const std::size_t i = static_cast<std::size_t>(chosen[k]);
-    // As many neighbours as bring the mean's error down to the floor.
-    const float wanted = all.noise[i] / kFitFloor_mm / std::sqrt(static_cast<float>(M_PI) * std::max(density[i], 0.1f));
-    const float radius = std::clamp(wanted, nearest, std::max(nearest, 1.2f));
-    smooth[k] = fitWithin(all.points[i], all.normals[i], radius, bins, all, {8.0f, 4}, near);
-  });
+  const bool whole =
+      inBlocks(chosen.size(), threads, stop, [&](std::size_t k, std::vector<Near>& near) {
+        const std::size_t i = static_cast<std::size_t>(chosen[k]);
+        // As many neighbours as bring the mean's error down to the floor; the kernel counts half of
+        // them.
+        const float wanted =
+            all.noise[i] / kFitFloor_mm /
+            std::sqrt(0.5f * static_cast<float>(M_PI) * std::max(density[i], 0.1f));
+        const float reach = std::clamp(wanted, nearest, std::max(nearest, 1.2f));
+        smooth[k] = fitWithin(all.points[i], all.normals[i], reach, bins, all, {8.0f, 4}, near);
+      });
   if (!whole) return Error::cancelled();
   for (std::size_t k = 0; k < smooth.size(); ++k) {
     const std::size_t i = static_cast<std::size_t>(chosen[k]);
@@ -275,13 +309,16 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
     out.normals.push_back(smooth[k].normal);
     out.noise.push_back(all.noise[i]);
     const float floor2 = kFitFloor_mm * kFitFloor_mm;
-    out.confidence.push_back(all.quality[i] * floor2 / (smooth[k].noise * smooth[k].noise + floor2));
+    out.confidence.push_back(all.quality[i] * floor2 /
+                             (smooth[k].noise * smooth[k].noise + floor2));
   }
   if (out.size() < 50)
-    return Error{ErrorCode::NotEnough, "The scans hold too few points that agree with each other for a model.", {}};
+    return Error{ErrorCode::NotEnough,
+                 "The scans hold too few points that agree with each other for a model.",
+                 {}};
   estimateAreas(out, threads, stop);
   out.noise_mm = median(out.noise);
-  out.side_gap_mm = sideGap(all, own, threads, stop);
+  out.side_gap_mm = sideGap(all, own, radius, threads, stop);
   if (stop.stop_requested()) return Error::cancelled();
   return out;
 }

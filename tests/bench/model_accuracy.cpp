@@ -1,5 +1,6 @@
 // Closes models from scans and writes them, with figures, for the judge:
-//   model_accuracy FRONT.ply BACK.ply T.json OUT_PREFIX [--disturb MM] [--spacing MM] [--cell MM] [--threads N]
+//   model_accuracy FRONT.ply BACK.ply T.json OUT_PREFIX [--disturb MM] [--spacing MM] [--cell MM]
+//   [--threads N]
 // T.json holds T_front_from_back, or is a truth.json with "pairs" (then the files' names choose).
 #include <algorithm>
 #include <chrono>
@@ -33,7 +34,8 @@ Result<Eigen::Isometry3d> transformFor(const std::string& front, const std::stri
   if (!json) return json.error();
   if (!json->contains("pairs")) return isometryFromJson(json->at("T_front_from_back"), path);
   for (const nlohmann::json& pair : json->at("pairs"))
-    if (std::filesystem::path(pair.at("front").get<std::string>()).filename() == std::filesystem::path(front).filename())
+    if (std::filesystem::path(pair.at("front").get<std::string>()).filename() ==
+        std::filesystem::path(front).filename())
       return isometryFromJson(pair.at("T_front_from_back"), path);
   return Error{ErrorCode::UnusableInput, "No pair has this front.", front};
 }
@@ -42,7 +44,9 @@ Result<Eigen::Isometry3d> transformFor(const std::string& front, const std::stri
 
 int main(int argc, char** argv) {
   if (argc < 5) {
-    std::fprintf(stderr, "model_accuracy FRONT.ply BACK.ply T.json OUT_PREFIX [--disturb MM] [--spacing MM] [--cell MM] [--threads N]\n");
+    std::fprintf(stderr,
+                 "model_accuracy FRONT.ply BACK.ply T.json OUT_PREFIX [--disturb MM] [--spacing "
+                 "MM] [--cell MM] [--threads N]\n");
     return 2;
   }
   std::map<std::string, double> given;
@@ -69,17 +73,22 @@ int main(int argc, char** argv) {
   const double measured = seconds();
   const auto fewer = model::decimated(made->mesh, 0.03);
   const double thinner = seconds();
-  std::printf("%s: %.2f s model, %.2f s measures, %.2f s decimation to %zu faces; %zu faces, %s; points %d, dropped %d; "
-              "noise %.3f, gap %.3f mm; filled %.2f %%; length %.2f, width %.2f, thickness %.2f %.2f %.2f mm, area %.1f mm2, volume %.1f mm3\n",
-              argv[4], closed - begun, measured - closed, thinner - measured, fewer ? fewer->triangles.size() : 0,
-              made->mesh.triangles.size(), why.c_str(), made->points_used, made->points_dropped, made->noise_mm,
-              made->side_gap_mm, 100 * made->filled_share, m.length_mm, m.width_mm, m.thickness_min_mm,
-              m.thickness_mean_mm, m.thickness_max_mm, m.area_mm2, m.volume_mm3);
+  std::printf(
+      "%s: %.2f s model, %.2f s measures, %.2f s decimation to %zu faces; %zu faces, %s; points "
+      "%d, dropped %d; "
+      "noise %.3f, gap %.3f mm; filled %.2f %%; length %.2f, width %.2f, thickness %.2f %.2f %.2f "
+      "mm, area %.1f mm2, volume %.1f mm3\n",
+      argv[4], closed - begun, measured - closed, thinner - measured,
+      fewer ? fewer->triangles.size() : 0, made->mesh.triangles.size(), why.c_str(),
+      made->points_used, made->points_dropped, made->noise_mm, made->side_gap_mm,
+      100 * made->filled_share, m.length_mm, m.width_mm, m.thickness_min_mm, m.thickness_mean_mm,
+      m.thickness_max_mm, m.area_mm2, m.volume_mm3);
   const std::string prefix = argv[4];
   const Result<void> ply = writePly(prefix + ".ply", made->mesh, "plate_front");
   if (!ply) return refuse(ply.error());
   if (fewer)
-    if (const Result<void> glb = writeGlb(prefix + ".glb", *fewer, {}); !glb) return refuse(glb.error());
+    if (const Result<void> glb = writeGlb(prefix + ".glb", *fewer, {}); !glb)
+      return refuse(glb.error());
   cv::imwrite(prefix + ".png", model::renderPreview(made->mesh, {}));
   return 0;
 }

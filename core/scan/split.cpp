@@ -1,6 +1,168 @@
 #include "scan/split.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "cloud/nearest.h"
+#include "scan/rim.h"
+#include "scan/touching.h"
+
 namespace ostraka::scan {
-Result<SplitResult> splitScans(const PointCloud&, batch::Side, const SplitOptions&, Progress&) {
-  return Error{ErrorCode::Failed, "not yet", {}};
+namespace {
+
+constexpr double kRow_mm = 40;        // sherds of one row differ less in y than this
+constexpr std::size_t kFewest = 100;  // points; fewer are flying points, not even a crumb
+
+std::string millimetres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f", value);
+  return text;
 }
+
+std::string at(const Eigen::Vector2d& place) {
+  return "at x " + millimetres(place.x()) + ", y " + millimetres(place.y()) + " mm";
+}
+
+std::vector<int> abovePlate(const PointCloud& cloud, const SplitOptions& options) {
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float z = cloud.points[i].z();
+    const bool plate =
+        z < options.plate_mm || (z < options.plate_flat_mm && cloud.normals[i].z() > 0.9f);
+    if (!plate) kept.push_back(static_cast<int>(i));
+  }
+  return kept;
+}
+
+int rootOf(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    int& up = parent[static_cast<std::size_t>(i)];
+    up = parent[static_cast<std::size_t>(up)];
+    i = up;
+  }
+  return i;
+}
+
+// Pieces whose points are at most gap_mm apart, as lists of indices in order of their first point.
+std::vector<std::vector<int>> connectedPieces(const PointCloud& cloud, double gap_mm) {
+  const PointCloud coarse = thinned(cloud, gap_mm / 3);
+  const KdTree tree(coarse.points);
+  std::vector<int> parent(coarse.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<Neighbour> found;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    tree.within(coarse.points[i], static_cast<float>(gap_mm), found);
+    for (const Neighbour& n : found) {
+      const int a = rootOf(parent, static_cast<int>(i)), b = rootOf(parent, n.index);
+      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  }
+  std::vector<int> piece_of_root(coarse.size(), -1);
+  std::vector<std::vector<int>> pieces;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const int root = rootOf(parent, tree.nearest(cloud.points[i]).index);
+    int& piece = piece_of_root[static_cast<std::size_t>(root)];
+    if (piece < 0) {
+      piece = static_cast<int>(pieces.size());
+      pieces.emplace_back();
+    }
+    pieces[static_cast<std::size_t>(piece)].push_back(static_cast<int>(i));
+  }
+  return pieces;
+}
+
+struct Extent {
+  Eigen::Vector2d middle;
+  double longest_mm = 0, height_mm = 0;
+};
+
+Extent extentOf(const PointCloud& piece) {
+  Eigen::Vector3f low = piece.points[0], high = low;
+  for (const Eigen::Vector3f& p : piece.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return {(low + high).head<2>().cast<double>() / 2,
+          static_cast<double>((high - low).head<2>().norm()), static_cast<double>(high.z())};
+}
+
+// A piece that is no sherd is reported and left aside.
+bool isSherd(const PointCloud& piece, const SplitOptions& options,
+             std::vector<std::string>& warnings) {
+  const Extent extent = extentOf(piece);
+  if (extent.longest_mm < options.min_extent_mm) {
+    warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " + at(extent.middle) +
+                       " was left aside; if it is a sherd, shoot it alone.");
+    return false;
+  }
+  if (extent.height_mm < options.min_height_mm) {
+    warnings.push_back("Something flat " + at(extent.middle) +
+                       " was left aside; it may be a marker or dirt on the plate.");
+    return false;
+  }
+  return true;
+}
+
+void addParts(const PointCloud& piece, const SplitOptions& options, SplitResult& result) {
+  const TouchingParts parts = cutTouching(piece, options.neck_share, options.min_extent_mm);
+  for (const Neck& neck : parts.necks)
+    result.warnings.push_back("Two sherds touch " + at(neck.place) +
+                              " and were cut apart there; leave a finger's width between sherds.");
+  for (int k = 0; k < parts.count; ++k) {
+    std::vector<int> indices;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      if (parts.part[i] == k) indices.push_back(static_cast<int>(i));
+    PointCloud part = subset(piece, indices);
+    if (parts.count == 1 || isSherd(part, options, result.warnings))
+      result.scans.push_back({{}, std::move(part), {}, Eigen::Vector3d::UnitZ()});
+  }
+}
+
+}  // namespace
+
+Result<void> SplitOptions::check() const {
+  if (!(gap_mm > 0)) return Error{ErrorCode::UnusableInput, "gap_mm must be above 0.", {}};
+  if (!(neck_share >= 0 && neck_share < 1))
+    return Error{ErrorCode::UnusableInput, "neck_share must lie in [0, 1).", {}};
+  return {};
+}
+
+Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
+                               const SplitOptions& options, Progress& progress) {
+  if (const Result<void> checked = options.check(); !checked) return checked.error();
+  if (!plate_cloud.empty() && !plate_cloud.hasNormals())
+    return Error{ErrorCode::UnusableInput, "The cloud of the plate has no normals.", {}};
+  const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
+  SplitResult result;
+  std::size_t flying = 0;
+  for (const std::vector<int>& indices : connectedPieces(above, options.gap_mm)) {
+    if (indices.size() < kFewest) {
+      flying += indices.size();
+      continue;
+    }
+    const PointCloud piece = subset(above, indices);
+    if (isSherd(piece, options, result.warnings)) addParts(piece, options, result);
+  }
+  if (result.scans.empty())
+    return Error{ErrorCode::NotEnough,
+                 std::string("No sherd was found on the ") + batch::name(side) +
+                     " side; check its masks and photographs.",
+                 {}};
+  std::stable_sort(result.scans.begin(), result.scans.end(), [](const Scan& a, const Scan& b) {
+    const Eigen::Vector2d ma = extentOf(a.cloud).middle, mb = extentOf(b.cloud).middle;
+    const double ra = std::floor(-ma.y() / kRow_mm), rb = std::floor(-mb.y() / kRow_mm);
+    return ra != rb ? ra < rb : ma.x() < mb.x();
+  });
+  for (std::size_t i = 0; i < result.scans.size(); ++i) {
+    char number[16];
+    std::snprintf(number, sizeof number, "%c%03zu", side == batch::Side::Front ? 'f' : 'b', i + 1);
+    result.scans[i].id = number;
+    result.scans[i].rim = findRim(result.scans[i].cloud, {.up = result.scans[i].up});
+  }
+  progress.note(NoteLevel::Info, std::string("scans: ") + std::to_string(result.scans.size()) +
+                                     " sherds on the " + batch::name(side) + " side, " +
+                                     std::to_string(flying) + " flying points left aside");
+  for (const std::string& warning : result.warnings) progress.note(NoteLevel::Warning, warning);
+  return result;
+}
+
 }  // namespace ostraka::scan

@@ -1,0 +1,80 @@
+#include "scan/footprint.h"
+
+#include <algorithm>
+
+namespace ostraka::scan {
+
+Footprint::Footprint(std::span<const Eigen::Vector2d> points, double cell_mm) : cell_mm_(cell_mm) {
+  low_ = points[0];
+  Eigen::Vector2d high = points[0];
+  for (const Eigen::Vector2d& p : points) low_ = low_.cwiseMin(p), high = high.cwiseMax(p);
+  low_.array() -= 2.5 * cell_mm;
+  columns_ = static_cast<int>((high.x() - low_.x()) / cell_mm) + 4;
+  rows_ = static_cast<int>((high.y() - low_.y()) / cell_mm) + 4;
+  const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  std::vector<std::uint8_t> filled(cells, 0);
+  for (const Eigen::Vector2d& p : points) filled[cellOf(p)] = 1;
+  depth_.assign(cells, 1e9);
+  markOutside(filled);
+  sweep();
+}
+
+std::size_t Footprint::cellOf(const Eigen::Vector2d& p) const {
+  const int c = std::clamp(static_cast<int>((p.x() - low_.x()) / cell_mm_), 0, columns_ - 1);
+  const int r = std::clamp(static_cast<int>((p.y() - low_.y()) / cell_mm_), 0, rows_ - 1);
+  return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(c);
+}
+
+Eigen::Vector2d Footprint::centreOf(std::size_t cell) const {
+  const std::size_t columns = static_cast<std::size_t>(columns_);
+  return low_ + cell_mm_ * Eigen::Vector2d(static_cast<double>(cell % columns) + 0.5,
+                                           static_cast<double>(cell / columns) + 0.5);
+}
+
+/// Empty cells reached from the corner: holes inside are no outside.
+void Footprint::markOutside(const std::vector<std::uint8_t>& filled) {
+  std::vector<std::size_t> stack{0};
+  depth_[0] = 0;
+  while (!stack.empty()) {
+    const std::size_t cell = stack.back();
+    stack.pop_back();
+    const int r = static_cast<int>(cell) / columns_, c = static_cast<int>(cell) % columns_;
+    const auto visit = [&](int row, int column) {
+      if (row < 0 || column < 0 || row >= rows_ || column >= columns_) return;
+      const std::size_t next = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                               static_cast<std::size_t>(column);
+      if (filled[next] || depth_[next] == 0) return;
+      depth_[next] = 0;
+      stack.push_back(next);
+    };
+    visit(r - 1, c), visit(r + 1, c), visit(r, c - 1), visit(r, c + 1);
+  }
+}
+
+void Footprint::sweep() {
+  const auto index = [&](int r, int c) {
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(c);
+  };
+  const auto relax = [&](int r, int c, int dr, int dc, double step) {
+    if (r + dr < 0 || c + dc < 0 || r + dr >= rows_ || c + dc >= columns_) return;
+    double& here = depth_[index(r, c)];
+    here = std::min(here, depth_[index(r + dr, c + dc)] + step * cell_mm_);
+  };
+  constexpr double kSide = 0.95509, kCorner = 1.36930;  // Borgefors 1986, optimal 3x3 chamfer
+  for (int r = 0; r < rows_; ++r) {
+    for (int c = 0; c < columns_; ++c) {
+      relax(r, c, -1, -1, kCorner), relax(r, c, -1, 0, kSide);
+      relax(r, c, -1, 1, kCorner), relax(r, c, 0, -1, kSide);
+    }
+  }
+  for (int r = rows_ - 1; r >= 0; --r) {
+    for (int c = columns_ - 1; c >= 0; --c) {
+      relax(r, c, 1, 1, kCorner), relax(r, c, 1, 0, kSide);
+      relax(r, c, 1, -1, kCorner), relax(r, c, 0, 1, kSide);
+    }
+  }
+}
+
+}  // namespace ostraka::scan

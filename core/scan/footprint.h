@@ -1,0 +1,35 @@
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ostraka::scan {
+
+/// The cells that points occupy, seen along an axis; holes are filled. A margin of free cells
+/// surrounds them.
+class Footprint {
+ public:
+  /// At least one point; mm.
+  Footprint(std::span<const Eigen::Vector2d> points, double cell_mm);
+
+  /// Distance from the point's cell to the outside, mm, within 6 % (3x3 chamfer); 0 outside.
+  double depth(const Eigen::Vector2d& p) const { return depth_[cellOf(p)]; }
+
+  std::size_t cellOf(const Eigen::Vector2d& p) const;
+  Eigen::Vector2d centreOf(std::size_t cell) const;
+  double depthOf(std::size_t cell) const { return depth_[cell]; }
+  std::size_t cells() const { return depth_.size(); }
+  int columns() const { return columns_; }  ///< cells are numbered row by row
+
+ private:
+  void markOutside(const std::vector<std::uint8_t>& filled);
+  void sweep();
+
+  double cell_mm_;
+  Eigen::Vector2d low_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<double> depth_;
+};
+
+}  // namespace ostraka::scan

@@ -42,16 +42,17 @@ cv::Mat1f slopeOf(const cv::Mat3f& bare) {
   return slope;
 }
 
-// Smallest local variance of the residual's fine structure among nine windows around each pixel: a
-// window that lies on one side of an outline does not see the outline.
-cv::Mat1f calmestVariance(const cv::Mat3f& residual) {
-  cv::Mat1f brightness, coarse, variance;
+// Smallest local energy of the residual's fine structure among nine windows around each pixel: a
+// window that lies on one side of an outline does not see the outline. Second differences: a
+// shadow's soft border is nearly straight over a few pixels and leaves none.
+cv::Mat1f calmestTexture(const cv::Mat3f& residual) {
+  cv::Mat1f brightness, fine, energy;
   cv::transform(residual, brightness, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
-  cv::boxFilter(brightness, coarse, CV_32F, {7, 7});
-  cv::sqrBoxFilter(brightness, variance, CV_32F, {7, 7});
-  variance -= coarse.mul(coarse);
-  cv::erode(variance, variance, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
-  return variance;
+  cv::GaussianBlur(brightness, fine, {}, 1.2, 1.2, cv::BORDER_REPLICATE);
+  fine = brightness - fine;
+  cv::sqrBoxFilter(fine, energy, CV_32F, {7, 7});
+  cv::erode(energy, energy, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
+  return energy;
 }
 
 }  // namespace
@@ -62,14 +63,19 @@ cv::Mat3f residualAgainst(const cv::Mat3f& bare, const cv::Mat3f& log_colours) {
   return residual;
 }
 
-ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare) {
+ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
+                           const cv::Mat1b& on_plate) {
+  const cv::Mat1f energy = calmestTexture(residual);
+  std::vector<float> texture;
   std::vector<float> brightness, colour, level;
   for (int y = 0; y < residual.rows; y += 5)
     for (int x = 0; x < residual.cols; x += 5) {
+      if (on_plate(y, x) == 0) continue;
       const float g = brightnessOf(residual(y, x));
       const cv::Vec2f c = colourOf(residual(y, x));
       if (std::abs(g) > 0.3F || c.dot(c) > 0.02F) continue;
       brightness.push_back(g);
+      texture.push_back(energy(y, x));
       colour.push_back(c[0]);
       colour.push_back(c[1]);
       level.push_back(brightnessOf(bare(y, x)));
@@ -78,6 +84,9 @@ ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare) {
   if (brightness.size() < 500) return noise;
   const auto middle = level.begin() + static_cast<std::ptrdiff_t>(level.size() / 2);
   std::nth_element(level.begin(), middle, level.end());
+  const auto half = texture.begin() + static_cast<std::ptrdiff_t>(texture.size() / 2);
+  std::nth_element(texture.begin(), half, texture.end());
+  noise.texture = std::max(*half, 1e-6F);
   noise.level = std::max(2.F, std::exp(*middle) - kDarkLevel);
   // Not below what 8 bits leave: a third of a level after smoothing.
   const float rounding = 0.3F / (noise.level + kDarkLevel);
@@ -93,22 +102,24 @@ Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const R
   evidence.log_odds.create(residual.size());
   evidence.clear.create(residual.size());
   const cv::Mat1f slope = slopeOf(bare);
-  const cv::Mat1f variance = calmestVariance(residual);
+  const cv::Mat1f texture = calmestTexture(residual);
   constexpr float kTwoPi = 6.2831853F;
   // Any clay: colour differences within +-0.6, brightness within a factor of e^2 either way.
   constexpr float kSherdDensity = 1 / (3.14159F * 0.36F * 4);
+  const float var_noise = noise.brightness * noise.brightness;
   for (int y = 0; y < residual.rows; ++y)
     for (int x = 0; x < residual.cols; ++x) {
       const float g = brightnessOf(residual(y, x));
       const cv::Vec2f c = colourOf(residual(y, x));
-      // Below the plate's level the noise of sensor, rounding and JPEG (about one level) grows in
-      // the logarithm as the inverse of the brightness.
+      // Encoded values stabilise shot noise: it is about the same number of levels everywhere, so
+      // in the logarithm it grows in shadows as the inverse of the brightness.
       const float expected = std::exp(brightnessOf(bare(y, x)) + std::min(g, 0.F));
-      const float dark = 0.7F / expected;
+      const float darker = (noise.level + kDarkLevel) / expected;
+      const float gain = std::max(0.25F, darker * darker);
       const float edge = bare_slope_px * slope(y, x);
-      const float var_c = noise.colour * noise.colour + dark * dark + 0.1F * edge * edge +
+      const float var_c = noise.colour * noise.colour * gain + 0.1F * edge * edge +
                           0.0016F * g * g;  // lamps' colours differ by some 4 %
-      const float var_g = noise.brightness * noise.brightness + 0.0004F + edge * edge;
+      const float var_g = var_noise * gain + 0.0004F + edge * edge;
       const float chi_c = c.dot(c) / var_c;
       const float colour_density =
           (0.95F * std::exp(-0.5F * chi_c) + 0.05F / 9 * std::exp(-0.5F * chi_c / 9)) /
@@ -118,9 +129,11 @@ Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const R
       const float shadow = g < 0 && g > -3 ? 1 / 3.F : 0.F;
       const float plate_density = colour_density * (0.7F * lit + 0.05F * bounce + 0.25F * shadow);
       float odds = std::log(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
-      // Texture: sum of squares over about 15 independent samples of the window.
-      const float ratio = variance(y, x) / (var_g + dark * dark);
-      if (ratio > 1) odds += std::min(4.F, 0.5F * 15 * (ratio - 1 - std::log(ratio)));
+      // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
+      // ratio of two variances over the window's eight independent samples). Smooth clay leaves
+      // none, so a lack of texture says nothing.
+      const float ratio = texture(y, x) / (noise.texture * (gain + edge * edge / var_noise));
+      odds += std::clamp(0.5F * 8 * (ratio * (1 - 1 / 6.F) - std::log(6.F)), 0.F, 4.F);
       evidence.log_odds(y, x) = std::clamp(odds, -8.F, 8.F);
       const float chi = chi_c / 9 + g * g / (9 * (var_g + 0.0025F));
       evidence.clear(y, x) = odds < -2 ? std::exp(-0.5F * chi * chi) : 0.F;

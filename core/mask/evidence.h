@@ -14,13 +14,16 @@ struct Evidence {
 struct ResidualNoise {
   float brightness = 0.05F;  ///< SD of the mean of the channels, log, at the plate's own brightness
   float colour = 0.02F;      ///< SD of each of the two colour differences
+  float texture = 1e-3F;     ///< median energy of the residual's fine structure on the bare plate
   float level = 40;          ///< the brightness (0..255) at which they were measured
 };
 
 /// Smoothed residual: sigma 0.8 pixels, about the lens's own blur, so outlines stay in place.
 cv::Mat3f residualAgainst(const cv::Mat3f& bare, const cv::Mat3f& log_colours);
 
-ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare);
+/// on_plate: where to measure: the plate inside the markers.
+ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
+                           const cv::Mat1b& on_plate);
 
 /// A shadow scales all channels alike and keeps the plate's texture; clay changes colour, or
 /// brightens, or shows a texture of its own. bare_slope_px: by how many pixels the bare plate's

@@ -60,6 +60,16 @@ double ringAgreement(const cv::Mat3f& empty, const PlateLook& look, const cv::Ma
   return vx > 0 && vy > 0 ? (n * sxy - sx * sy) / std::sqrt(vx * vy) : 0;
 }
 
+cv::Mat1b insideMarkers(const PlateLook& look, const PlateGrid& grid) {
+  cv::Mat1b inside(look.grid_of_pixel.size(), uchar{0});
+  const double limit = (grid.ring_inner_mm - 2) / grid.pitch_mm;
+  const cv::Vec2f middle(static_cast<float>(grid.middle()), static_cast<float>(grid.middle()));
+  for (int y = 0; y < inside.rows; ++y)
+    for (int x = 0; x < inside.cols; ++x)
+      if (cv::norm(look.grid_of_pixel(y, x) - middle) < limit) inside(y, x) = 255;
+  return inside;
+}
+
 class PlateMasker {
  public:
   PlateMasker(std::span<const rig::PosedImage> images, std::span<const cv::Mat> photographs,
@@ -116,7 +126,7 @@ class PlateMasker {
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
       const cv::Mat3f bare = predictBare(picture, looks[k], k, grid);
       const cv::Mat3f residual = residualAgainst(bare, looks[k].log_colours);
-      const ResidualNoise noise = measureNoise(residual, bare);
+      const ResidualNoise noise = measureNoise(residual, bare, insideMarkers(looks[k], grid));
       // Half a pixel: poses are good to a few tenths, the mosaic's cells are 1.4 pixels wide.
       const Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
       ViewState& view = views_[members[k]];

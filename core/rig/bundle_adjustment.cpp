@@ -59,8 +59,9 @@ struct PlateCornerCost {
   PlateCorner corner;
   template <class T>
   bool operator()(const T* intrinsics, const T* camera, const T* angle, const T* plate,
-                  const T* inset, T* out) const {
-    const T point[3] = {T(corner.point.x()), T(corner.point.y()), T(corner.point.z())};
+                  const T* inset, const T* print_error, T* out) const {
+    const T point[3] = {corner.point.x() + print_error[0], corner.point.y() + print_error[1],
+                        corner.point.z() + print_error[2]};
     T on_table[3], in_camera[3], pixel[2];
     transform(plate, point, on_table);
     using std::cos;
@@ -127,6 +128,15 @@ struct PlatePrior {
   }
 };
 
+struct PrintPrior {
+  double sd_mm = 1;
+  template <class T>
+  bool operator()(const T* error, T* out) const {
+    for (int k = 0; k < 3; ++k) out[k] = error[k] / T(sd_mm);
+    return true;
+  }
+};
+
 struct InsetPrior {
   template <class T>
   bool operator()(const T* inset, T* out) const {
@@ -153,6 +163,7 @@ class Adjustment {
     for (const PlateCorner& corner : plate) add(corner);
     for (const BoardCorner& corner : board) add(corner);
     addPriors();
+    keepUndeterminedTerms();
     fixGauge();
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -175,11 +186,11 @@ class Adjustment {
 
  private:
   void add(const PlateCorner& c) {
-    using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1>;
+    using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1, 3>;
     problem_.AddResidualBlock(new Cost(new PlateCornerCost{c}), new ceres::CauchyLoss(kLossScale),
                               intrinsics_[c.camera].data(), cameras_[c.camera].data(),
                               &state_.angles_rad[c.side][c.stop], plates_[c.side].data(),
-                              &insets_[c.camera]);
+                              &insets_[c.camera], state_.print_errors_mm[c.plate_point].data());
   }
 
   void add(const BoardCorner& c) {
@@ -198,6 +209,11 @@ class Adjustment {
       problem_.AddResidualBlock(new Inset(new InsetPrior), nullptr, &insets_[c]);
       problem_.AddParameterBlock(cameras_[c].data(), 6);
     }
+    for (Eigen::Vector3d& error : state_.print_errors_mm) {
+      using Cost = ceres::AutoDiffCostFunction<PrintPrior, 3, 3>;
+      problem_.AddResidualBlock(new Cost(new PrintPrior{options_.print_sd_mm}), nullptr,
+                                error.data());
+    }
     for (PoseBlock& plate : plates_) {
       using Cost = ceres::AutoDiffCostFunction<PlatePrior, 5, 6>;
       problem_.AddResidualBlock(new Cost(new PlatePrior), nullptr, plate.data());
@@ -208,6 +224,14 @@ class Adjustment {
                                 new ceres::CauchyLoss(kLossScale), &state_.angles_rad[0][stop],
                                 &state_.angles_rad[1][stop]);
     }
+  }
+
+  // A sixth-order term that the start leaves at zero is not determined by what was photographed;
+  // free, it would trade off against k2 and the principal point.
+  void keepUndeterminedTerms() {
+    if (options_.cameras != Cameras::Free) return;
+    for (IntrinsicsBlock& i : intrinsics_)
+      if (i[8] == 0) problem_.SetManifold(i.data(), new ceres::SubsetManifold(9, {8}));
   }
 
   void fixGauge() {
@@ -282,8 +306,8 @@ Result<RigState> adjust(const RigState& start, const std::vector<PlateCorner>& p
 
 Eigen::Vector2d residual(const RigState& state, const PlateCorner& corner) {
   const RigState::Camera& camera = state.cameras[corner.camera];
-  const Eigen::Vector3d p =
-      state.cameraFromPlate(corner.camera, corner.side, corner.stop) * corner.point;
+  const Eigen::Vector3d p = state.cameraFromPlate(corner.camera, corner.side, corner.stop) *
+                            (corner.point + state.print_errors_mm[corner.plate_point]);
   return corner.pixel + camera.inset_px * corner.outward - camera.intrinsics.project(p);
 }
 

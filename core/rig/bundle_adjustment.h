@@ -23,6 +23,8 @@ struct RigState {
   std::array<Eigen::Isometry3d, 2> turntable_from_plate{Eigen::Isometry3d::Identity(),
                                                         Eigen::Isometry3d::Identity()};
   std::vector<Eigen::Isometry3d> camera_from_board;  ///< by board view
+  /// By plate point: how far a printed corner lies from where plate.json says, mm.
+  std::vector<Eigen::Vector3d> print_errors_mm;
 
   Eigen::Isometry3d cameraFromPlate(int camera, int side, int stop) const;
 };
@@ -30,6 +32,7 @@ struct RigState {
 /// A marker's corner in a photograph of the batch.
 struct PlateCorner {
   int camera = 0, side = 0, stop = 0;
+  int plate_point = 0;    ///< the same for this corner in all photographs
   Eigen::Vector3d point;  ///< plate frame, mm
   Eigen::Vector2d pixel;
   Eigen::Vector2d outward;  ///< movement of the corner when all edges move outwards by 1 px
@@ -50,6 +53,8 @@ enum class Cameras { Free, LensKnown, Known };
 struct AdjustOptions {
   Cameras cameras = Cameras::Free;
   double table_repeatability_rad = 0.001;  ///< between the two sides' angles of a stop
+  /// Printing, gluing and the plate's own flatness; what the pictures of a whole batch show of it.
+  double print_sd_mm = 0.05;
   int max_rounds = 100;
 };
 

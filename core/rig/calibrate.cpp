@@ -80,6 +80,7 @@ class Poser {
     camera_numbers_.assign(cameras.begin(), cameras.end());
     stop_numbers_.assign(stops.begin(), stops.end());
     state_.cameras.resize(camera_numbers_.size());
+    state_.print_errors_mm.assign(batch_.plate->markers.size() * 4, Eigen::Vector3d::Zero());
     intrinsics_rms_.assign(camera_numbers_.size(), 0);
   }
   int cameraOf(std::size_t shot) const {
@@ -247,7 +248,8 @@ class Poser {
               double sd_scale) const {
     const Quad outward = outwardPerPixel(marker.seen.corners);
     for (int c = 0; c < 4; ++c)
-      corners.push_back({cameraOf(shot), sideOf(shot), stopOf(shot), marker.corners[c],
+      corners.push_back({cameraOf(shot), sideOf(shot), stopOf(shot),
+                         static_cast<int>(marker.plate_index * 4 + c), marker.corners[c],
                          marker.seen.corners[c], outward[c], marker.seen.sd_px * sd_scale});
   }
 

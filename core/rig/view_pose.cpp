@@ -45,8 +45,8 @@ Eigen::Isometry3d toIsometry(const cv::Mat& turn, const cv::Mat& shift) {
 std::vector<PlacedMarker> placed(const std::vector<SeenMarker>& seen, const batch::Plate& plate) {
   std::vector<PlacedMarker> markers;
   for (const SeenMarker& one : seen)
-    for (const batch::Marker& marker : plate.markers)
-      if (marker.id == one.id) markers.push_back({one, marker.corners});
+    for (std::size_t k = 0; k < plate.markers.size(); ++k)
+      if (plate.markers[k].id == one.id) markers.push_back({one, k, plate.markers[k].corners});
   return markers;
 }
 

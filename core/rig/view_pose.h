@@ -11,6 +11,7 @@ namespace ostraka::rig {
 /// A marker of a photograph together with where it lies on the plate.
 struct PlacedMarker {
   SeenMarker seen;
+  std::size_t plate_index = 0;             ///< into Plate::markers
   std::array<Eigen::Vector3d, 4> corners;  ///< plate frame, mm
 };
 

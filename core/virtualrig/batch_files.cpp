@@ -1,0 +1,134 @@
+#include "virtualrig/batch_files.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <jpeglib.h>  // after cstdio, which it leaves to its user
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "cloud/ply.h"
+#include "virtualrig/plate_surface.h"
+
+namespace ostraka::virtualrig {
+namespace {
+
+std::string numbered(const char* pattern, int a, int b = 0) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, a, b);
+  return text;
+}
+
+// To 1 / steps: written short, as 61.6.
+double rounded(double value, int steps) {
+  return std::round(value * steps) / steps;
+}
+
+// By libjpeg itself: OpenCV 4.6 always halves the colours' resolution. 8-bit blue, green, red.
+std::string encodedJpeg(const cv::Mat& image) {
+  jpeg_compress_struct job;
+  jpeg_error_mgr errors;
+  job.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&job);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&job, &bytes, &size);
+  job.image_width = static_cast<JDIMENSION>(image.cols);
+  job.image_height = static_cast<JDIMENSION>(image.rows);
+  job.input_components = 3;
+  job.in_color_space = JCS_EXT_BGR;
+  jpeg_set_defaults(&job);
+  jpeg_set_quality(&job, 95, TRUE);
+  for (int c = 0; c < 3; ++c) job.comp_info[c].h_samp_factor = job.comp_info[c].v_samp_factor = 1;
+  job.dct_method = JDCT_ISLOW;  // the exact one
+  jpeg_start_compress(&job, TRUE);
+  while (job.next_scanline < job.image_height) {
+    JSAMPROW row =
+        const_cast<JSAMPROW>(image.ptr<unsigned char>(static_cast<int>(job.next_scanline)));
+    jpeg_write_scanlines(&job, &row, 1);
+  }
+  jpeg_finish_compress(&job);
+  jpeg_destroy_compress(&job);
+  std::string out(reinterpret_cast<const char*>(bytes), size);
+  std::free(bytes);
+  return out;
+}
+
+}  // namespace
+
+std::string photographName(batch::Side side, int camera, int stop) {
+  return std::string(batch::name(side)) + "/" + numbered("cam%d_pos%02d.jpg", camera, stop);
+}
+
+Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image, double kept_share) {
+  const std::string bytes = encodedJpeg(image);
+  const auto kept = static_cast<std::size_t>(static_cast<double>(bytes.size()) * kept_share);
+  return writeFileAtomically(file, std::string_view(bytes).substr(0, kept));
+}
+
+Result<void> writePng(const std::filesystem::path& file, const cv::Mat& image) {
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 6}))
+    return Error{ErrorCode::Failed, "The picture could not be encoded.", file.string()};
+  return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Result<void> writePlateAndBoard(const std::filesystem::path& folder) {
+  const batch::Plate plate = standardPlate();
+  nlohmann::ordered_json markers = nlohmann::ordered_json::array();
+  for (const batch::Marker& m : plate.markers) {
+    nlohmann::ordered_json corners = nlohmann::ordered_json::array();
+    for (const Eigen::Vector3d& c : m.corners) corners.push_back({c.x(), c.y(), c.z()});
+    markers.push_back({{"id", m.id}, {"corners", corners}});
+  }
+  const Result<void> written = writeJson(folder / "plate.json", {{"unit", "mm"},
+                                                                 {"dictionary", plate.dictionary},
+                                                                 {"diameter", plate.diameter_mm},
+                                                                 {"markers", markers}});
+  if (!written) return written;
+  const batch::Board board = standardBoard();
+  return writeJson(folder / "board.json", {{"dictionary", board.dictionary},
+                                           {"squares_x", board.squares_x},
+                                           {"squares_y", board.squares_y},
+                                           {"square_mm", board.square_mm},
+                                           {"marker_mm", board.marker_mm}});
+}
+
+Result<void> writeTruth(const std::filesystem::path& folder,
+                        const std::vector<VirtualSherd>& sherds, const Layout& layout,
+                        const VirtualRig& rig) {
+  std::vector<rig::PosedImage> images;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+    for (int stop = 0; stop < static_cast<int>(rig.angles_rad.size()); ++stop)
+      for (int camera = 0; camera < kCameras; ++camera)
+        images.push_back({photographName(side, camera, stop), side, camera, stop,
+                          rig.intrinsics[camera], rig.cameraFromPlate(camera, stop)});
+  if (Result<void> r = rig::writeCameras(folder / "cameras.json", images); !r) return r;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < sherds.size(); ++i) {
+    const VirtualSherd& s = sherds[i];
+    const std::string mesh = numbered("sherd%02d.ply", static_cast<int>(i));
+    if (Result<void> r = writePly(folder / mesh, s.mesh, "model"); !r) return r;
+    nlohmann::ordered_json group;
+    if (s.lookalike_group >= 0) group = s.lookalike_group;
+    const bool outer_up = (layout.front[i].linear() * Eigen::Vector3d::UnitZ()).z() > 0;
+    list.push_back(
+        {{"id", i},
+         {"mesh", mesh},
+         {"plate_from_model_front", toJson(layout.front[i])},
+         {"plate_from_model_back", toJson(layout.back[i])},
+         {"T_front_from_back", toJson(layout.front[i] * layout.back[i].inverse())},
+         {"lookalike_group", group},
+         {"kind", s.kind},
+         {"width_mm", rounded(s.width_mm, 10)},
+         {"wall_mm",
+          {rounded(s.wall_min_mm, 100), rounded(s.wall_mean_mm, 100), rounded(s.wall_max_mm, 100)}},
+         {"volume_mm3", rounded(s.volume_mm3, 1)},
+         {"outer_up_in_front", outer_up}});
+  }
+  return writeJson(folder / "sherds.json", {{"unit", "mm"}, {"sherds", list}});
+}
+
+}  // namespace ostraka::virtualrig

@@ -1,0 +1,221 @@
+#include "virtualrig/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cloud/nearest.h"
+#include "virtualrig/rest.h"
+
+namespace ostraka::virtualrig {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRoom = 124;  // mm from the axis: the markers' paper begins at 129
+constexpr double kGap = 4;     // mm between sherds
+
+// 1 mm cells of the plate that are taken, widened by the gap.
+class Occupancy {
+ public:
+  static constexpr int kSide = 2 * 140;
+  Occupancy() : taken_(kSide * kSide, 0) {}
+
+  bool fits(const std::vector<Eigen::Vector2d>& shape, const Eigen::Isometry2d& pose) const {
+    for (const Eigen::Vector2d& p : shape) {
+      const Eigen::Vector2d q = pose * p;
+      if (q.norm() > kRoom || taken_[index(q)]) return false;
+    }
+    return true;
+  }
+  void take(const std::vector<Eigen::Vector2d>& shape, const Eigen::Isometry2d& pose) {
+    const int reach = static_cast<int>(kGap);
+    for (const Eigen::Vector2d& p : shape) {
+      const Eigen::Vector2d q = pose * p;
+      for (int dy = -reach; dy <= reach; ++dy)
+        for (int dx = -reach; dx <= reach; ++dx)
+          if (dx * dx + dy * dy <= reach * reach) taken_[index(q + Eigen::Vector2d(dx, dy))] = 1;
+    }
+  }
+
+ private:
+  static std::size_t index(const Eigen::Vector2d& p) {
+    const int x = std::clamp(static_cast<int>(std::floor(p.x())) + kSide / 2, 0, kSide - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(p.y())) + kSide / 2, 0, kSide - 1);
+    return static_cast<std::size_t>(y) * kSide + x;
+  }
+  std::vector<char> taken_;
+};
+
+// One point per mm^2 of the sherd's shadow on the plate, in its rest pose.
+std::vector<Eigen::Vector2d> footprint(const VirtualSherd& sherd, const Eigen::Isometry3d& rest) {
+  std::vector<Eigen::Vector2i> cells;
+  for (const Eigen::Vector3f& v : sherd.mesh.vertices) {
+    const Eigen::Vector3d p = rest * v.cast<double>();
+    cells.emplace_back(static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y())));
+  }
+  const auto less = [](const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
+    return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
+  };
+  std::sort(cells.begin(), cells.end(), less);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  std::vector<Eigen::Vector2d> out;
+  for (const Eigen::Vector2i& c : cells)
+    out.push_back(c.cast<double>() + Eigen::Vector2d(0.5, 0.5));
+  return out;
+}
+
+Eigen::Isometry2d planar(double turn, const Eigen::Vector2d& shift) {
+  Eigen::Isometry2d pose = Eigen::Isometry2d::Identity();
+  pose.linear() = Eigen::Rotation2Dd(turn).toRotationMatrix();
+  pose.translation() = shift;
+  return pose;
+}
+
+Eigen::Isometry3d lifted(const Eigen::Isometry2d& pose) {
+  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
+  out.linear().topLeftCorner<2, 2>() = pose.linear();
+  out.translation().head<2>() = pose.translation();
+  return out;
+}
+
+// The turn about z that brings a rest pose nearest to a wanted orientation.
+double turnTowards(const Eigen::Matrix3d& wanted, const Eigen::Matrix3d& rest) {
+  const Eigen::Matrix3d m = wanted * rest.transpose();
+  return std::atan2(m(1, 0) - m(0, 1), m(0, 0) + m(1, 1));
+}
+
+Eigen::Vector2d inDisc(Random& random, double radius) {
+  const double r = radius * std::sqrt(random.uniform()), angle = random.uniform(0, 2 * kPi);
+  return {r * std::cos(angle), r * std::sin(angle)};
+}
+
+struct Piece {
+  Eigen::Isometry3d rest;
+  std::vector<Eigen::Vector2d> shape;
+};
+
+Piece laidDown(const VirtualSherd& sherd, const Eigen::Vector3d& up) {
+  const Eigen::Isometry3d rest = restPose(sherd.mesh, up);
+  return {rest, footprint(sherd, rest)};
+}
+
+// Slides a piece towards another one until their surfaces are a third of a millimetre apart.
+std::optional<Eigen::Isometry2d> against(const VirtualSherd& moving, const Piece& piece,
+                                         const VirtualSherd& other,
+                                         const Eigen::Isometry3d& other_pose, Random& random) {
+  std::vector<Eigen::Vector3f> points;
+  for (const Eigen::Vector3f& v : other.mesh.vertices)
+    points.push_back((other_pose * v.cast<double>()).cast<float>());
+  const KdTree tree(points);
+  const double from = random.uniform(0, 2 * kPi), turn = random.uniform(0, 2 * kPi);
+  const Eigen::Vector2d direction(std::cos(from), std::sin(from));
+  const Eigen::Vector2d target = other_pose.translation().head<2>();
+  double distance = 0.5 * (moving.width_mm + other.width_mm) + 30;
+  while (distance > 5) {
+    const Eigen::Isometry2d pose = planar(turn, target + distance * direction);
+    const Eigen::Isometry3d full = lifted(pose) * piece.rest;
+    float nearest = 900;
+    for (std::size_t i = 0; i < moving.mesh.vertices.size(); i += 3)
+      nearest = std::min(
+          nearest, tree.nearest((full * moving.mesh.vertices[i].cast<double>()).cast<float>(), 60)
+                       .squared_distance);
+    const double gap = std::sqrt(nearest);
+    if (gap < 0.35) return pose;  // vertices are half a millimetre apart: the surfaces touch
+    distance -= std::max(0.05, 0.9 * (gap - 0.3));
+  }
+  return std::nullopt;
+}
+
+class Arranger {
+ public:
+  Arranger(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options, Random& random)
+      : sherds_(sherds), options_(options), random_(random) {}
+
+  bool front(Layout& layout) {
+    Occupancy occupancy;
+    ups_.assign(sherds_.size(), 1);
+    layout.front.resize(sherds_.size());
+    for (std::size_t s = 0; s < sherds_.size(); ++s) {
+      ups_[s] = random_.chance(0.5) ? 1 : -1;
+      const Piece piece = laidDown(sherds_[s], Eigen::Vector3d(0, 0, ups_[s]));
+      std::optional<Eigen::Isometry2d> pose = placed(piece, s, layout.front, occupancy, [&](int) {
+        return planar(random_.uniform(0, 2 * kPi), inDisc(random_, kRoom - 10));
+      });
+      if (!pose) return false;
+      occupancy.take(piece.shape, *pose);
+      layout.front[s] = lifted(*pose) * piece.rest;
+    }
+    return true;
+  }
+
+  bool back(Layout& layout) {
+    Occupancy occupancy;
+    layout.back.resize(sherds_.size());
+    const Eigen::Matrix3d flip =
+        Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    for (std::size_t s = 0; s < sherds_.size(); ++s) {
+      const Piece piece = laidDown(sherds_[s], Eigen::Vector3d(0, 0, -ups_[s]));
+      const double kept = turnTowards(flip * layout.front[s].linear(), piece.rest.linear());
+      const Eigen::Vector3d c = flip * layout.front[s].translation();
+      std::optional<Eigen::Isometry2d> pose =
+          placed(piece, s, layout.back, occupancy, [&](int round) {
+            if (options_.scramble)
+              return planar(random_.uniform(0, 2 * kPi), inDisc(random_, kRoom - 10));
+            const double off = random_.uniform(3, 11 + 0.01 * round),
+                         way = random_.uniform(0, 2 * kPi);
+            return planar(kept + random_.uniform(-kPi / 6, kPi / 6),
+                          c.head<2>() + off * Eigen::Vector2d(std::cos(way), std::sin(way)));
+          });
+      if (!pose) return false;
+      occupancy.take(piece.shape, *pose);
+      layout.back[s] = lifted(*pose) * piece.rest;
+    }
+    return true;
+  }
+
+ private:
+  template <class Draw>
+  std::optional<Eigen::Isometry2d> placed(const Piece& piece, std::size_t s,
+                                          const std::vector<Eigen::Isometry3d>& laid,
+                                          const Occupancy& occupancy, const Draw& draw) {
+    const bool touches = s % 2 == 1 && static_cast<int>(s / 2) < options_.touching;
+    if (touches) {
+      for (int round = 0; round < 12; ++round) {
+        const auto pose = against(sherds_[s], piece, sherds_[s - 1], laid[s - 1], random_);
+        if (pose && insideRing(piece, *pose)) return pose;
+      }
+      return std::nullopt;
+    }
+    for (int round = 0; round < 3000; ++round) {
+      const Eigen::Isometry2d pose = draw(round);
+      if (occupancy.fits(piece.shape, pose)) return pose;
+    }
+    return std::nullopt;
+  }
+  static bool insideRing(const Piece& piece, const Eigen::Isometry2d& pose) {
+    return std::all_of(piece.shape.begin(), piece.shape.end(),
+                       [&](const Eigen::Vector2d& p) { return (pose * p).norm() < kRoom; });
+  }
+
+  const std::vector<VirtualSherd>& sherds_;
+  const SimulateOptions& options_;
+  Random& random_;
+  std::vector<int> ups_;
+};
+
+}  // namespace
+
+Result<Layout> layOut(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options,
+                      Random& random) {
+  for (int round = 0; round < 30; ++round) {
+    Layout layout;
+    Arranger arranger(sherds, options, random);
+    if (arranger.front(layout) && arranger.back(layout)) return layout;
+  }
+  return Error{ErrorCode::UnusableInput,
+               "The " + std::to_string(sherds.size()) +
+                   " sherds do not fit on the plate; ask for fewer, or for another seed.",
+               {}};
+}
+
+}  // namespace ostraka::virtualrig

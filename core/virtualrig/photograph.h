@@ -1,0 +1,63 @@
+#pragma once
+#include <opencv2/core.hpp>
+#include <optional>
+#include <stop_token>
+
+#include "rig/camera.h"
+#include "virtualrig/room.h"
+
+namespace ostraka::virtualrig {
+
+/// What lens and sensor do to the light.
+struct Sensor {
+  double blur_px = 0.62;          ///< standard deviation of the lens's blur
+  double sampling_noise = 0.055;  ///< relative, per pixel and before the blur: the clay's glitter
+  double shot_noise = 4e-5;       ///< variance per brightness: 1.4 % at a brightness of 0.2
+  double read_noise = 0.0012;     ///< standard deviation, of full scale
+  double vignette = 0.2;          ///< light lost in the corners
+};
+
+/// A camera with the direction of each pixel, computed once.
+class LensRays {
+ public:
+  explicit LensRays(const rig::Intrinsics& intrinsics);
+  const rig::Intrinsics& intrinsics() const { return intrinsics_; }
+  /// (x/z, y/z) of a pixel, and of a place beside it by less than a pixel.
+  Eigen::Vector2f at(int x, int y) const {
+    return rays_[static_cast<std::size_t>(y) * intrinsics_.width + x];
+  }
+  Eigen::Vector2f at(int x, int y, float dx, float dy) const {
+    return at(x, y) + Eigen::Vector2f(dx / static_cast<float>(intrinsics_.fx),
+                                      dy / static_cast<float>(intrinsics_.fy));
+  }
+
+ private:
+  rig::Intrinsics intrinsics_;
+  std::vector<Eigen::Vector2f> rays_;
+};
+
+struct View {
+  const Scene& scene;
+  const Room& room_plate;
+  const LightField& light;
+  const AmbientField& ambient;
+  const PlateSurface& plate;
+  Eigen::Isometry3d camera_from_plate;
+  double plate_angle_rad = 0;           ///< the room seems turned back by it
+  std::optional<Eigen::Vector2f> hand;  ///< plate frame, mm: a hand keeps the light off around here
+};
+
+struct Photograph {
+  cv::Mat image;   ///< 8-bit blue, green, red, sRGB
+  cv::Mat labels;  ///< 8-bit: 0 none, i + 1 where sherd i covers more than half of the pixel
+};
+
+/// Ray casting with 4 samples a pixel, 16 where they disagree. Stopped early: incomplete.
+Photograph photograph(const View& view, const LensRays& lens, const Sensor& sensor,
+                      std::uint64_t seed, std::stop_token stop);
+/// The calibration board in even light before a grey wall.
+cv::Mat photographBoard(const BoardSurface& board, const LensRays& lens,
+                        const Eigen::Isometry3d& camera_from_board, const Sensor& sensor,
+                        std::uint64_t seed);
+
+}  // namespace ostraka::virtualrig

@@ -1,0 +1,230 @@
+#include "virtualrig/room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.h"
+
+namespace ostraka::virtualrig {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr float kLift = 0.03f;   // mm off the surface, so that a ray does not meet its own triangle
+constexpr int kShadowSide = 5;   // 5 x 5 strata a light: penumbras within 3 %
+constexpr int kAmbientSide = 6;  // 6 x 6 directions
+
+double unit(std::uint64_t h, int part) {
+  return static_cast<double>((h >> (16 * part)) & 0xFFFF) / 65536.0;
+}
+
+Light softbox(double azimuth, double elevation, double distance, double half_width,
+              double half_height, const Eigen::Vector3f& strength) {
+  const Eigen::Vector3d to(std::cos(azimuth) * std::cos(elevation),
+                           std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
+  const Eigen::Vector3d u = Eigen::Vector3d::UnitZ().cross(to).normalized();
+  return {distance * to, half_width * u, half_height * to.cross(u), strength};
+}
+
+// Share of each light seen from p, by strata shifted together by a hash of the point.
+LightField::Shares seenShares(const Scene& scene, const Room& room, const Eigen::Vector3f& p,
+                              const Eigen::Vector3f& normal, std::uint64_t hash) {
+  LightField::Shares shares{};
+  for (int l = 0; l < kLights; ++l) {
+    const Light& light = room.lights[l];
+    const Eigen::Vector3f to_centre = light.centre.cast<float>() - p;
+    const float spread = static_cast<float>(light.half_u.norm() + light.half_v.norm());
+    if (normal.dot(to_centre) < -spread) continue;  // wholly behind
+    const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(l));
+    int seen = 0;
+    for (int i = 0; i < kShadowSide * kShadowSide; ++i) {
+      double a = (i % kShadowSide + unit(h, 0)) / kShadowSide,
+             b = (i / kShadowSide + unit(h, 1)) / kShadowSide;
+      const Eigen::Vector3d q =
+          light.centre + (2 * a - 1) * light.half_u + (2 * b - 1) * light.half_v;
+      const Eigen::Vector3f d = q.cast<float>() - p;
+      if (!scene.blocked(p, d, 1.f)) ++seen;
+    }
+    shares[l] = static_cast<float>(seen) / (kShadowSide * kShadowSide);
+  }
+  return shares;
+}
+
+struct AmbientSource {
+  const Scene& scene;
+  const Room& room;
+  Eigen::Vector3f plate_albedo;
+
+  Eigen::Vector3f openPlate() const {
+    return room.sky +
+           directLight(room, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), {1, 1, 1});
+  }
+  // Irradiance from the hemisphere: the sky is brighter overhead (1 + 2 cos, CIE overcast, divided
+  // by its mean over a horizontal element); what is hit sends back a share of the open light.
+  Eigen::Vector3f gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
+                         std::uint64_t hash) const {
+    const Eigen::Vector3f u = normal.unitOrthogonal(), v = normal.cross(u);
+    const Eigen::Vector3f open = openPlate();
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int i = 0; i < kAmbientSide * kAmbientSide; ++i) {
+      const double a = (i % kAmbientSide + unit(hash, 0)) / kAmbientSide;
+      const double b = (i / kAmbientSide + unit(hash, 1)) / kAmbientSide;
+      const auto radius = static_cast<float>(std::sqrt(a)),
+                 height = static_cast<float>(std::sqrt(1 - a));
+      const auto angle = static_cast<float>(2 * kPi * b);
+      const Eigen::Vector3f d =
+          radius * (std::cos(angle) * u + std::sin(angle) * v) + height * normal;
+      const Scene::Hit hit = scene.nearest(p, d);
+      if (hit.sherd >= 0)
+        sum += 0.4f * scene.sherds()[hit.sherd].clay.body.cwiseProduct(open);
+      else if (d.z() > 0)
+        sum += (1 + 2 * d.z()) * 3 / 7 * room.sky;
+      else
+        sum += 0.7f * plate_albedo.cwiseProduct(open);  // partly shadowed by the sherd itself
+    }
+    return sum / (kAmbientSide * kAmbientSide);
+  }
+};
+
+// Cells of the plate near enough to a sherd for it to shade them or to take sky from them.
+std::vector<char> nearSherds(const Scene& scene) {
+  constexpr int n = LightField::kGrid;
+  std::vector<char> close(static_cast<std::size_t>(n) * n, 0);
+  for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& p : scene.vertices(static_cast<int>(s))) box.extend(p);
+    const float reach =
+        3.f * box.max().z() + 3;  // lights stand above 24 degrees even at their edge
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) {
+        const Eigen::Vector2f p(static_cast<float>(x - n / 2), static_cast<float>(y - n / 2));
+        const Eigen::Vector2f q = p.cwiseMax(box.min().head<2>()).cwiseMin(box.max().head<2>());
+        if ((p - q).norm() < reach) close[static_cast<std::size_t>(y) * n + x] = 1;
+      }
+  }
+  return close;
+}
+
+constexpr std::size_t kBlock = 512;  // vertices or cells a task
+
+template <class Body>
+void overBlocks(std::size_t count, int threads, const Body& body) {
+  parallelFor((count + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
+    for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) body(i);
+  });
+}
+
+}  // namespace
+
+Room makeRoom(Random& random) {
+  Room room;
+  const double key = random.uniform(0, 2 * kPi);
+  const auto warm = [&](double strength) {
+    const auto t = static_cast<float>(random.uniform(-0.03, 0.03)),
+               s = static_cast<float>(strength);
+    return Eigen::Vector3f(s * (1 + t), s, s * (1 - t));
+  };
+  room.lights[0] = softbox(key, random.uniform(0.75, 1.0), 750, 190, 150, warm(0.52));
+  room.lights[1] = softbox(key + random.uniform(1.7, 2.4), random.uniform(0.65, 0.85), 800, 220,
+                           150, warm(0.28));
+  room.lights[2] =
+      softbox(key - random.uniform(1.5, 2.3), random.uniform(0.7, 1.1), 900, 150, 200, warm(0.18));
+  room.sky = warm(0.22);
+  return room;
+}
+
+Room turned(const Room& room, double plate_angle_rad) {
+  const Eigen::AngleAxisd turn(-plate_angle_rad, Eigen::Vector3d::UnitZ());
+  Room out = room;
+  for (Light& l : out.lights) {
+    l.centre = turn * l.centre;
+    l.half_u = turn * l.half_u;
+    l.half_v = turn * l.half_v;
+  }
+  return out;
+}
+
+LightField castShadows(const Scene& scene, const Room& room, std::uint64_t seed, int threads) {
+  LightField field;
+  for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
+    const auto& points = scene.vertices(static_cast<int>(s));
+    const auto& normals = scene.normals(static_cast<int>(s));
+    field.vertices.emplace_back(points.size());
+    overBlocks(points.size(), threads, [&](std::size_t i) {
+      field.vertices[s][i] =
+          seenShares(scene, room, points[i] + kLift * normals[i], normals[i], mixed(seed + s, i));
+    });
+  }
+  constexpr int n = LightField::kGrid;
+  const std::vector<char> close = nearSherds(scene);
+  field.plate.assign(static_cast<std::size_t>(n) * n, {1, 1, 1});
+  overBlocks(field.plate.size(), threads, [&](std::size_t i) {
+    if (!close[i]) return;
+    const Eigen::Vector3f p(static_cast<float>(static_cast<int>(i % n) - n / 2),
+                            static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
+    field.plate[i] = seenShares(scene, room, p, Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
+  });
+  return field;
+}
+
+AmbientField gatherAmbient(const Scene& scene, const Room& room, const PlateSurface& plate,
+                           std::uint64_t seed, int threads) {
+  const AmbientSource source{scene, room, plate.felt()};
+  AmbientField field;
+  for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
+    const auto& points = scene.vertices(static_cast<int>(s));
+    const auto& normals = scene.normals(static_cast<int>(s));
+    field.vertices.emplace_back(points.size());
+    overBlocks(points.size(), threads, [&](std::size_t i) {
+      field.vertices[s][i] =
+          source.gather(points[i] + kLift * normals[i], normals[i], mixed(seed + s, i));
+    });
+  }
+  constexpr int n = LightField::kGrid;
+  const std::vector<char> close = nearSherds(scene);
+  field.plate.assign(static_cast<std::size_t>(n) * n, room.sky);
+  overBlocks(field.plate.size(), threads, [&](std::size_t i) {
+    if (!close[i]) return;
+    const Eigen::Vector3f p(static_cast<float>(static_cast<int>(i % n) - n / 2),
+                            static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
+    field.plate[i] = source.gather(p, Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
+  });
+  return field;
+}
+
+Eigen::Vector3f directLight(const Room& room, const Eigen::Vector3f& p,
+                            const Eigen::Vector3f& normal, const LightField::Shares& shares) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (int l = 0; l < kLights; ++l) {
+    if (shares[l] == 0) continue;
+    const Eigen::Vector3f centre = room.lights[l].centre.cast<float>();
+    const Eigen::Vector3f d = centre - p;
+    const float square = d.squaredNorm(), cosine = normal.dot(d) / std::sqrt(square);
+    // A light of angular radius asin(w) sets over a horizon of 2 w instead of at once.
+    constexpr float w = 0.2f;
+    const float facing = cosine > w    ? cosine
+                         : cosine < -w ? 0.f
+                                       : (cosine + w) * (cosine + w) / (4 * w);
+    sum += room.lights[l].strength * (shares[l] * facing * centre.squaredNorm() / square);
+  }
+  return sum;
+}
+
+void plateLight(const LightField& field, const AmbientField& ambient, const Eigen::Vector2f& p,
+                LightField::Shares& shares, Eigen::Vector3f& irradiance) {
+  constexpr int n = LightField::kGrid;
+  const float x = std::clamp(p.x() + n / 2, 0.f, n - 1.001f),
+              y = std::clamp(p.y() + n / 2, 0.f, n - 1.001f);
+  const int i = static_cast<int>(x), j = static_cast<int>(y);
+  const float u = x - static_cast<float>(i), v = y - static_cast<float>(j);
+  shares = {};
+  irradiance.setZero();
+  for (int k = 0; k < 4; ++k) {
+    const float weight = ((k & 1) ? u : 1 - u) * ((k >> 1) ? v : 1 - v);
+    const std::size_t at = static_cast<std::size_t>(j + (k >> 1)) * n + i + (k & 1);
+    for (int l = 0; l < kLights; ++l) shares[l] += weight * field.plate[at][l];
+    irradiance += weight * ambient.plate[at];
+  }
+}
+
+}  // namespace ostraka::virtualrig

@@ -1,0 +1,47 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "virtualrig/sherd.h"
+
+namespace ostraka::virtualrig {
+
+/// Sherds as they lie on one side of a batch, ready for rays. Everything in the plate's frame, mm.
+class Scene {
+ public:
+  struct Hit {
+    int sherd = -1;  ///< -1: nothing
+    int triangle = 0;
+    float u = 0, v = 0;  ///< weights of the triangle's second and third corner
+    float distance = 0;
+  };
+
+  /// plate_from_model: one pose per sherd.
+  Scene(const std::vector<VirtualSherd>& sherds,
+        const std::vector<Eigen::Isometry3d>& plate_from_model);
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  Hit nearest(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
+  /// Anything within `reach` times the direction's length.
+  bool blocked(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float reach) const;
+
+  const std::vector<VirtualSherd>& sherds() const { return sherds_; }
+  const std::vector<Eigen::Vector3f>& vertices(int sherd) const { return vertices_[sherd]; }
+  const std::vector<Eigen::Vector3f>& normals(int sherd) const { return normals_[sherd]; }
+  const Eigen::Isometry3d& pose(int sherd) const { return poses_[sherd]; }
+
+ private:
+  struct Tracer;
+  const std::vector<VirtualSherd>& sherds_;
+  std::vector<Eigen::Isometry3d> poses_;
+  std::vector<std::vector<Eigen::Vector3f>> vertices_, normals_;
+  std::unique_ptr<Tracer> tracer_;
+};
+
+/// Unit normals per vertex, weighted by the triangles' areas.
+std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh);
+
+}  // namespace ostraka::virtualrig

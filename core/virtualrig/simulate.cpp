@@ -1,0 +1,258 @@
+#include "virtualrig/simulate.h"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "base/parallel.h"
+#include "virtualrig/batch_files.h"
+#include "virtualrig/photograph.h"
+
+namespace ostraka::virtualrig {
+namespace {
+
+// What a fault does to one photograph.
+struct Mishap {
+  bool missing = false;
+  double kept_share = 1;
+  double extra_blur_px = 0;
+  std::optional<Eigen::Vector2f> hand;
+};
+
+Mishap mishapOf(const SimulateOptions& options, batch::Side side, int camera, int stop) {
+  Mishap m;
+  if (!options.fault) return m;
+  const bool front = side == batch::Side::Front;
+  switch (*options.fault) {
+    case Fault::Blur:
+      if (front && camera == 1 && stop >= 2 && stop <= 4)
+        m.extra_blur_px = 3.2 * options.width / 1600.0;
+      break;
+    case Fault::Missing:
+      m.missing = (front && camera == 0 && stop == 1) || (front && camera == 2 && stop == 3) ||
+                  (!front && camera == 1 && stop == 2);
+      break;
+    case Fault::Shadow:
+      if (front && stop == 2)
+        m.hand = Eigen::Vector2f(40.f - 30.f * static_cast<float>(camera), 35.f);
+      break;
+    case Fault::Truncated:
+      if (front && camera == 2 && stop == 1) m.kept_share = 0.45;
+      if (!front && camera == 0 && stop == 3) m.kept_share = 0.7;
+      break;
+    case Fault::Moved:
+    case Fault::Covered:
+      break;
+  }
+  return m;
+}
+
+// First error of many parallel writers, and progress from the stage's own thread.
+class Report {
+ public:
+  Report(Progress& progress, std::int64_t total) : progress_(progress), total_(total) {}
+  void done(const Result<void>& result) {
+    if (!result) {
+      const std::lock_guard lock(guard_);
+      if (error_.what.empty()) error_ = result.error();
+    }
+    const std::int64_t now = ++done_;
+    if (std::this_thread::get_id() == owner_) progress_.report(now, total_);
+  }
+  bool failed() const {
+    const std::lock_guard lock(guard_);
+    return !error_.what.empty();
+  }
+  Result<void> result() const { return failed() ? Result<void>(error_) : Result<void>(); }
+
+ private:
+  Progress& progress_;
+  std::int64_t total_;
+  std::atomic<std::int64_t> done_{0};
+  std::thread::id owner_ = std::this_thread::get_id();
+  mutable std::mutex guard_;
+  Error error_;
+};
+
+class Studio {
+ public:
+  Studio(const SimulateOptions& options, const VirtualRig& rig, const Room& room,
+         const PlateSurface& plate, std::stop_token stop, Report& report)
+      : options_(options),
+        rig_(rig),
+        room_(room),
+        plate_(plate),
+        stop_(std::move(stop)),
+        report_(report) {
+    for (const rig::Intrinsics& k : rig.intrinsics) lenses_.emplace_back(k);
+  }
+
+  // The stops [first, last) of one side, with the sherds lying as given.
+  void shootStops(const std::vector<VirtualSherd>& sherds,
+                  const std::vector<Eigen::Isometry3d>& poses, batch::Side side, int first,
+                  int last) {
+    const Scene scene(sherds, poses);
+    const std::uint64_t seed = mixed(options_.seed, side == batch::Side::Front ? 101 : 102);
+    const AmbientField ambient = gatherAmbient(scene, room_, plate_, seed, options_.threads);
+    std::vector<Room> rooms;
+    std::vector<LightField> fields;
+    for (int s = first; s < last && !stop_.stop_requested(); ++s) {
+      rooms.push_back(turned(room_, rig_.angles_rad[s]));
+      fields.push_back(castShadows(scene, rooms.back(), mixed(seed, s), options_.threads));
+    }
+    if (stop_.stop_requested()) return;
+    parallelFor(
+        static_cast<std::size_t>((last - first) * kCameras), options_.threads, [&](std::size_t i) {
+          const int s = static_cast<int>(i) / kCameras, camera = static_cast<int>(i) % kCameras;
+          if (stop_.stop_requested() || report_.failed()) return;
+          const View view{scene,
+                          rooms[s],
+                          fields[s],
+                          ambient,
+                          plate_,
+                          rig_.cameraFromPlate(camera, first + s),
+                          rig_.angles_rad[first + s],
+                          {}};
+          report_.done(shoot(view, side, camera, first + s));
+        });
+  }
+
+  void shootEmptyPlate() {
+    const std::vector<VirtualSherd> none;
+    const Scene scene(none, {});
+    const AmbientField ambient =
+        gatherAmbient(scene, room_, plate_, options_.seed, options_.threads);
+    const LightField field = castShadows(scene, room_, options_.seed, options_.threads);
+    parallelFor(kCameras, options_.threads, [&](std::size_t c) {
+      const int camera = static_cast<int>(c);
+      const View view{scene, room_, field, ambient, plate_, rig_.cameraFromPlate(camera, 0), 0, {}};
+      const Photograph shot =
+          photograph(view, lenses_[c], sensor_, mixed(options_.seed, 7000 + c), stop_);
+      report_.done(writeJpeg(options_.output / "calib" / ("empty_cam" + std::to_string(c) + ".jpg"),
+                             shot.image));
+    });
+  }
+
+  void shootBoards() {
+    Random random(mixed(options_.seed, 5));
+    std::vector<std::vector<Eigen::Isometry3d>> poses;
+    for (const rig::Intrinsics& k : rig_.intrinsics) poses.push_back(boardPoses(k, random));
+    const BoardSurface board;
+    parallelFor(kCameras * poses[0].size(), options_.threads, [&](std::size_t i) {
+      if (stop_.stop_requested() || report_.failed()) return;
+      const std::size_t camera = i / poses[0].size(), n = i % poses[0].size();
+      const cv::Mat image = photographBoard(board, lenses_[camera], poses[camera][n], sensor_,
+                                            mixed(options_.seed, 8000 + i));
+      const std::string file = "cam" + std::to_string(camera) + "_cal" + (n < 10 ? "0" : "") +
+                               std::to_string(n) + ".jpg";
+      report_.done(writeJpeg(options_.output / "calib" / file, image));
+    });
+  }
+
+ private:
+  Result<void> shoot(View view, batch::Side side, int camera, int stop_index) const {
+    const Mishap mishap = mishapOf(options_, side, camera, stop_index);
+    Sensor sensor = sensor_;
+    sensor.blur_px = std::hypot(sensor.blur_px, mishap.extra_blur_px);
+    view.hand = mishap.hand;
+    const auto id = static_cast<std::uint64_t>((side == batch::Side::Front ? 0 : 1000) +
+                                               stop_index * kCameras + camera);
+    const Photograph shot = photograph(view, lenses_[static_cast<std::size_t>(camera)], sensor,
+                                       mixed(options_.seed, 9000 + id), stop_);
+    if (stop_.stop_requested()) return Error::cancelled();
+    const std::string file = photographName(side, camera, stop_index);
+    std::string mask = file.substr(0, file.size() - 4) + ".png";
+    mask[mask.find('/')] = '_';
+    if (Result<void> r = writePng(options_.output / "truth" / "masks" / mask, shot.labels); !r)
+      return r;
+    if (mishap.missing) return {};
+    return writeJpeg(options_.output / file, shot.image, mishap.kept_share);
+  }
+
+  const SimulateOptions& options_;
+  const VirtualRig& rig_;
+  const Room& room_;
+  const PlateSurface& plate_;
+  std::stop_token stop_;
+  Report& report_;
+  Sensor sensor_;
+  std::vector<LensRays> lenses_;
+};
+
+// A push of the first sherd by 4 mm and 6 degrees about its own middle.
+std::vector<Eigen::Isometry3d> pushed(std::vector<Eigen::Isometry3d> poses) {
+  Eigen::Isometry3d& pose = poses.front();
+  const Eigen::Vector3d at = pose.translation();
+  pose.linear() =
+      Eigen::AngleAxisd(0.105, Eigen::Vector3d::UnitZ()).toRotationMatrix() * pose.linear();
+  pose.translation() = at - 4 * Eigen::Vector3d(at.x(), at.y(), 0).normalized();
+  return poses;
+}
+
+}  // namespace
+
+std::optional<Fault> faultFromName(std::string_view name) {
+  if (name == "blur") return Fault::Blur;
+  if (name == "missing") return Fault::Missing;
+  if (name == "moved") return Fault::Moved;
+  if (name == "covered") return Fault::Covered;
+  if (name == "shadow") return Fault::Shadow;
+  if (name == "truncated") return Fault::Truncated;
+  return std::nullopt;
+}
+
+std::optional<PlateColor> plateColorFromName(std::string_view name) {
+  if (name == "dark") return PlateColor::Dark;
+  if (name == "grey") return PlateColor::Grey;
+  return std::nullopt;
+}
+
+Result<void> SimulateOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (sherds < 1 || sherds > 40) return bad("sherds must lie between 1 and 40.");
+  if (width < 160 || width > 8192 || width % 4 != 0)
+    return bad("width must lie between 160 and 8192 pixels and be divisible by 4.");
+  if (output.empty()) return bad("output must name a folder.");
+  if (stops < 4 || stops > 72) return bad("stops must lie between 4 and 72.");
+  if (lookalikes < 0 || 2 * lookalikes > sherds)
+    return bad("lookalikes are groups of two: at most half the number of sherds.");
+  if (touching < 0 || 2 * touching > sherds)
+    return bad("touching counts pairs: at most half the number of sherds.");
+  return {};
+}
+
+Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
+                           std::stop_token stop) {
+  if (Result<void> r = options.check(); !r) return r;
+  const Result<std::vector<VirtualSherd>> sherds = makeSherds(options);
+  if (!sherds) return sherds.error();
+  Random layout_random(mixed(options.seed, 2)), rig_random(mixed(options.seed, 3)),
+      room_random(mixed(options.seed, 4));
+  const Result<Layout> layout = layOut(*sherds, options, layout_random);
+  if (!layout) return layout.error();
+  if (stop.stop_requested()) return Error::cancelled();
+  const VirtualRig rig = makeRig(options.width, options.stops, rig_random);
+  const Room room = makeRoom(room_random);
+  progress.note(NoteLevel::Info,
+                "virtualrig: " + std::to_string(sherds->size()) + " sherds made and laid down");
+  if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
+  if (Result<void> r = writeTruth(options.output / "truth", *sherds, *layout, rig); !r) return r;
+
+  Report report(progress, 2 * kCameras * options.stops + kCameras + 12 * kCameras);
+  PlateSurface plate(options.plate, options.seed);
+  PlateSurface covered = plate;
+  if (options.fault == Fault::Covered) covered.coverMarkers(8);
+  Studio front(options, rig, room, covered, stop, report);
+  const int push = options.fault == Fault::Moved ? options.stops / 2 : options.stops;
+  front.shootStops(*sherds, layout->front, batch::Side::Front, 0, push);
+  if (push < options.stops)
+    front.shootStops(*sherds, pushed(layout->front), batch::Side::Front, push, options.stops);
+  Studio studio(options, rig, room, plate, stop, report);
+  studio.shootStops(*sherds, layout->back, batch::Side::Back, 0, options.stops);
+  studio.shootEmptyPlate();
+  studio.shootBoards();
+  if (stop.stop_requested()) return Error::cancelled();
+  return report.result();
+}
+
+}  // namespace ostraka::virtualrig

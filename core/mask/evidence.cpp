@@ -133,7 +133,10 @@ Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const R
       // ratio of two variances over the window's eight independent samples). Smooth clay leaves
       // none, so a lack of texture says nothing.
       const float ratio = texture(y, x) / (noise.texture * (gain + edge * edge / var_noise));
-      odds += std::clamp(0.5F * 8 * (ratio * (1 - 1 / 6.F) - std::log(6.F)), 0.F, 4.F);
+      const float grain = std::clamp(0.5F * 8 * (ratio * (1 - 1 / 6.F) - std::log(6.F)), 0.F, 4.F);
+      // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
+      // own.
+      odds += grain * std::clamp(2 - darker / 3, 0.F, 1.F);
       evidence.log_odds(y, x) = std::clamp(odds, -8.F, 8.F);
       const float chi = chi_c / 9 + g * g / (9 * (var_g + 0.0025F));
       evidence.clear(y, x) = odds < -2 ? std::exp(-0.5F * chi * chi) : 0.F;

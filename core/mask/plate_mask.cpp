@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/parallel.h"
+#include "mask/colour_model.h"
 #include "mask/evidence.h"
 #include "mask/hull.h"
 #include "mask/outline.h"
@@ -200,6 +201,7 @@ class PlateMasker {
     const double mm = millimetresPerPixel(images_[index]);
     const double sine = std::abs(images_[index].centre().normalized().z());
     cut_options.min_area_px = options_.min_sherd_area_mm2 * sine / (mm * mm);
+    sharpenByColours(logColours(photographs_[index]), wide, view.log_odds);
     const cv::Mat1b cut = cutOutline(view.log_odds, wide, view.residual, cut_options);
     result_.masks[index] = softenOutline(cut, photographs_[index]);
     view = {};

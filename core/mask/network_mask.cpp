@@ -1,0 +1,212 @@
+#include "mask/network_mask.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/dnn.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files.h"
+
+namespace ostraka::mask {
+namespace {
+
+/// One field of a protocol buffer message: a number, or a run of bytes.
+struct Field {
+  std::uint32_t number = 0;
+  std::uint64_t value = 0;
+  std::string_view bytes;
+};
+
+std::optional<std::uint64_t> readVarint(std::string_view& text) {
+  std::uint64_t value = 0;
+  for (int shift = 0; shift < 64 && !text.empty(); shift += 7) {
+    const auto byte = static_cast<unsigned char>(text.front());
+    text.remove_prefix(1);
+    value |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
+    if ((byte & 0x80) == 0) return value;
+  }
+  return std::nullopt;
+}
+
+// The message's fields in order; stops at the first that is broken.
+std::vector<Field> fieldsOf(std::string_view text) {
+  std::vector<Field> fields;
+  while (!text.empty()) {
+    const auto key = readVarint(text);
+    if (!key) break;
+    Field field{static_cast<std::uint32_t>(*key >> 3), 0, {}};
+    std::size_t length = 0;
+    switch (*key & 7) {
+      case 0: {
+        const auto value = readVarint(text);
+        if (!value) return fields;
+        field.value = *value;
+        break;
+      }
+      case 1:
+        length = 8;
+        break;
+      case 5:
+        length = 4;
+        break;
+      case 2: {
+        const auto size = readVarint(text);
+        if (!size || *size > text.size()) return fields;
+        length = static_cast<std::size_t>(*size);
+        break;
+      }
+      default:
+        return fields;
+    }
+    if (length > text.size()) return fields;
+    field.bytes = text.substr(0, length);
+    text.remove_prefix(length);
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+/// Shape of the model's image input; -1 where it is free.
+using InputShape = std::vector<std::int64_t>;
+
+// ONNX: ModelProto.graph = 7; GraphProto.initializer = 5, input = 11; TensorProto.name = 8;
+// ValueInfoProto.name = 1, type = 2; TypeProto.tensor_type = 1; Tensor.shape = 2; dim = 1; value
+// = 1.
+std::optional<InputShape> inputShapeOf(std::string_view model) {
+  for (const Field& graph : fieldsOf(model)) {
+    if (graph.number != 7) continue;
+    std::set<std::string_view> weights;
+    for (const Field& tensor : fieldsOf(graph.bytes))
+      if (tensor.number == 5)
+        for (const Field& part : fieldsOf(tensor.bytes))
+          if (part.number == 8) weights.insert(part.bytes);
+    for (const Field& input : fieldsOf(graph.bytes)) {
+      if (input.number != 11) continue;
+      std::string_view name;
+      InputShape shape;
+      for (const Field& part : fieldsOf(input.bytes)) {
+        if (part.number == 1) name = part.bytes;
+        if (part.number != 2) continue;
+        for (const Field& type : fieldsOf(part.bytes))
+          for (const Field& tensor : fieldsOf(type.bytes)) {
+            if (type.number != 1 || tensor.number != 2) continue;
+            for (const Field& dim : fieldsOf(tensor.bytes)) {
+              std::int64_t size = -1;
+              for (const Field& value : fieldsOf(dim.bytes))
+                if (value.number == 1) size = static_cast<std::int64_t>(value.value);
+              shape.push_back(size > 0 ? size : -1);
+            }
+          }
+      }
+      if (!weights.contains(name)) return shape;
+    }
+  }
+  return std::nullopt;
+}
+
+Error unusable(const std::filesystem::path& onnx, const std::string& what) {
+  return {ErrorCode::UnusableInput,
+          what +
+              "; expected an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or "
+              "1 x 2 x h x w.",
+          onnx.string()};
+}
+
+cv::Size inputSize(const InputShape& shape, const cv::Mat& photograph,
+                   const NetworkMaskOptions& options) {
+  const double scale = std::min(
+      1.0, static_cast<double>(options.free_input_px) / std::max(photograph.cols, photograph.rows));
+  const auto free = [&](int length) {
+    const int multiple = options.size_multiple_px;
+    return std::max(multiple, multiple * static_cast<int>(std::lround(length * scale / multiple)));
+  };
+  return {shape[3] > 0 ? static_cast<int>(shape[3]) : free(photograph.cols),
+          shape[2] > 0 ? static_cast<int>(shape[2]) : free(photograph.rows)};
+}
+
+cv::Mat pictureBlob(const cv::Mat& photograph, cv::Size size, const NetworkMaskOptions& options) {
+  cv::Mat small, rgb;
+  cv::resize(photograph, small, size, 0, 0,
+             size.width < photograph.cols ? cv::INTER_AREA : cv::INTER_LINEAR);
+  cv::cvtColor(small, rgb, cv::COLOR_BGR2RGB);
+  rgb.convertTo(rgb, CV_32FC3, 1 / 255.0);
+  for (cv::Vec3f& colour : cv::Mat_<cv::Vec3f>(rgb))
+    for (int k = 0; k < 3; ++k)
+      colour[k] = static_cast<float>((colour[k] - options.mean[k]) / options.deviation[k]);
+  return cv::dnn::blobFromImage(rgb);
+}
+
+// Probability of sherd from one or two channels of the network's output.
+cv::Mat1f probabilityOf(const cv::Mat& output, NetworkOutput kind) {
+  const int channels = output.size[1], rows = output.size[2], columns = output.size[3];
+  cv::Mat first(rows, columns, CV_32F, const_cast<float*>(output.ptr<float>(0, 0)));
+  cv::Mat1f sherd = first.clone();
+  double least = 0, most = 0;
+  cv::minMaxLoc(output.reshape(1, 1), &least, &most);
+  const bool logits = kind == NetworkOutput::Logit ||
+                      (kind == NetworkOutput::Auto && (least < -1e-4 || most > 1 + 1e-4));
+  if (channels == 2) {
+    const cv::Mat second(rows, columns, CV_32F, const_cast<float*>(output.ptr<float>(0, 1)));
+    if (!logits) return second.clone();
+    sherd = second - first;  // a softmax of two is the logistic function of the difference
+  }
+  if (logits)
+    for (float& v : sherd) v = 1 / (1 + std::exp(-v));
+  return sherd;
+}
+
+}  // namespace
+
+Result<void> NetworkMaskOptions::check() const {
+  for (const double d : deviation)
+    if (!(d > 0)) return Error{ErrorCode::UnusableInput, "deviation must be above 0.", {}};
+  if (free_input_px < 32 || free_input_px > 8192)
+    return Error{ErrorCode::UnusableInput, "free_input_px must be within 32 and 8192.", {}};
+  if (size_multiple_px < 1 || size_multiple_px > 256)
+    return Error{ErrorCode::UnusableInput, "size_multiple_px must be within 1 and 256.", {}};
+  return {};
+}
+
+Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx,
+                                const NetworkMaskOptions& options) {
+  if (const Result<void> ok = options.check(); !ok) return ok.error();
+  if (photograph.type() != CV_8UC3 || photograph.empty())
+    return Error{ErrorCode::UnusableInput, "The network needs a colour photograph of 8 bits.", {}};
+  const Result<std::string> model = readFile(onnx);
+  if (!model) return model.error();
+  const std::optional<InputShape> shape = inputShapeOf(*model);
+  if (!shape || shape->size() != 4) return unusable(onnx, "The network has no picture as input");
+  if ((*shape)[1] > 0 && (*shape)[1] != 3)
+    return unusable(onnx, "The network takes " + std::to_string((*shape)[1]) + " channels");
+  const cv::Size size = inputSize(*shape, photograph, options);
+  if (size.width > 8192 || size.height > 8192)
+    return unusable(onnx, "The network's input is larger than 8192 pixels");
+  cv::Mat output;
+  try {
+    cv::dnn::Net net = cv::dnn::readNetFromONNX(model->data(), model->size());
+    net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    net.setInput(pictureBlob(photograph, size, options));
+    output = net.forward();
+  } catch (const cv::Exception& problem) {
+    return unusable(onnx, "The network cannot be run (" + problem.err + ")");
+  }
+  if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
+      output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
+    return unusable(onnx, "The network's output has another form");
+  if (!cv::checkRange(output.reshape(1, 1)))
+    return unusable(onnx, "The network's output holds numbers that are not finite");
+  cv::Mat1f sherd;
+  cv::resize(probabilityOf(output, options.output), sherd, photograph.size(), 0, 0,
+             cv::INTER_LINEAR);
+  cv::Mat1b mask;
+  sherd.convertTo(mask, CV_8U, 255);
+  return mask;
+}
+
+}  // namespace ostraka::mask

@@ -303,7 +303,7 @@ class Poser {
       ratios.push_back(std::abs(r.x()));
       ratios.push_back(std::abs(r.y()));
     }
-    return std::max(0.5, 1.4826 * median(ratios));
+    return std::max(0.2, 1.4826 * median(ratios));
   }
 
   double markerError(std::size_t shot, const PlacedMarker& marker) const {

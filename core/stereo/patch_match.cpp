@@ -57,7 +57,11 @@ class Judge {
     return cutWindow(frame_, pixel.x, pixel.y, options_.window, window_);
   }
   const Eigen::Vector3f& ray() const { return ray_; }
+  /// Sources as bits; those not in the set are left aside from now on.
+  void use(std::uint32_t sources) { active_ = sources; }
   float cost(const Plane& plane) const;
+  /// The `most` sources that fit this plane best.
+  std::uint32_t bestSources(const Plane& plane, int most) const;
 
  private:
   std::span<const Frame* const> frames_;
@@ -66,25 +70,34 @@ class Judge {
   const SweepOptions& options_;
   Eigen::Vector3f ray_;
   Window window_;
+  std::uint32_t active_ = ~0U;
+
+  int judge(const Plane& plane, std::array<float, kMaxSources>& costs,
+            std::array<int, kMaxSources>& sources) const;
 };
 
-float Judge::cost(const Plane& plane) const {
+/// The dissimilarity in each active source that can see the plane; returns their number.
+int Judge::judge(const Plane& plane, std::array<float, kMaxSources>& costs,
+                 std::array<int, kMaxSources>& sources) const {
   const float along = plane.normal.dot(ray_);
-  if (along > -kGrazing * ray_.norm()) return kNoMatch;
+  if (along > -kGrazing * ray_.norm()) return 0;
   const Eigen::Vector3f x = plane.depth * ray_;
   // derivative of the plane's point by the pixel's coordinates
   const Eigen::Vector3f xu =
       plane.depth / frame_.fx * (Eigen::Vector3f::UnitX() - ray_ * (plane.normal.x() / along));
   const Eigen::Vector3f xv =
       plane.depth / frame_.fy * (Eigen::Vector3f::UnitY() - ray_ * (plane.normal.y() / along));
-  std::array<float, kMaxSources> costs;
   int count = 0;
-  for (const Link& link : links_) {
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    if ((active_ >> k & 1U) == 0) continue;
+    const Link& link = links_[k];
     const Frame& other = *frames_[static_cast<std::size_t>(link.source)];
     const Eigen::Vector3f p = link.rotation * x + link.translation;
     if (p.z() <= 0) continue;
     // the source must see the plane's outer face, too
-    if ((link.rotation * plane.normal).dot(p) > -kGrazing * p.norm()) continue;
+    const Eigen::Vector3f n = link.rotation * plane.normal;
+    const float facing = n.dot(p);
+    if (facing > 0 || facing * facing < kGrazing * kGrazing * p.squaredNorm()) continue;
     const Eigen::Vector2f centre = other.project(p);
     if (!other.holds(centre)) continue;
     const Eigen::Vector3f pu = link.rotation * xu, pv = link.rotation * xv;
@@ -97,8 +110,17 @@ float Judge::cost(const Plane& plane) const {
                         sy * (pu.y() - ty * pu.z()),
                         sy * (pv.y() - ty * pv.z())};
     const float d = dissimilarity(window_, other, map);
-    costs[static_cast<std::size_t>(count++)] = d < 0 ? kOutsideCost : d;
+    const auto place = static_cast<std::size_t>(count++);
+    costs[place] = d < 0 ? kOutsideCost : d;
+    sources[place] = static_cast<int>(k);
   }
+  return count;
+}
+
+float Judge::cost(const Plane& plane) const {
+  std::array<float, kMaxSources> costs;
+  std::array<int, kMaxSources> sources;
+  const int count = judge(plane, costs, sources);
   if (count == 0) return kNoMatch;
   const int best = std::min(count, options_.best_sources);
   std::partial_sort(costs.begin(), costs.begin() + best, costs.begin() + count);
@@ -107,6 +129,26 @@ float Judge::cost(const Plane& plane) const {
   // a source that is not there counts as one by chance
   return (sum + static_cast<float>(options_.best_sources - best)) /
          static_cast<float>(options_.best_sources);
+}
+
+std::uint32_t Judge::bestSources(const Plane& plane, int most) const {
+  std::array<float, kMaxSources> costs;
+  std::array<int, kMaxSources> sources;
+  const int count = judge(plane, costs, sources);
+  if (count < most) return ~0U;  // the plane is seen by few: leave all of them their say
+  std::uint32_t chosen = 0;
+  for (int taken = 0; taken < most; ++taken) {
+    const auto best = static_cast<std::size_t>(
+        std::min_element(costs.begin(), costs.begin() + count) - costs.begin());
+    chosen |= 1U << static_cast<unsigned>(sources[best]);
+    costs[best] = 2 * kNoMatch;
+  }
+  return chosen;
+}
+
+/// So alike that judging the second again is wasted: a tenth of a pixel, two degrees.
+bool alike(const Plane& a, const Plane& b, float unit_mm) {
+  return std::abs(a.depth - b.depth) < 0.05F * unit_mm && a.normal.dot(b.normal) > 0.9994F;
 }
 
 struct Offset {
@@ -222,6 +264,7 @@ void sweepPlanes(std::span<const Frame* const> frames, int view, std::span<const
   const Frame& frame = *frames[static_cast<std::size_t>(view)];
   Judge judge(frames, view, links, options);
   const auto planeAt = [&](std::size_t k) { return Plane{planes.depth[k], planes.normal[k]}; };
+  std::vector<std::uint32_t> active(frame.pixels.size(), ~0U);
   for (int half = 0; half < 2 * options.rounds + 1; ++half) {
     // half-sweep 0 only judges what is there already
     const float scale =
@@ -234,14 +277,20 @@ void sweepPlanes(std::span<const Frame* const> frames, int view, std::span<const
         planes.cost[k] = kNoMatch;
         continue;
       }
+      judge.use(active[k]);
       if (half == 0) {
-        planes.cost[k] = planes.depth[k] > 0 ? judge.cost(planeAt(k)) : kNoMatch;
+        if (planes.depth[k] > 0) {
+          if (options.max_active_sources > 0)
+            active[k] = judge.bestSources(planeAt(k), options.max_active_sources);
+          planes.cost[k] = judge.cost(planeAt(k));
+        }
         continue;
       }
       Plane best = planeAt(k);
       float best_cost = planes.cost[k];
       const auto offer = [&](const Plane& plane) {
         if (plane.depth < range.near || plane.depth > range.far) return;
+        if (alike(plane, best, 3.0F * plane.depth / frame.fx)) return;
         const float cost = judge.cost(plane);
         if (cost < best_cost) {
           best_cost = cost;

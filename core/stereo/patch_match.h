@@ -41,6 +41,7 @@ struct SweepOptions {
   WindowShape window;
   int rounds = 3;
   int best_sources = 3;          ///< the cost is the mean over this many
+  int max_active_sources = 0;    ///< per pixel, chosen by the first plane; 0 = all
   float first_perturbation = 1;  ///< of depth, in multiples of the depth that moves one pixel
   std::uint64_t seed = 1;
 };

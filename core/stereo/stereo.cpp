@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "base/parallel.h"
@@ -12,6 +11,7 @@
 #include "stereo/fusion.h"
 #include "stereo/hull.h"
 #include "stereo/patch_match.h"
+#include "stereo/surface.h"
 
 namespace ostraka::stereo {
 namespace {
@@ -125,6 +125,7 @@ Result<void> Reconstruction::match(int level) {
       planes[i] = std::move(finer);
       sweep.rounds = level == 0 ? 2 : 3;
       sweep.first_perturbation = 0.5F;
+      if (level == 0) sweep.max_active_sources = 5;
     }
     sweepPlanes(frames, static_cast<int>(i), links[i], list, sweep, planes[i]);
   });
@@ -166,23 +167,28 @@ Result<PointCloud> reconstruct(std::span<const View> views, const DenseOptions& 
   Reconstruction work{views, options, progress, stop};
   if (Result<void> fine = work.check(); !fine) return fine.error();
   const auto start = std::chrono::steady_clock::now();
-  const auto lap = [&](const char* what) {
-    const double s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (std::getenv("STEREO_LAPS") != nullptr) std::fprintf(stderr, "%6.1f s %s\n", s, what);
+  const auto tell = [&](const std::string& what) {
+    const std::chrono::duration<double> s = std::chrono::steady_clock::now() - start;
+    char text[160];
+    std::snprintf(text, sizeof text, "stereo: %s after %.1f s", what.c_str(), s.count());
+    progress.note(NoteLevel::Info, text);
   };
   if (Result<void> fine = work.prepare(); !fine) return fine.error();
-  lap("prepared");
-  const int finest = std::getenv("STEREO_FINEST") ? std::atoi(std::getenv("STEREO_FINEST")) : 0;
-  for (int level = kLevels - 1; level >= finest; --level) {
+  tell("visual hull carved");
+  for (int level = kLevels - 1; level >= 0; --level) {
     if (Result<void> fine = work.match(level); !fine) return fine.error();
-    lap("matched");
+    tell("level " + std::to_string(level) + " matched");
   }
   FusionOptions fusion;
   fusion.threads = options.threads;
   fusion.min_agreeing_views = options.min_agreeing_views;
-  const std::vector<SurfacePoint> points = fusePlanes(work.framesAt(finest), work.planes, fusion);
-  lap("fused");
+  std::vector<SurfacePoint> points = fusePlanes(work.framesAt(0), work.planes, fusion);
+  tell(std::to_string(points.size()) + " points fused");
+  SurfaceOptions surface;
+  surface.threads = options.threads;
+  points = insideMasks(work.framesAt(0), points, surface);
+  points = smoothed(points, surface);
+  tell(std::to_string(points.size()) + " points on the smoothed surface");
   if (points.empty())
     return Error{ErrorCode::NotEnough,
                  "No surface point was found that two views agree on; check cameras and masks.",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace ostraka::stereo {
 namespace {
@@ -12,56 +13,66 @@ constexpr float kNoiseVariance = 1.5F;
 /// Below this share of the window's weight a correlation says nothing.
 constexpr float kMinShare = 0.5F;
 
-struct Moments {
-  float w = 0, i = 0, j = 0, ii = 0, jj = 0, ij = 0;
+/// Eight lanes; the compiler splits them where the processor has four.
+using Floats = float __attribute__((vector_size(32)));
+using Ints = std::int32_t __attribute__((vector_size(32)));
+
+/// The sums over a window's samples of w, w i, w j, w i i, w j j, w i j, eight partial sums each.
+struct LaneSums {
+  Floats w{}, i{}, j{}, ii{}, jj{}, ij{};
 };
+
+inline __attribute__((always_inline)) Floats load(const float* from) {
+  Floats value;
+  std::memcpy(&value, from, sizeof value);
+  return value;
+}
 
 __attribute__((target_clones("arch=x86-64-v3", "default"))) void correlate(
     const Window& window, const std::uint32_t* packed, int width, int height, const AffineMap& m,
-    Moments& out) {
-  constexpr int n = Window::kLanes;
-  alignas(64) float sw[n] = {}, si[n] = {}, sj[n] = {}, sii[n] = {}, sjj[n] = {}, sij[n] = {};
-  const float max_x = static_cast<float>(width - 1), max_y = static_cast<float>(height - 1);
-  for (int start = 0; start < window.samples; start += n) {
-    const float* dx = window.dx + start;
-    const float* dy = window.dy + start;
-    const float* weight = window.weight + start;
-    const float* grey = window.grey + start;
-    for (int l = 0; l < n; ++l) {
-      float x = m.x0 + m.xx * dx[l] + m.xy * dy[l];
-      float y = m.y0 + m.yx * dx[l] + m.yy * dy[l];
-      x = x > 0.0F ? x : 0.0F;
-      x = x < max_x ? x : max_x;
-      y = y > 0.0F ? y : 0.0F;
-      y = y < max_y ? y : max_y;
-      const int ix = static_cast<int>(x), iy = static_cast<int>(y);
-      const float rx = x - static_cast<float>(ix), ry = y - static_cast<float>(iy);
-      const std::uint32_t q = packed[iy * width + ix];
-      const int a = static_cast<int>(q & 255U), b = static_cast<int>((q >> 8U) & 255U);
-      const int c = static_cast<int>((q >> 16U) & 255U), d = static_cast<int>(q >> 24U);
-      const float fa = static_cast<float>(a), fc = static_cast<float>(c);
-      const float top = fa + rx * (static_cast<float>(b) - fa);
-      const float bottom = fc + rx * (static_cast<float>(d) - fc);
-      const float v = top + ry * (bottom - top) - window.base;
-      const bool whole = (a != 0) & (b != 0) & (c != 0) & (d != 0);
-      const float w = whole ? weight[l] : 0.0F;
-      const float wi = w * grey[l], wj = w * v;
-      sw[l] += w;
-      si[l] += wi;
-      sj[l] += wj;
-      sii[l] += wi * grey[l];
-      sjj[l] += wj * v;
-      sij[l] += wi * v;
-    }
+    LaneSums& out) {
+  LaneSums sum;
+  const Floats zero{}, max_x = zero + static_cast<float>(width - 1);
+  const Floats max_y = zero + static_cast<float>(height - 1);
+  for (int k = 0; k < window.samples; k += Window::kLanes) {
+    const Floats dx = load(window.dx + k), dy = load(window.dy + k);
+    Floats x = m.x0 + m.xx * dx + m.xy * dy, y = m.y0 + m.yx * dx + m.yy * dy;
+    x = x > zero ? x : zero;  // what is not on the picture comes to lie on its blank border
+    x = x < max_x ? x : max_x;
+    y = y > zero ? y : zero;
+    y = y < max_y ? y : max_y;
+    const Ints ix = __builtin_convertvector(x, Ints), iy = __builtin_convertvector(y, Ints);
+    const Floats rx = x - __builtin_convertvector(ix, Floats);
+    const Floats ry = y - __builtin_convertvector(iy, Floats);
+    const Ints place = iy * width + ix;
+    Ints q;
+    for (int l = 0; l < Window::kLanes; ++l) q[l] = static_cast<std::int32_t>(packed[place[l]]);
+    const Ints low = q & 0x00ff00ff, high = (q >> 8) & 0x00ff00ff;
+    const Floats a = __builtin_convertvector(low & 255, Floats);
+    const Floats b = __builtin_convertvector(high & 255, Floats);
+    const Floats c = __builtin_convertvector(low >> 16, Floats);
+    const Floats d = __builtin_convertvector(high >> 16, Floats);
+    const Floats least_ab = a < b ? a : b, least_cd = c < d ? c : d;
+    const Floats least = least_ab < least_cd ? least_ab : least_cd;
+    const Floats top = a + rx * (b - a), bottom = c + rx * (d - c);
+    const Floats v = top + ry * (bottom - top) - window.base;
+    const Floats grey = load(window.grey + k);
+    const Floats w = least > zero ? load(window.weight + k) : zero;
+    const Floats wi = w * grey, wj = w * v;
+    sum.w += w;
+    sum.i += wi;
+    sum.j += wj;
+    sum.ii += wi * grey;
+    sum.jj += wj * v;
+    sum.ij += wi * v;
   }
-  for (int l = 0; l < n; ++l) {
-    out.w += sw[l];
-    out.i += si[l];
-    out.j += sj[l];
-    out.ii += sii[l];
-    out.jj += sjj[l];
-    out.ij += sij[l];
-  }
+  out = sum;
+}
+
+/// In the order of the lanes.
+float total(const Floats& lanes) {
+  return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) +
+         ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
 }
 
 }  // namespace
@@ -104,13 +115,14 @@ bool cutWindow(const Frame& frame, int x, int y, const WindowShape& shape, Windo
 }
 
 float dissimilarity(const Window& window, const Frame& other, const AffineMap& map) {
-  Moments m;
-  correlate(window, other.packed.data(), other.width, other.height, map, m);
-  if (m.w < kMinShare * window.total_weight) return -1.0F;
-  const float inverse = 1.0F / m.w;
-  const float vi = m.ii * inverse - m.i * m.i * inverse * inverse;
-  const float vj = m.jj * inverse - m.j * m.j * inverse * inverse;
-  const float covariance = m.ij * inverse - m.i * m.j * inverse * inverse;
+  LaneSums sum;
+  correlate(window, other.packed.data(), other.width, other.height, map, sum);
+  const float w = total(sum.w);
+  if (w < kMinShare * window.total_weight) return -1.0F;
+  const float inverse = 1.0F / w;
+  const float i = total(sum.i) * inverse, j = total(sum.j) * inverse;
+  const float vi = total(sum.ii) * inverse - i * i, vj = total(sum.jj) * inverse - j * j;
+  const float covariance = total(sum.ij) * inverse - i * j;
   return 1.0F - covariance / std::sqrt((std::max(vi, 0.0F) + kNoiseVariance) *
                                        (std::max(vj, 0.0F) + kNoiseVariance));
 }

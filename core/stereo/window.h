@@ -8,12 +8,12 @@ namespace ostraka::stereo {
 /// The samples of a reference pixel's window: places relative to the pixel, weights, grey values.
 /// Filled up to whole groups of lanes with samples of weight 0.
 struct Window {
-  static constexpr int kLanes = 16;
+  static constexpr int kLanes = 8;
   static constexpr int kMaxSamples = 128;
-  alignas(64) float dx[kMaxSamples];
-  alignas(64) float dy[kMaxSamples];
-  alignas(64) float weight[kMaxSamples];
-  alignas(64) float grey[kMaxSamples];  ///< less the pixel's own value
+  alignas(32) float dx[kMaxSamples];
+  alignas(32) float dy[kMaxSamples];
+  alignas(32) float weight[kMaxSamples];
+  alignas(32) float grey[kMaxSamples];  ///< less the pixel's own value
   int samples = 0;                      ///< a multiple of kLanes
   float total_weight = 0;
   float base = 0;  ///< the pixel's own value

@@ -13,6 +13,14 @@ using namespace ostraka;
 
 namespace {
 
+class Notes final : public Progress {
+ public:
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, std::string_view text) override {
+    std::printf("%.*s\n", static_cast<int>(text.size()), text.data());
+  }
+};
+
 struct Arguments {
   std::string batch, side, out;
   int sherd = 0, threads = 1;
@@ -43,9 +51,9 @@ int run(const Arguments& a) {
   stereo::DenseOptions options;
   options.threads = a.threads;
   options.floor_z_mm = 0.0;
-  QuietProgress quiet;
+  Notes notes;
   const auto start = std::chrono::steady_clock::now();
-  auto cloud = stereo::reconstruct(*views, options, quiet, {});
+  auto cloud = stereo::reconstruct(*views, options, notes, {});
   if (!cloud) return std::fprintf(stderr, "%s\n", cloud.error().sentence().c_str()), 1;
   const std::chrono::duration<double> s = std::chrono::steady_clock::now() - start;
   std::printf("%zu views, %zu points, %.1f s with %d threads\n", views->size(), cloud->size(),

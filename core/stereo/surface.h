@@ -1,0 +1,28 @@
+#pragma once
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "stereo/fusion.h"
+
+namespace ostraka::stereo {
+
+struct SurfaceOptions {
+  /// Points further outside than this many pixels in so many views are not on the object.
+  int max_views_outside = 1;
+  float spacing_px = 0.85F;  ///< edge of the cubes that keep one point each, in pixels' widths
+  float radius_px = 2.6F;    ///< of the fitted neighbourhoods: the scale of the relief that is kept
+  int threads = 1;
+};
+
+/// Leaves out the points that more than max_views_outside masks exclude.
+std::vector<SurfacePoint> insideMasks(std::span<const Frame* const> frames,
+                                      const std::vector<SurfacePoint>& points,
+                                      const SurfaceOptions& options);
+
+/// One point per cube, each moved onto the quadric through its neighbours of like orientation and
+/// with that quadric's normal (moving least squares, Alexa et al., IEEE TVCG 2003).
+std::vector<SurfacePoint> smoothed(const std::vector<SurfacePoint>& points,
+                                   const SurfaceOptions& options);
+
+}  // namespace ostraka::stereo

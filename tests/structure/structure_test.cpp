@@ -1,0 +1,166 @@
+// Reads the sources themselves: the order of the folders and the length of files are promises of
+// the README that no compiler checks.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// In the order of the work: a folder may use only those before it.
+const std::vector<std::string> kOrder = {"base",         "cloud",      "batch",     "rig",
+                                         "mask",         "stereo",     "scan",      "pairing",
+                                         "registration", "model",      "pipeline",  "evaluate",
+                                         "capture",      "virtualrig", "catalogue", "exchange"};
+constexpr int kMostLines = 500, kMostHeaderLines = 150;
+
+fs::path root() {
+  return OSTRAKA_SOURCE_DIR;
+}
+
+int rankOf(const std::string& folder) {
+  const auto found = std::find(kOrder.begin(), kOrder.end(), folder);
+  return found == kOrder.end() ? -1 : static_cast<int>(found - kOrder.begin());
+}
+
+bool isSource(const fs::path& file) {
+  return file.extension() == ".h" || file.extension() == ".cpp";
+}
+
+std::vector<fs::path> sourcesUnder(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && isSource(entry.path())) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<std::string> linesOf(const fs::path& file) {
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+// "rig" of `#include "rig/camera.h"`; empty for all other lines.
+std::string includedFolder(const std::string& line) {
+  const std::string start = "#include \"";
+  if (!line.starts_with(start)) return {};
+  const std::size_t slash = line.find('/', start.size());
+  return slash == std::string::npos ? std::string()
+                                    : line.substr(start.size(), slash - start.size());
+}
+
+// What the folder's CMakeLists.txt names after DEPENDS, up to LINKS or the closing bracket.
+std::vector<std::string> dependsOf(const fs::path& cmake_file) {
+  std::vector<std::string> names;
+  bool within = false;
+  for (const std::string& line : linesOf(cmake_file)) {
+    std::string word;
+    for (const char c : line + " ") {
+      if (!std::isspace(static_cast<unsigned char>(c)) && c != ')') {
+        word += c;
+        continue;
+      }
+      if (word == "DEPENDS")
+        within = true;
+      else if (word == "LINKS" || word == "SOURCES")
+        within = false;
+      else if (within && !word.empty())
+        names.push_back(word);
+      if (c == ')') within = false;
+      word.clear();
+    }
+  }
+  return names;
+}
+
+TEST(Structure, CoreHoldsOnlyTheFoldersOfTheReadme) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(root() / "core"))
+    if (entry.is_directory() && !fs::is_empty(entry.path())) {
+      EXPECT_GE(rankOf(entry.path().filename().string()), 0) << entry.path();
+    }
+}
+
+TEST(Structure, NoIncludeOfCoreGoesUpwards) {
+  int includes = 0;
+  for (const fs::path& file : sourcesUnder(root() / "core")) {
+    const std::string folder = (*std::next(file.lexically_relative(root()).begin())).string();
+    for (const std::string& line : linesOf(file)) {
+      const std::string included = includedFolder(line);
+      if (included.empty()) continue;
+      ++includes;
+      EXPECT_GE(rankOf(included), 0) << file << ": " << line;
+      EXPECT_LE(rankOf(included), rankOf(folder)) << file << ": " << line;
+    }
+  }
+  EXPECT_GT(includes, 50) << "the includes were not found; is the source folder right?";
+}
+
+TEST(Structure, EveryIncludedFolderIsNamedAsADependence) {
+  for (const std::string& folder : kOrder) {
+    const fs::path cmake_file = root() / "core" / folder / "CMakeLists.txt";
+    if (!fs::exists(cmake_file)) continue;
+    const std::vector<std::string> direct = dependsOf(cmake_file);
+    // What a dependence depends on comes along.
+    std::vector<std::string> reached = direct;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (const std::string& next : dependsOf(root() / "core" / reached[i] / "CMakeLists.txt"))
+        if (std::find(reached.begin(), reached.end(), next) == reached.end())
+          reached.push_back(next);
+    for (const fs::path& file : sourcesUnder(root() / "core" / folder))
+      for (const std::string& line : linesOf(file)) {
+        const std::string included = includedFolder(line);
+        if (included.empty() || included == folder) continue;
+        EXPECT_NE(std::find(reached.begin(), reached.end(), included), reached.end())
+            << file << " includes " << included << ", which " << cmake_file << " does not name";
+      }
+  }
+}
+
+TEST(Structure, NothingInCoreIncludesTheApplication) {
+  for (const fs::path& file : sourcesUnder(root() / "core"))
+    for (const std::string& line : linesOf(file)) {
+      EXPECT_EQ(line.find("#include \"app/"), std::string::npos) << file << ": " << line;
+      EXPECT_EQ(line.find("#include <CLI"), std::string::npos) << file << ": " << line;
+      EXPECT_EQ(line.find("opencv2/highgui"), std::string::npos) << file << ": " << line;
+    }
+}
+
+TEST(Structure, NoFileIsLongerThanFiveHundredLinesNoHeaderThanAHundredAndFifty) {
+  for (const char* top : {"core", "app", "tests"})
+    for (const fs::path& file : sourcesUnder(root() / top)) {
+      const auto lines = static_cast<int>(linesOf(file).size());
+      EXPECT_LE(lines, file.extension() == ".h" ? kMostHeaderLines : kMostLines) << file;
+    }
+}
+
+TEST(Structure, LinesKeepWithinAHundredColumns) {
+  for (const char* top : {"core", "app", "tests"})
+    for (const fs::path& file : sourcesUnder(root() / top)) {
+      const std::vector<std::string> lines = linesOf(file);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto columns = std::count_if(lines[i].begin(), lines[i].end(), [](char c) {
+          return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a continuation in UTF-8
+        });
+        EXPECT_LE(columns, 100) << file << ":" << i + 1;
+      }
+    }
+}
+
+TEST(Structure, SourcesSpeakOfNoMachinesPaths) {
+  for (const char* top : {"core", "app", "tests"})
+    for (const fs::path& file : sourcesUnder(root() / top)) {
+      if (file.filename() == "structure_test.cpp") continue;
+      for (const std::string& line : linesOf(file))
+        for (const char* path : {"/work/", "/root/", "/home/"})
+          EXPECT_EQ(line.find(path), std::string::npos) << file << ": " << line;
+    }
+}
+
+}  // namespace

@@ -28,7 +28,9 @@ class Descriptor {
   int fd_;
 };
 
-std::string reason() { return std::strerror(errno); }
+std::string reason() {
+  return std::strerror(errno);
+}
 
 Error cannotWrite(const std::filesystem::path& path) {
   const std::string hint =
@@ -58,9 +60,9 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_
     return Error{ErrorCode::UnusableInput, "This is not a regular file.", path};
   const auto size = static_cast<std::size_t>(info.st_size);
   if (size > max_bytes)
-    return Error{ErrorCode::UnusableInput,
-                 "The file is larger than the " + std::to_string(max_bytes) + " bytes allowed here.",
-                 path};
+    return Error{
+        ErrorCode::UnusableInput,
+        "The file is larger than the " + std::to_string(max_bytes) + " bytes allowed here.", path};
   std::string bytes(size, '\0');
   std::size_t done = 0;
   while (done < size) {

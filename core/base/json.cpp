@@ -55,8 +55,10 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
   nlohmann::json flat = nlohmann::json::array();
   if (value.is_array())
     for (const nlohmann::json& row : value) {
-      if (row.is_array()) flat.insert(flat.end(), row.begin(), row.end());
-      else flat.push_back(row);
+      if (row.is_array())
+        flat.insert(flat.end(), row.begin(), row.end());
+      else
+        flat.push_back(row);
     }
   if (flat.size() != 16) return unusable("A transform must be a 4x4 matrix.", where);
   Eigen::Matrix4d matrix;
@@ -65,7 +67,8 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
     matrix(i / 4, i % 4) = flat[i].get<double>();
   }
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  const double skew = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double skew =
+      (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!matrix.allFinite() || !(skew < 1e-3) || rotation.determinant() < 0 ||
       (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-6)
     return unusable("A transform is not rigid.", where);

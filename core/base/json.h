@@ -8,13 +8,15 @@
 
 namespace ostraka {
 
-/// JSON text as a value. Depth is limited to 64 and size to 64 MiB; `where` names the file in errors.
+/// JSON text as a value. Depth is limited to 64 and size to 64 MiB; `where` names the file in
+/// errors.
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& where);
 Result<nlohmann::json> readJson(const std::filesystem::path& path);
 /// Indented by one space, UTF-8, LF at the end, written atomically.
 Result<void> writeJson(const std::filesystem::path& path, const nlohmann::ordered_json& value);
 
-/// 4x4, row by row. Reading refuses what is not finite, not 4x4 (nested or flat) or not rigid (1e-3).
+/// 4x4, row by row. Reading refuses what is not finite, not 4x4 (nested or flat) or not rigid
+/// (1e-3).
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& transform);
 Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where);
 

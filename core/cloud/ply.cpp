@@ -37,10 +37,16 @@ struct Header {
 
 std::size_t bytesOf(Type type) {
   switch (type) {
-    case Type::I8: case Type::U8: return 1;
-    case Type::I16: case Type::U16: return 2;
-    case Type::F64: return 8;
-    default: return 4;
+    case Type::I8:
+    case Type::U8:
+      return 1;
+    case Type::I16:
+    case Type::U16:
+      return 2;
+    case Type::F64:
+      return 8;
+    default:
+      return 4;
   }
 }
 
@@ -74,19 +80,25 @@ Error unusable(std::string what, const std::string& where) {
 }
 
 // One line of the header; an empty string when it was understood, else what is wrong with it.
-std::string readHeaderLine(const std::vector<std::string_view>& w, Header& header, bool& has_format) {
+std::string readHeaderLine(const std::vector<std::string_view>& w, Header& header,
+                           bool& has_format) {
   if (w.empty() || w[0] == "comment" || w[0] == "obj_info") return {};
   if (w[0] == "format" && w.size() >= 2) {
     has_format = true;
-    if (w[1] == "ascii") header.format = Format::Ascii;
-    else if (w[1] == "binary_little_endian") header.format = Format::Little;
-    else if (w[1] == "binary_big_endian") header.format = Format::Big;
-    else return "its format is not known";
+    if (w[1] == "ascii")
+      header.format = Format::Ascii;
+    else if (w[1] == "binary_little_endian")
+      header.format = Format::Little;
+    else if (w[1] == "binary_big_endian")
+      header.format = Format::Big;
+    else
+      return "its format is not known";
     return {};
   }
   if (w[0] == "element" && w.size() == 3) {
     Element element{std::string(w[1]), 0, {}};
-    const auto [end, failed] = std::from_chars(w[2].data(), w[2].data() + w[2].size(), element.count);
+    const auto [end, failed] =
+        std::from_chars(w[2].data(), w[2].data() + w[2].size(), element.count);
     if (failed != std::errc() || end != w[2].data() + w[2].size()) return "a count is no number";
     header.elements.push_back(std::move(element));
     return {};
@@ -100,7 +112,8 @@ std::string readHeaderLine(const std::vector<std::string_view>& w, Header& heade
     property.type = *type;
     if (list) {
       property.count_type = typeNamed(w[2]);
-      if (!property.count_type || *property.count_type == Type::F32 || *property.count_type == Type::F64)
+      if (!property.count_type || *property.count_type == Type::F32 ||
+          *property.count_type == Type::F64)
         return "a list has no whole number as its length";
     }
     header.elements.back().properties.push_back(std::move(property));
@@ -127,7 +140,9 @@ Result<Header> readHeader(std::string_view bytes, const std::string& where) {
     }
     const std::string wrong = readHeaderLine(w, header, has_format);
     if (!wrong.empty())
-      return unusable("The PLY header is wrong in line " + std::to_string(line_number) + ": " + wrong + ".", where);
+      return unusable(
+          "The PLY header is wrong in line " + std::to_string(line_number) + ": " + wrong + ".",
+          where);
   }
   return unusable("The PLY header has no end.", where);
 }
@@ -163,14 +178,22 @@ class Values {
 
   static double decode(const unsigned char* raw, Type type) {
     switch (type) {
-      case Type::I8: return as<std::int8_t>(raw);
-      case Type::U8: return as<std::uint8_t>(raw);
-      case Type::I16: return as<std::int16_t>(raw);
-      case Type::U16: return as<std::uint16_t>(raw);
-      case Type::I32: return as<std::int32_t>(raw);
-      case Type::U32: return as<std::uint32_t>(raw);
-      case Type::F32: return as<float>(raw);
-      case Type::F64: return as<double>(raw);
+      case Type::I8:
+        return as<std::int8_t>(raw);
+      case Type::U8:
+        return as<std::uint8_t>(raw);
+      case Type::I16:
+        return as<std::int16_t>(raw);
+      case Type::U16:
+        return as<std::uint16_t>(raw);
+      case Type::I32:
+        return as<std::int32_t>(raw);
+      case Type::U32:
+        return as<std::uint32_t>(raw);
+      case Type::F32:
+        return as<float>(raw);
+      case Type::F64:
+        return as<double>(raw);
     }
     return 0;
   }
@@ -206,7 +229,8 @@ std::size_t leastBytes(const Element& element, Format format) {
 
 // Where each property of a vertex goes.
 struct VertexColumns {
-  int xyz[3] = {-1, -1, -1}, normal[3] = {-1, -1, -1}, rgb[3] = {-1, -1, -1}, quality = -1, seen = -1;
+  int xyz[3] = {-1, -1, -1}, normal[3] = {-1, -1, -1}, rgb[3] = {-1, -1, -1}, quality = -1,
+      seen = -1;
 };
 
 VertexColumns columnsOf(const Element& element) {
@@ -230,14 +254,17 @@ VertexColumns columnsOf(const Element& element) {
   return c;
 }
 
-bool all(const int (&columns)[3]) { return columns[0] >= 0 && columns[1] >= 0 && columns[2] >= 0; }
+bool all(const int (&columns)[3]) {
+  return columns[0] >= 0 && columns[1] >= 0 && columns[2] >= 0;
+}
 
 float unit(double value, Type type) {
   return static_cast<float>(type == Type::F32 || type == Type::F64 ? value * 255.0 : value);
 }
 
 // Vertices; new_index gets each vertex's place after dropping those that are not finite.
-bool readVertices(const Element& element, Values& values, PlyContents& out, std::vector<int>& new_index) {
+bool readVertices(const Element& element, Values& values, PlyContents& out,
+                  std::vector<int>& new_index) {
   const VertexColumns c = columnsOf(element);
   const bool has_normals = all(c.normal), has_colors = all(c.rgb);
   std::vector<double> row(element.properties.size());
@@ -251,8 +278,9 @@ bool readVertices(const Element& element, Values& values, PlyContents& out, std:
       const double n = values.next(*p.count_type);
       for (double k = 0; k < n && values.ok; ++k) values.next(p.type);
     }
-    const auto vector = [&](const int (&at)[3]) {
-      return Eigen::Vector3f(static_cast<float>(row[at[0]]), static_cast<float>(row[at[1]]), static_cast<float>(row[at[2]]));
+    const auto vector = [&](const int(&at)[3]) {
+      return Eigen::Vector3f(static_cast<float>(row[at[0]]), static_cast<float>(row[at[1]]),
+                             static_cast<float>(row[at[2]]));
     };
     const Eigen::Vector3f point = vector(c.xyz);
     Eigen::Vector3f normal = has_normals ? vector(c.normal) : Eigen::Vector3f::UnitZ();
@@ -265,8 +293,9 @@ bool readVertices(const Element& element, Values& values, PlyContents& out, std:
     out.mesh.vertices.push_back(point);
     if (has_normals) {
       const float length = normal.norm();
-      out.mesh.normals.push_back(std::isfinite(length) && length > 1e-12f ? Eigen::Vector3f(normal / length)
-                                                                         : Eigen::Vector3f::Zero());
+      out.mesh.normals.push_back(std::isfinite(length) && length > 1e-12f
+                                     ? Eigen::Vector3f(normal / length)
+                                     : Eigen::Vector3f::Zero());
     }
     if (has_colors) {
       Color color{};
@@ -284,7 +313,8 @@ bool readVertices(const Element& element, Values& values, PlyContents& out, std:
 
 enum class FaceOutcome { Fine, Truncated, AbsentVertex };
 
-FaceOutcome readFaces(const Element& element, Values& values, const std::vector<int>& new_index, PlyContents& out) {
+FaceOutcome readFaces(const Element& element, Values& values, const std::vector<int>& new_index,
+                      PlyContents& out) {
   std::vector<int> polygon;
   for (std::size_t f = 0; f < element.count && values.ok; ++f) {
     for (const Property& p : element.properties) {
@@ -298,7 +328,8 @@ FaceOutcome readFaces(const Element& element, Values& values, const std::vector<
       for (double k = 0; k < n && values.ok; ++k) {
         const double index = values.next(p.type);
         if (!corners || !values.ok) continue;
-        if (!(index >= 0 && index < static_cast<double>(new_index.size()))) return FaceOutcome::AbsentVertex;
+        if (!(index >= 0 && index < static_cast<double>(new_index.size())))
+          return FaceOutcome::AbsentVertex;
         polygon.push_back(new_index[static_cast<std::size_t>(index)]);
       }
       if (!corners || !values.ok) continue;
@@ -326,21 +357,23 @@ void append(std::string& bytes, const T& value) {
 }
 
 std::string headerText(const TriangleMesh& mesh, bool quality, std::string_view frame, bool faces) {
-  std::string h = "ply\nformat binary_little_endian 1.0\ncomment unit mm\ncomment frame " + std::string(frame) +
-                  "\nelement vertex " + std::to_string(mesh.vertices.size()) +
+  std::string h = "ply\nformat binary_little_endian 1.0\ncomment unit mm\ncomment frame " +
+                  std::string(frame) + "\nelement vertex " + std::to_string(mesh.vertices.size()) +
                   "\nproperty float x\nproperty float y\nproperty float z\n";
   if (!mesh.normals.empty()) h += "property float nx\nproperty float ny\nproperty float nz\n";
   if (!mesh.colors.empty()) h += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   if (quality) h += "property float quality\n";
   if (!mesh.seen.empty()) h += "property uchar scalar_seen\n";
   if (faces) {
-    h += "element face " + std::to_string(mesh.triangles.size()) + "\nproperty list uchar int vertex_indices\n";
+    h += "element face " + std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\n";
     if (!mesh.seen.empty()) h += "property uchar seen\n";
   }
   return h + "end_header\n";
 }
 
-void appendVertices(std::string& bytes, const TriangleMesh& mesh, const std::vector<float>& quality) {
+void appendVertices(std::string& bytes, const TriangleMesh& mesh,
+                    const std::vector<float>& quality) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     for (int k = 0; k < 3; ++k) append(bytes, mesh.vertices[i][k]);
     if (!mesh.normals.empty())
@@ -364,20 +397,25 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
   for (const Element& element : header->elements) {
     const std::size_t least = leastBytes(element, header->format);
     // An entry without properties takes no bytes; nothing real has a million of them.
-    const bool too_many = least == 0 ? element.count > 1'000'000 : element.count > (left + 1) / least;
+    const bool too_many =
+        least == 0 ? element.count > 1'000'000 : element.count > (left + 1) / least;
     if (too_many || element.count > 0x7fffffff)
-      return unusable("The PLY header claims " + std::to_string(element.count) + " of '" + element.name +
-                          "', more than the file holds; it may be cut off.", where);
+      return unusable("The PLY header claims " + std::to_string(element.count) + " of '" +
+                          element.name + "', more than the file holds; it may be cut off.",
+                      where);
     left -= std::min(left, element.count * least);
     if (element.name == "vertex") {
       if (has_vertices) return unusable("The PLY file has two lists of vertices.", where);
       if (!all(columnsOf(element).xyz)) return unusable("The PLY vertices lack x, y or z.", where);
       has_vertices = true;
-      if (!readVertices(element, values, out, new_index)) return unusable("The PLY file ends early or holds something not a number.", where);
+      if (!readVertices(element, values, out, new_index))
+        return unusable("The PLY file ends early or holds something not a number.", where);
     } else if (element.name == "face") {
       const FaceOutcome outcome = readFaces(element, values, new_index, out);
-      if (outcome == FaceOutcome::AbsentVertex) return unusable("A face of the PLY names a vertex that is not there.", where);
-      if (outcome == FaceOutcome::Truncated) return unusable("The PLY file ends within its faces.", where);
+      if (outcome == FaceOutcome::AbsentVertex)
+        return unusable("A face of the PLY names a vertex that is not there.", where);
+      if (outcome == FaceOutcome::Truncated)
+        return unusable("The PLY file ends within its faces.", where);
     } else if (!skip(element, values)) {
       return unusable("The PLY file ends within '" + element.name + "'.", where);
     }
@@ -395,7 +433,8 @@ Result<PlyContents> readPly(const std::filesystem::path& path) {
 Result<PointCloud> readPlyCloud(const std::filesystem::path& path) {
   Result<PlyContents> contents = readPly(path);
   if (!contents) return contents.error();
-  if (contents->mesh.vertices.empty()) return unusable("The PLY file holds no usable point.", path.string());
+  if (contents->mesh.vertices.empty())
+    return unusable("The PLY file holds no usable point.", path.string());
   return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
                     std::move(contents->mesh.colors), std::move(contents->quality)};
 }
@@ -413,16 +452,19 @@ std::string formatPly(const TriangleMesh& mesh, std::string_view frame) {
   for (const std::array<int, 3>& t : mesh.triangles) {
     bytes += '\3';
     append(bytes, t);
-    if (!mesh.seen.empty()) bytes += mesh.seen[t[0]] && mesh.seen[t[1]] && mesh.seen[t[2]] ? '\1' : '\0';
+    if (!mesh.seen.empty())
+      bytes += mesh.seen[t[0]] && mesh.seen[t[1]] && mesh.seen[t[2]] ? '\1' : '\0';
   }
   return bytes;
 }
 
-Result<void> writePly(const std::filesystem::path& path, const PointCloud& cloud, std::string_view frame) {
+Result<void> writePly(const std::filesystem::path& path, const PointCloud& cloud,
+                      std::string_view frame) {
   return writeFileAtomically(path, formatPly(cloud, frame));
 }
 
-Result<void> writePly(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view frame) {
+Result<void> writePly(const std::filesystem::path& path, const TriangleMesh& mesh,
+                      std::string_view frame) {
   return writeFileAtomically(path, formatPly(mesh, frame));
 }
 

@@ -9,13 +9,14 @@
 namespace ostraka {
 
 struct PlyContents {
-  TriangleMesh mesh;             ///< triangles empty for a cloud; polygons are fanned
-  std::vector<float> quality;    ///< property quality or confidence; empty when absent
-  int dropped_not_finite = 0;    ///< points with NaN or infinity, left out with their faces
+  TriangleMesh mesh;           ///< triangles empty for a cloud; polygons are fanned
+  std::vector<float> quality;  ///< property quality or confidence; empty when absent
+  int dropped_not_finite = 0;  ///< points with NaN or infinity, left out with their faces
 };
 
 /// ascii, binary_little_endian and binary_big_endian 1.0. Counts are compared with the file's size
-/// before anything is allocated; faces that name absent vertices are an error. `where` names the file.
+/// before anything is allocated; faces that name absent vertices are an error. `where` names the
+/// file.
 Result<PlyContents> parsePly(std::string_view bytes, const std::string& where);
 Result<PlyContents> readPly(const std::filesystem::path& path);
 /// The points of a file, faces left aside. Errors as above, and when there is no point.
@@ -24,7 +25,9 @@ Result<PointCloud> readPlyCloud(const std::filesystem::path& path);
 /// Binary little-endian with `comment unit mm` and `comment frame <frame>` (formats.md, section 1).
 std::string formatPly(const PointCloud& cloud, std::string_view frame);
 std::string formatPly(const TriangleMesh& mesh, std::string_view frame);
-Result<void> writePly(const std::filesystem::path& path, const PointCloud& cloud, std::string_view frame);
-Result<void> writePly(const std::filesystem::path& path, const TriangleMesh& mesh, std::string_view frame);
+Result<void> writePly(const std::filesystem::path& path, const PointCloud& cloud,
+                      std::string_view frame);
+Result<void> writePly(const std::filesystem::path& path, const TriangleMesh& mesh,
+                      std::string_view frame);
 
 }  // namespace ostraka

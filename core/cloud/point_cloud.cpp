@@ -73,7 +73,8 @@ PointCloud thinned(const PointCloud& cloud, double edge_mm) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     Cube& cube = cubes[static_cast<std::size_t>(cube_of[i])];
     const double d = (cloud.points[i].cast<double>() - cube.sum / cube.count).squaredNorm();
-    if (cube.best < 0 || d < cube.best_distance) cube.best = static_cast<int>(i), cube.best_distance = d;
+    if (cube.best < 0 || d < cube.best_distance)
+      cube.best = static_cast<int>(i), cube.best_distance = d;
   }
   std::vector<int> kept;
   kept.reserve(cubes.size());

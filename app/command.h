@@ -32,6 +32,7 @@ using Command = std::function<int(Session&)>;
 /// Each adds its sub-command to the root; when it was chosen on the command line, `chosen` becomes
 /// its work.
 void addProcess(CLI::App& root, Command& chosen);
+void addRegister(CLI::App& root, Command& chosen);
 void addDense(CLI::App& root, Command& chosen);
 void addEvaluate(CLI::App& root, Command& chosen);
 void addRig(CLI::App& root, Command& chosen);

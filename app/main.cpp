@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   root.add_flag("--verbose", verbose, "Print every line of the log, not only warnings");
   app::Command chosen;
   app::addProcess(root, chosen);
+  app::addRegister(root, chosen);
   app::addDense(root, chosen);
   app::addEvaluate(root, chosen);
   app::addRig(root, chosen);

@@ -1,0 +1,106 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "pipeline/register_scans.h"
+
+namespace ostraka::app {
+namespace {
+
+using nlohmann::ordered_json;
+using pipeline::RegisterOptions;
+using pipeline::RegisterSummary;
+
+ordered_json toJson(const RegisterSummary& summary, int status) {
+  ordered_json pairs = ordered_json::array();
+  for (const RegisterSummary::Pair& p : summary.pairs)
+    pairs.push_back({{"number", p.number},
+                     {"front", p.front},
+                     {"back", p.back},
+                     {"score", p.score},
+                     {"margin", p.margin},
+                     {"ambiguous", p.ambiguous},
+                     {"rim_rms_mm", p.rim_rms_mm},
+                     {"rim_overlap", p.rim_overlap},
+                     {"uncertainty_mm", p.uncertainty_mm},
+                     {"reason", p.reason}});
+  return {{"pairs", pairs},
+          {"unpaired_front", summary.unpaired_front},
+          {"unpaired_back", summary.unpaired_back},
+          {"unusable", summary.unusable},
+          {"warnings", summary.warnings},
+          {"seconds", summary.seconds},
+          {"pairs_file", summary.pairs_file.string()},
+          {"exit_status", status}};
+}
+
+void printLone(const char* title, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  std::printf("%s:", title);
+  for (const std::string& name : names) std::printf(" %s", name.c_str());
+  std::printf("\n");
+}
+
+void printTable(const RegisterSummary& summary) {
+  std::printf("%-6s %-8s %-8s %7s %7s %10s %8s %12s\n", "sherd", "front", "back", "score", "margin",
+              "rim RMS mm", "overlap", "uncertain mm");
+  for (const RegisterSummary::Pair& p : summary.pairs)
+    std::printf("%-6s %-8s %-8s %7.4f %7.4f %10.3f %8.2f %12.3f  %s%s\n", p.number.c_str(),
+                p.front.c_str(), p.back.c_str(), p.score, p.margin, p.rim_rms_mm, p.rim_overlap,
+                p.uncertainty_mm, p.ambiguous ? "AMBIGUOUS " : "", p.reason.c_str());
+  printLone("Fronts without a back", summary.unpaired_front);
+  printLone("Backs without a front", summary.unpaired_back);
+  std::printf("%zu pairs in %.1f s: %s\n", summary.pairs.size(), summary.seconds,
+              summary.pairs_file.c_str());
+  if (summary.unusable > 0) std::printf("%d file(s) could not be used.\n", summary.unusable);
+  if (summary.ambiguous() > 0)
+    std::printf("%d pair(s) need a person's eye.\n", summary.ambiguous());
+}
+
+int runRegister(const RegisterOptions& options, Session& session) {
+  const Result<RegisterSummary> summary =
+      pipeline::registerScans(options, session.progress, session.stop);
+  if (!summary) return fail(session, summary.error());
+  const bool whole = summary->unusable == 0 && !summary->pairs.empty();
+  const int status = summary->ambiguous() > 0 ? PersonMustDecide : whole ? Whole : NotWhole;
+  session.finishProgress();
+  if (session.json)
+    printJson(toJson(*summary, status));
+  else
+    printTable(*summary);
+  return status;
+}
+
+}  // namespace
+
+void addRegister(CLI::App& root, Command& chosen) {
+  CLI::App* command = root.add_subcommand(
+      "register", "Pair and register scans that are split already: one PLY per sherd and side");
+  auto options = std::make_shared<RegisterOptions>();
+  command->add_option("--front", options->front, "Folder of the front scans (*.ply, mm)")
+      ->required();
+  command->add_option("--back", options->back, "Folder of the back scans (*.ply, mm)")->required();
+  command->add_option("--output,-o", options->output, "Folder for the result; made when absent")
+      ->required();
+  command
+      ->add_option("--scale", options->scale,
+                   "fixed: both sides are in mm; free: the sides' scales differ")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Scale>{
+          {"fixed", pairing::Scale::Fixed}, {"free", pairing::Scale::Free}}))
+      ->default_str("fixed");
+  command
+      ->add_option("--pairing", options->pairing, "Pairing: default, or paper (Wang et al. 2023)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{
+          {"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}))
+      ->default_str("default");
+  command->add_option("--threads", options->threads, "Threads; 0 = all processors")
+      ->check(CLI::Range(0, 1024));
+  command->callback([options, &chosen] {
+    chosen = [options](Session& session) { return runRegister(*options, session); };
+  });
+}
+
+}  // namespace ostraka::app

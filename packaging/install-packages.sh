@@ -1,0 +1,38 @@
+#!/bin/sh
+# Installs everything that Ostraka needs to build, test and run on Debian 12. Runs as root or with
+# sudo, asks nothing, and may be run again.
+set -eu
+
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=""
+elif command -v sudo >/dev/null 2>&1; then
+  as_root="sudo"
+else
+  echo "install-packages.sh: run it as root, or install sudo first." >&2
+  exit 1
+fi
+
+packages="
+  build-essential cmake ninja-build ccache mold
+  libeigen3-dev libopencv-dev libopencv-contrib-dev libceres-dev libnanoflann-dev
+  libmeshoptimizer-dev libembree-dev nlohmann-json3-dev libcli11-dev libssl-dev
+  libgtest-dev libgmock-dev libbenchmark-dev
+  python3 python3-numpy python3-scipy colmap
+"
+
+# With everything there already, no network is needed.
+missing=""
+for package in $packages; do
+  state=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+  echo "All packages are installed."
+  exit 0
+fi
+
+export DEBIAN_FRONTEND=noninteractive
+# shellcheck disable=SC2086  # words are wanted
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
+# shellcheck disable=SC2086
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing

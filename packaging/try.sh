@@ -1,0 +1,22 @@
+#!/bin/sh
+# Installs what is needed, builds Ostraka, makes a sample batch with the virtual rig, turns it into
+# sherds, and names the report to open. The folder for all this may be given; default out/try.
+set -eu
+cd "$(dirname "$0")/.."
+folder=${1:-out/try}
+
+packaging/install-packages.sh
+cmake --preset release -D BUILD_TESTING=OFF
+cmake --build --preset release
+ostraka=build/release/app/ostraka
+
+if [ ! -e "$folder/batch/plate.json" ]; then
+  "$ostraka" rig simulate --output "$folder/batch" --seed 7 --sherds 4
+fi
+status=0
+"$ostraka" process "$folder/batch" --output "$folder/sherds" || status=$?
+if [ "$status" -ne 0 ] && [ "$status" -ne 3 ]; then
+  exit "$status"
+fi
+echo
+echo "Open this file in a browser: $(cd "$folder/sherds" && pwd)/report.html"

@@ -15,7 +15,7 @@ fi
 packages="
   build-essential cmake ninja-build ccache mold
   libeigen3-dev libopencv-dev libopencv-contrib-dev libceres-dev libnanoflann-dev
-  libmeshoptimizer-dev libembree-dev nlohmann-json3-dev libcli11-dev libssl-dev
+  libjpeg-dev libembree-dev nlohmann-json3-dev libcli11-dev libssl-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-scipy colmap
 "
@@ -31,7 +31,6 @@ if [ -z "$missing" ]; then
   exit 0
 fi
 
-export DEBIAN_FRONTEND=noninteractive
 # shellcheck disable=SC2086  # words are wanted
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
 # shellcheck disable=SC2086

@@ -1,0 +1,157 @@
+// Runs the built program as a person does, and looks at what it says and its exit status.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cloud/ply.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = -1;
+  std::string text;  // of both streams, or of standard output alone
+};
+
+Outcome run(const std::string& arguments, const std::string& errors_to = "2>&1") {
+  const std::string command = std::string(OSTRAKA_PROGRAM) + " " + arguments + " " + errors_to;
+  Outcome outcome;
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::array<char, 4096> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    outcome.text.append(buffer.data(), n);
+  const int status = ::pclose(pipe);
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return outcome;
+}
+
+bool says(const Outcome& outcome, const std::string& words) {
+  return outcome.text.find(words) != std::string::npos;
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("ostraka_app_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  fs::path folder_;
+};
+
+TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
+  const Outcome root = run("--help");
+  EXPECT_EQ(root.status, 0);
+  for (const char* word :
+       {"process", "register", "dense", "evaluate", "completion", "--json", "Exit status"})
+    EXPECT_TRUE(says(root, word)) << word;
+  const std::pair<const char*, std::vector<const char*>> commands[] = {
+      {"process", {"BATCH", "--output", "--rig", "--threads", "--dense", "--masks", "--pairing"}},
+      {"register", {"--front", "--back", "--output", "--scale", "--pairing"}},
+      {"dense", {"IMAGES", "--cameras", "--masks", "--output"}},
+      {"evaluate", {"OUT", "--truth", "--align"}},
+      {"rig simulate", {"--output", "--seed", "--sherds"}},
+      {"completion", {"bash", "zsh", "fish"}}};
+  for (const auto& [command, options] : commands) {
+    const Outcome help = run(std::string(command) + " --help");
+    EXPECT_EQ(help.status, 0) << command;
+    for (const char* option : options) EXPECT_TRUE(says(help, option)) << command << " " << option;
+  }
+  EXPECT_TRUE(says(run("--version"), "ostraka "));
+}
+
+TEST_F(CommandLine, ACommandLineThatCannotBeUsedIsUnusableInput) {
+  for (const char* arguments : {"", "fly", "process", "process x", "process x -o y --dense magic",
+                                "register --front a -o b", "evaluate /", "dense /tmp -o x.ply"})
+    EXPECT_EQ(run(arguments).status, 2) << arguments;
+}
+
+TEST_F(CommandLine, BadInputGetsOneSentenceWithTheFilesName) {
+  const Outcome absent = run("process " + path("nowhere") + " -o " + path("out") + " --quiet");
+  EXPECT_EQ(absent.status, 2);
+  EXPECT_TRUE(says(absent, "nowhere")) << absent.text;
+  EXPECT_EQ(std::count(absent.text.begin(), absent.text.end(), '\n'), 1) << absent.text;
+  EXPECT_FALSE(fs::exists(path("out/pairs.json")));
+
+  write("front/a.ply", "ply\nformat ascii 1.0\nelement vertex 99999999\nend_header\n");
+  write("back/a.ply", "no ply");
+  const Outcome scans =
+      run("register --front " + path("front") + " --back " + path("back") + " -o " + path("out"));
+  EXPECT_EQ(scans.status, 2) << scans.text;
+  EXPECT_TRUE(says(scans, "a.ply")) << scans.text;
+}
+
+TEST_F(CommandLine, DenseSaysWhichPhotographIsMissing) {
+  write("cameras.json",
+        R"({"unit":"mm","images":[{"file":"gone.jpg","width":64,"height":48,
+        "K":[[100,0,32],[0,100,24],[0,0,1]],"dist":[],"R":[[1,0,0],[0,1,0],[0,0,1]],"t":[0,0,100]}]})");
+  const Outcome dense = run("dense " + folder_.string() + " --cameras " + path("cameras.json") +
+                            " -o " + path("c.ply"));
+  EXPECT_EQ(dense.status, 2);
+  EXPECT_TRUE(says(dense, "gone.jpg")) << dense.text;
+  EXPECT_FALSE(fs::exists(path("c.ply")));
+  EXPECT_EQ(
+      run("dense " + folder_.string() + " --cameras " + path("none.json") + " -o x.ply").status, 2);
+}
+
+TEST_F(CommandLine, ErrorsComeAsJsonToo) {
+  const Outcome outcome = run(
+      "evaluate " + folder_.string() + " --truth " + folder_.string() + " --json", "2>/dev/null");
+  EXPECT_EQ(outcome.status, 2);
+  const auto value = nlohmann::json::parse(outcome.text, nullptr, false);
+  ASSERT_TRUE(value.is_object()) << outcome.text;
+  EXPECT_EQ(value["exit_status"], 2);
+  EXPECT_NE(value["error"].get<std::string>().find("truth"), std::string::npos);
+}
+
+TEST_F(CommandLine, EvaluateMeasuresAModelAndGates) {
+  ostraka::TriangleMesh mesh;  // a tetrahedron of 30 mm, and the same 1 mm higher
+  mesh.vertices = {{0, 0, 0}, {30, 0, 0}, {0, 30, 0}, {0, 0, 30}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  ASSERT_TRUE(ostraka::writePly(folder_ / "truth.ply", mesh, "model").has_value());
+  for (auto& v : mesh.vertices) v.z() += 1;
+  ASSERT_TRUE(ostraka::writePly(folder_ / "model.ply", mesh, "model").has_value());
+  const std::string truth = " --truth " + path("truth.ply");
+  const Outcome good =
+      run("evaluate " + path("truth.ply") + truth + " --gate --json", "2>/dev/null");
+  EXPECT_EQ(good.status, 0);
+  const auto value = nlohmann::json::parse(good.text, nullptr, false);
+  ASSERT_TRUE(value.is_object()) << good.text;
+  EXPECT_LT(value["model"]["accuracy_mm"].get<double>(), 1e-5);
+  EXPECT_TRUE(value["goals_met"].get<bool>());
+  EXPECT_EQ(run("evaluate " + path("model.ply") + truth + " --gate").status, 1);
+  EXPECT_EQ(run("evaluate " + path("model.ply") + truth).status, 0) << "measuring is no failure";
+}
+
+TEST_F(CommandLine, CompletionScriptsNameCommandsAndOptions) {
+  for (const char* shell : {"bash", "zsh", "fish"}) {
+    const Outcome script = run(std::string("completion ") + shell);
+    EXPECT_EQ(script.status, 0);
+    for (const char* word : {"process", "register", "evaluate", "simulate"})
+      EXPECT_TRUE(says(script, word)) << shell << " " << word;
+    EXPECT_TRUE(says(script, "cameras")) << shell;
+  }
+  const Outcome words =
+      run("completion bash > " + path("c.sh") + "; bash -c 'source " + path("c.sh") +
+          "; COMP_WORDS=(ostraka process --de); COMP_CWORD=2; _ostraka; "
+          "echo \"${COMPREPLY[@]}\"'");
+  EXPECT_EQ(words.text, "--dense\n");
+  EXPECT_EQ(run("completion tcsh").status, 2);
+}
+
+}  // namespace

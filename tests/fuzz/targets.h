@@ -1,0 +1,11 @@
+#pragma once
+#include <string_view>
+
+namespace ostraka::fuzz {
+
+/// Each hands strange bytes to readers and stops the program when a promise of theirs is broken.
+void ply(std::string_view bytes);
+void json(std::string_view bytes);
+void imageHeader(std::string_view bytes);
+
+}  // namespace ostraka::fuzz

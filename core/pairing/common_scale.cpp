@@ -1,0 +1,90 @@
+#include "pairing/common_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pairing/assignment.h"
+
+namespace ostraka::pairing {
+namespace {
+
+/// Root mean square distance of the points from their mean, in the scan's unit.
+double radiusOf(const scan::Scan& scan) {
+  if (scan.cloud.empty()) return 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : scan.cloud.points) mean += p.cast<double>();
+  mean /= static_cast<double>(scan.cloud.size());
+  double sum = 0;
+  for (const Eigen::Vector3f& p : scan.cloud.points) sum += (p.cast<double>() - mean).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(scan.cloud.size()));
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// What brings a side to the size of sherds in millimetres, for which the outlines' tolerances
+/// hold.
+double toUsualSize(std::span<const scan::Scan> scans) {
+  constexpr double kUsualRadius = 18;  // mm, of a sherd of 45 mm
+  std::vector<double> radii;
+  for (const scan::Scan& scan : scans) radii.push_back(radiusOf(scan));
+  const double median = radii.empty() ? 0 : medianOf(radii);
+  return median > 0 ? kUsualRadius / median : 1;
+}
+
+std::vector<scan::Scan> allScaled(std::span<const scan::Scan> scans, double factor) {
+  std::vector<scan::Scan> out;
+  for (const scan::Scan& scan : scans) out.push_back(scaled(scan, factor));
+  return out;
+}
+
+}  // namespace
+
+scan::Scan scaled(const scan::Scan& scan, double factor) {
+  scan::Scan out = scan;
+  for (Eigen::Vector3f& p : out.cloud.points) p *= static_cast<float>(factor);
+  return out;
+}
+
+Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
+                           const CandidateOptions& options, Progress& progress,
+                           std::stop_token stop) {
+  constexpr double kLikely = 5;  // logarithm of odds of 150: a single such pair may give the scale
+  const double front_factor = toUsualSize(fronts), back_factor = toUsualSize(backs);
+  CandidateOptions free = options;
+  free.scale = Scale::Free;
+  free.method = Method::Default;
+  const Result<std::vector<PairCandidate>> candidates = findCandidates(
+      allScaled(fronts, front_factor), allScaled(backs, back_factor), free, progress, stop);
+  if (!candidates) return candidates.error();
+  std::vector<Evidence> evidence;
+  for (const PairCandidate& candidate : *candidates) {
+    Evidence e;
+    e.front = candidate.front, e.back = candidate.back;
+    e.log_likelihood = candidate.log_likelihood;
+    evidence.push_back(e);
+  }
+  const Result<Assignment> assignment =
+      assignPairs(evidence, static_cast<int>(fronts.size()), static_cast<int>(backs.size()), {});
+  if (!assignment) return assignment.error();
+  std::vector<double> scales;
+  for (const Decision& decision : assignment->pairs) {
+    for (const PairCandidate& c : *candidates) {
+      const bool own = c.front == decision.front && c.back == decision.back;
+      if (own && c.log_likelihood > kLikely) scales.push_back(c.starts[0].scale);
+    }
+  }
+  if (scales.empty()) {
+    return Error{ErrorCode::NotEnough,
+                 "No two outlines are alike, so the sides' sizes cannot be compared; give a known "
+                 "length.",
+                 {}};
+  }
+  return medianOf(scales) * back_factor / front_factor;
+}
+
+}  // namespace ostraka::pairing

@@ -1,0 +1,91 @@
+#include "scan/split.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "slabs.h"
+
+namespace ostraka::scan {
+namespace {
+
+/// Two sherds, plate points with noise, a marker, a crumb and flying points.
+PointCloud plate() {
+  PointCloud cloud = test::box(-60, 40, 30, 25, 6);
+  test::append(cloud, test::box(10, -50, 40, 20, 5));
+  test::append(cloud, test::box(80, 80, 4, 4, 4));  // crumb
+  std::mt19937 random(1);
+  std::normal_distribution<float> noise(0, 0.08f);
+  std::uniform_real_distribution<float> anywhere(-120, 120), high(5, 30);
+  for (int i = 0; i < 20000; ++i) {
+    cloud.points.emplace_back(anywhere(random), anywhere(random), noise(random));
+    cloud.normals.push_back(Eigen::Vector3f::UnitZ());
+  }
+  for (int i = 0; i < 30; ++i) {
+    cloud.points.emplace_back(anywhere(random), anywhere(random), high(random));
+    cloud.normals.push_back(Eigen::Vector3f::UnitX());
+  }
+  return cloud;
+}
+
+Result<SplitResult> split(const PointCloud& cloud, SplitOptions options = {}) {
+  QuietProgress quiet;
+  return splitScans(cloud, batch::Side::Front, options, quiet);
+}
+
+TEST(SplitScans, FindsTheSherdsAndLeavesPlateCrumbAndFlyersOut) {
+  const auto found = split(plate());
+  ASSERT_TRUE(found.has_value()) << found.error().what;
+  ASSERT_EQ(found->scans.size(), 2u);
+  EXPECT_EQ(found->scans[0].id, "f001");
+  // All but the lowest row of the walls, which is within the plate's own noise.
+  EXPECT_NEAR(static_cast<double>(found->scans[0].cloud.size()),
+              static_cast<double>(test::box(-60, 40, 30, 25, 6).size()), 250);
+  EXPECT_EQ(found->scans[0].rim.size(), found->scans[0].cloud.size());
+  ASSERT_EQ(found->warnings.size(), 1u);  // of the crumb
+}
+
+TEST(SplitScans, NumbersDoNotDependOnTheOrderOfThePoints) {
+  PointCloud cloud = plate();
+  const auto a = split(cloud);
+  std::vector<int> order(cloud.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(order.size() - 1 - i);
+  const auto b = split(subset(cloud, order));
+  ASSERT_TRUE(a.has_value() && b.has_value());
+  ASSERT_EQ(a->scans.size(), b->scans.size());
+  for (std::size_t k = 0; k < a->scans.size(); ++k) {
+    EXPECT_EQ(a->scans[k].cloud.size(), b->scans[k].cloud.size());
+  }
+}
+
+TEST(SplitScans, CutsTwoTouchingSherdsAtTheirNeckAndSaysSo) {
+  PointCloud cloud = test::box(0, 0, 30, 25, 6);
+  test::append(cloud, test::box(29, 21, 30, 25, 5));  // the corners overlap by 1 x 4 mm
+  const auto found = split(cloud);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->scans.size(), 2u);
+  ASSERT_FALSE(found->warnings.empty());
+  EXPECT_NE(found->warnings[0].find("touch"), std::string::npos);
+}
+
+TEST(SplitScans, KeepsASherdWithAWaistWhole) {
+  PointCloud cloud = test::box(0, 0, 30, 20, 6);
+  test::append(cloud, test::box(30, 5, 6, 10, 6));  // a waist of half the width
+  test::append(cloud, test::box(36, 0, 30, 20, 6));
+  EXPECT_EQ(split(cloud)->scans.size(), 1u);
+}
+
+TEST(SplitScans, SaysWhatIsWrongWithItsInput) {
+  PointCloud bare = test::box(0, 0, 30, 25, 6);
+  bare.normals.clear();
+  EXPECT_EQ(split(bare).error().code, ErrorCode::UnusableInput);
+  PointCloud low = test::box(0, 0, 30, 25, 0.1);
+  EXPECT_EQ(split(low).error().code, ErrorCode::NotEnough);
+  SplitOptions options;
+  options.gap_mm = 0;
+  EXPECT_EQ(split(low, options).error().code, ErrorCode::UnusableInput);
+}
+
+}  // namespace
+}  // namespace ostraka::scan

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <system_error>
 
 #include "base/files.h"
 #include "base/json.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
+#include "pairing/common_scale.h"
 #include "pipeline/pair_sides.h"
 #include "pipeline/register_report.h"
 #include "scan/rim.h"
@@ -108,7 +110,7 @@ Result<ReadScans> readSide(const fs::path& folder, int threads) {
 
 /// Whether the scans' frame is a plate's: all stand on z = 0 with their faces up. Scans stop up to
 /// 0.6 mm above the plate, and up to 4 mm where the lowest strip is hidden.
-bool standOnPlate(const std::vector<scan::Scan>& scans) {
+bool standOnPlate(std::span<const scan::Scan> scans) {
   return std::all_of(scans.begin(), scans.end(), [](const scan::Scan& scan) {
     std::vector<float> heights;
     for (const Eigen::Vector3f& p : scan.cloud.points) heights.push_back(p.z());
@@ -176,6 +178,34 @@ RegisterSummary summaryOf(const PairTable& table, const ReadScans& fronts, const
   return summary;
 }
 
+/// With scale free, the backs are first brought to the fronts' size: one scale for the whole batch
+/// is known better (0.1 %) than each pair's own could be.
+Result<PairTable> paired(const RegisterOptions& options, std::span<const scan::Scan> fronts,
+                         std::span<const scan::Scan> backs, Progress& progress,
+                         std::stop_token stop) {
+  PairOptions pair_options;
+  pair_options.candidates.method = options.pairing;
+  pair_options.candidates.threads = options.threads;
+  pair_options.threads = options.threads;
+  registration::Witnesses witnesses;
+  witnesses.front_on_plate = standOnPlate(fronts);
+  witnesses.back_on_plate = standOnPlate(backs);
+  if (options.scale == pairing::Scale::Fixed) {
+    return pairSides(fronts, backs, witnesses, pair_options, progress, stop);
+  }
+  const Result<double> scale =
+      pairing::commonScale(fronts, backs, pair_options.candidates, progress, stop);
+  if (!scale) return scale.error();
+  progress.note(NoteLevel::Info, "pairing: the fronts are " + std::to_string(*scale) +
+                                     " times the size of the backs");
+  std::vector<scan::Scan> sized;
+  for (const scan::Scan& back : backs) sized.push_back(pairing::scaled(back, *scale));
+  Result<PairTable> table = pairSides(fronts, sized, witnesses, pair_options, progress, stop);
+  if (!table) return table.error();
+  for (SherdPair& pair : table->pairs) pair.registration.scale = *scale;
+  return table;
+}
+
 }  // namespace
 
 Result<void> RegisterOptions::check() const {
@@ -202,19 +232,7 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
   const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
   if (const Result<void> free = checkOutput(options, inputs_hash); !free) return free.error();
 
-  PairOptions pair_options;
-  pair_options.candidates.method = options.pairing;
-  pair_options.candidates.scale = options.scale;
-  pair_options.candidates.threads = options.threads;
-  pair_options.registration.scale = options.scale == pairing::Scale::Free
-                                        ? registration::Scale::Free
-                                        : registration::Scale::Fixed;
-  pair_options.threads = options.threads;
-  registration::Witnesses witnesses;
-  witnesses.front_on_plate = standOnPlate(fronts->scans);
-  witnesses.back_on_plate = standOnPlate(backs->scans);
-  const Result<PairTable> table =
-      pairSides(fronts->scans, backs->scans, witnesses, pair_options, progress, stop);
+  const Result<PairTable> table = paired(options, fronts->scans, backs->scans, progress, stop);
   if (!table) return table.error();
 
   RegisterSummary summary = summaryOf(*table, *fronts, *backs);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "cloud/nearest.h"
 #include "virtualrig/rest.h"
@@ -99,26 +100,26 @@ Piece laidDown(const VirtualSherd& sherd, const Eigen::Vector3d& up) {
   return {rest, footprint(sherd, rest)};
 }
 
-// Slides a piece towards another one until their surfaces are a third of a millimetre apart.
+// Slides a piece from this direction towards another one until their surfaces touch.
 std::optional<Eigen::Isometry2d> against(const VirtualSherd& moving, const Piece& piece,
                                          const VirtualSherd& other,
-                                         const Eigen::Isometry3d& other_pose, Random& random) {
+                                         const Eigen::Isometry3d& other_pose, double direction_rad,
+                                         double turn_rad) {
   std::vector<Eigen::Vector3f> points;
   for (const Eigen::Vector3f& v : other.mesh.vertices)
     points.push_back((other_pose * v.cast<double>()).cast<float>());
   const KdTree tree(points);
-  const double from = random.uniform(0, 2 * kPi), turn = random.uniform(0, 2 * kPi);
-  const Eigen::Vector2d direction(std::cos(from), std::sin(from));
+  const Eigen::Vector2d direction(std::cos(direction_rad), std::sin(direction_rad));
   const Eigen::Vector2d target = other_pose.translation().head<2>();
   double distance = 0.5 * (moving.width_mm + other.width_mm) + 30;
   while (distance > 5) {
-    const Eigen::Isometry2d pose = planar(turn, target + distance * direction);
+    const Eigen::Isometry2d pose = planar(turn_rad, target + distance * direction);
     const Eigen::Isometry3d full = lifted(pose) * piece.rest;
     float nearest = 900;
-    for (std::size_t i = 0; i < moving.mesh.vertices.size(); i += 3)
-      nearest = std::min(
-          nearest, tree.nearest((full * moving.mesh.vertices[i].cast<double>()).cast<float>(), 60)
-                       .squared_distance);
+    for (std::size_t i = 0; i < moving.mesh.vertices.size(); i += 3) {
+      const Eigen::Vector3f p = (full * moving.mesh.vertices[i].cast<double>()).cast<float>();
+      nearest = std::min(nearest, tree.nearest(p, 60).squared_distance);
+    }
     const double gap = std::sqrt(nearest);
     if (gap < 0.35) return pose;  // vertices are half a millimetre apart: the surfaces touch
     distance -= std::max(0.05, 0.9 * (gap - 0.3));
@@ -129,78 +130,90 @@ std::optional<Eigen::Isometry2d> against(const VirtualSherd& moving, const Piece
 class Arranger {
  public:
   Arranger(const std::vector<VirtualSherd>& sherds, const SimulateOptions& options, Random& random)
-      : sherds_(sherds), options_(options), random_(random) {}
+      : sherds_(sherds), options_(options), random_(random), ups_(sherds.size(), 1) {}
 
   bool front(Layout& layout) {
-    Occupancy occupancy;
-    ups_.assign(sherds_.size(), 1);
-    layout.front.resize(sherds_.size());
+    laid_.clear();
     for (std::size_t s = 0; s < sherds_.size(); ++s) {
       ups_[s] = random_.chance(0.5) ? 1 : -1;
       const Piece piece = laidDown(sherds_[s], Eigen::Vector3d(0, 0, ups_[s]));
-      std::optional<Eigen::Isometry2d> pose = placed(piece, s, layout.front, occupancy, [&](int) {
-        return planar(random_.uniform(0, 2 * kPi), inDisc(random_, kRoom - 10));
-      });
-      if (!pose) return false;
-      occupancy.take(piece.shape, *pose);
-      layout.front[s] = lifted(*pose) * piece.rest;
+      if (!place(
+              piece, s, layout.front, [&](int) { return anywhere(); },
+              [&] {
+                return Contact{turn(), turn()};
+              }))
+        return false;
     }
     return true;
   }
 
   bool back(Layout& layout) {
-    Occupancy occupancy;
-    layout.back.resize(sherds_.size());
+    laid_.clear();
     const Eigen::Matrix3d flip =
         Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()).toRotationMatrix();
     for (std::size_t s = 0; s < sherds_.size(); ++s) {
       const Piece piece = laidDown(sherds_[s], Eigen::Vector3d(0, 0, -ups_[s]));
       const double kept = turnTowards(flip * layout.front[s].linear(), piece.rest.linear());
       const Eigen::Vector3d c = flip * layout.front[s].translation();
-      std::optional<Eigen::Isometry2d> pose =
-          placed(piece, s, layout.back, occupancy, [&](int round) {
-            if (options_.scramble)
-              return planar(random_.uniform(0, 2 * kPi), inDisc(random_, kRoom - 10));
-            const double off = random_.uniform(3, 11 + 0.01 * round),
-                         way = random_.uniform(0, 2 * kPi);
-            return planar(kept + random_.uniform(-kPi / 6, kPi / 6),
-                          c.head<2>() + off * Eigen::Vector2d(std::cos(way), std::sin(way)));
-          });
-      if (!pose) return false;
-      occupancy.take(piece.shape, *pose);
-      layout.back[s] = lifted(*pose) * piece.rest;
+      const auto by_hand = [&](int round) {
+        if (options_.scramble) return anywhere();
+        const double off = random_.uniform(3, 11 + 0.01 * round), way = turn();
+        return planar(kept + random_.uniform(-kPi / 6, kPi / 6),
+                      c.head<2>() + off * Eigen::Vector2d(std::cos(way), std::sin(way)));
+      };
+      const auto contact = [&] {
+        if (options_.scramble || s == 0) return Contact{turn(), turn()};
+        const Eigen::Vector3d from = c - flip * layout.front[s - 1].translation();
+        return Contact{std::atan2(from.y(), from.x()) + random_.uniform(-0.3, 0.3),
+                       kept + random_.uniform(-0.3, 0.3)};
+      };
+      if (!place(piece, s, layout.back, by_hand, contact)) return false;
     }
     return true;
   }
 
  private:
-  template <class Draw>
-  std::optional<Eigen::Isometry2d> placed(const Piece& piece, std::size_t s,
-                                          const std::vector<Eigen::Isometry3d>& laid,
-                                          const Occupancy& occupancy, const Draw& draw) {
-    const bool touches = s % 2 == 1 && static_cast<int>(s / 2) < options_.touching;
-    if (touches) {
-      for (int round = 0; round < 12; ++round) {
-        const auto pose = against(sherds_[s], piece, sherds_[s - 1], laid[s - 1], random_);
-        if (pose && insideRing(piece, *pose)) return pose;
-      }
-      return std::nullopt;
-    }
-    for (int round = 0; round < 3000; ++round) {
-      const Eigen::Isometry2d pose = draw(round);
-      if (occupancy.fits(piece.shape, pose)) return pose;
-    }
-    return std::nullopt;
+  struct Contact {
+    double direction_rad, turn_rad;
+  };
+
+  double turn() { return random_.uniform(0, 2 * kPi); }
+  Eigen::Isometry2d anywhere() {
+    const double angle = turn();
+    return planar(angle, inDisc(random_, kRoom - 10));
   }
-  static bool insideRing(const Piece& piece, const Eigen::Isometry2d& pose) {
-    return std::all_of(piece.shape.begin(), piece.shape.end(),
-                       [&](const Eigen::Vector2d& p) { return (pose * p).norm() < kRoom; });
+
+  // Draws until the piece fits beside those that lie already; one of a touching pair is slid
+  // against its partner instead.
+  template <class Draw, class DrawContact>
+  bool place(const Piece& piece, std::size_t s, std::vector<Eigen::Isometry3d>& poses,
+             const Draw& draw, const DrawContact& draw_contact) {
+    const bool touches = s % 2 == 1 && static_cast<int>(s / 2) < options_.touching;
+    Occupancy others;
+    for (std::size_t i = 0; i + (touches ? 1 : 0) < laid_.size(); ++i)
+      others.take(laid_[i].first, laid_[i].second);
+    for (int round = 0; round < (touches ? 12 : 3000); ++round) {
+      std::optional<Eigen::Isometry2d> pose;
+      if (touches) {
+        const Contact contact = draw_contact();
+        pose = against(sherds_[s], piece, sherds_[s - 1], poses[s - 1], contact.direction_rad,
+                       contact.turn_rad);
+      } else {
+        pose = draw(round);
+      }
+      if (!pose || !others.fits(piece.shape, *pose)) continue;
+      laid_.emplace_back(piece.shape, *pose);
+      poses.push_back(lifted(*pose) * piece.rest);
+      return true;
+    }
+    return false;
   }
 
   const std::vector<VirtualSherd>& sherds_;
   const SimulateOptions& options_;
   Random& random_;
   std::vector<int> ups_;
+  std::vector<std::pair<std::vector<Eigen::Vector2d>, Eigen::Isometry2d>> laid_;
 };
 
 }  // namespace

@@ -36,15 +36,25 @@ LightField::Shares seenShares(const Scene& scene, const Room& room, const Eigen:
     const float spread = static_cast<float>(light.half_u.norm() + light.half_v.norm());
     if (normal.dot(to_centre) < -spread) continue;  // wholly behind
     const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(l));
-    int seen = 0;
-    for (int i = 0; i < kShadowSide * kShadowSide; ++i) {
-      double a = (i % kShadowSide + unit(h, 0)) / kShadowSide,
-             b = (i / kShadowSide + unit(h, 1)) / kShadowSide;
+    const auto sees = [&](int i) {
+      const double a = (i % kShadowSide + unit(h, 0)) / kShadowSide;
+      const double b = (i / kShadowSide + unit(h, 1)) / kShadowSide;
       const Eigen::Vector3d q =
           light.centre + (2 * a - 1) * light.half_u + (2 * b - 1) * light.half_v;
-      const Eigen::Vector3f d = q.cast<float>() - p;
-      if (!scene.blocked(p, d, 1.f)) ++seen;
+      return !scene.blocked(p, q.cast<float>() - p, 1.f);
+    };
+    // Where the light's corners and middle are all seen or all hidden, so is nearly all between.
+    constexpr std::array<int, 5> kFirst{0, kShadowSide - 1, kShadowSide * kShadowSide / 2,
+                                        kShadowSide * (kShadowSide - 1),
+                                        kShadowSide * kShadowSide - 1};
+    int seen = 0;
+    for (const int i : kFirst) seen += sees(i);
+    if (seen == 0 || seen == static_cast<int>(kFirst.size())) {
+      shares[l] = seen > 0 ? 1.f : 0.f;
+      continue;
     }
+    for (int i = 0; i < kShadowSide * kShadowSide; ++i)
+      if (std::find(kFirst.begin(), kFirst.end(), i) == kFirst.end()) seen += sees(i);
     shares[l] = static_cast<float>(seen) / (kShadowSide * kShadowSide);
   }
   return shares;

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "virtualrig/batch_files.h"
 #include "virtualrig/photograph.h"
+#include "virtualrig/virtual_scan.h"
 
 namespace ostraka::virtualrig {
 namespace {
@@ -235,6 +236,7 @@ Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
   const Room room = makeRoom(room_random);
   progress.note(NoteLevel::Info,
                 "virtualrig: " + std::to_string(sherds->size()) + " sherds made and laid down");
+  if (options.scans_only) return writeScans(*sherds, *layout, rig, options, progress, stop);
   if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
   if (Result<void> r = writeTruth(options.output / "truth", *sherds, *layout, rig); !r) return r;
 

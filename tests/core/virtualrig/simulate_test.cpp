@@ -1,0 +1,218 @@
+#include "virtualrig/simulate.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <opencv2/aruco.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "cloud/nearest.h"
+#include "cloud/ply.h"
+#include "rig/camera.h"
+
+namespace ostraka::virtualrig {
+namespace {
+
+namespace fs = std::filesystem;
+
+SimulateOptions tiny(const fs::path& output) {
+  SimulateOptions options;
+  options.seed = 21;
+  options.sherds = 2;
+  options.width = 320;
+  options.stops = 4;
+  options.output = output;
+  options.threads = 1;
+  return options;
+}
+
+class SimulatedBatch : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string pattern = (fs::temp_directory_path() / "virtualrig_XXXXXX").string();
+    root = mkdtemp(pattern.data());
+    QuietProgress quiet;
+    ASSERT_TRUE(simulateBatch(tiny(root / "one"), quiet, {}));
+  }
+  static void TearDownTestSuite() { fs::remove_all(root); }
+  static fs::path root;
+};
+fs::path SimulatedBatch::root;
+
+std::map<std::string, std::string> digests(const fs::path& folder) {
+  std::map<std::string, std::string> out;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      out[fs::relative(entry.path(), folder).string()] = sha256(*readFile(entry.path()));
+  return out;
+}
+
+TEST_F(SimulatedBatch, HoldsEveryFileOfTheLayout) {
+  const auto files = digests(root / "one");
+  for (const char* name :
+       {"plate.json", "board.json", "calib/empty_cam2.jpg", "calib/cam1_cal11.jpg",
+        "front/cam0_pos03.jpg", "back/cam2_pos00.jpg", "truth/cameras.json", "truth/sherds.json",
+        "truth/sherd01.ply", "truth/masks/back_cam1_pos02.png"})
+    EXPECT_TRUE(files.count(name)) << name;
+  EXPECT_EQ(files.size(), 2u + 24 + 24 + 3 + 36 + 2 + 2);
+  Progress&& quiet = QuietProgress();
+  const Result<batch::Batch> batch = batch::readBatch(root / "one", {}, quiet);
+  ASSERT_TRUE(batch) << batch.error().sentence();
+  EXPECT_EQ(batch->shots.size(), 24u);
+  EXPECT_EQ(batch->plate->markers.size(), 24u);
+}
+
+TEST_F(SimulatedBatch, IsTheSameForThreeThreads) {
+  SimulateOptions options = tiny(root / "three");
+  options.threads = 3;
+  QuietProgress quiet;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  EXPECT_EQ(digests(root / "one"), digests(root / "three"));
+}
+
+TEST_F(SimulatedBatch, HasPosesThatAgreeAndTouchThePlate) {
+  const auto truth = *readJson(root / "one/truth/sherds.json");
+  ASSERT_EQ(truth["sherds"].size(), 2u);
+  for (const auto& sherd : truth["sherds"]) {
+    const auto front = *isometryFromJson(sherd["plate_from_model_front"], ""),
+               back = *isometryFromJson(sherd["plate_from_model_back"], "");
+    const auto both = *isometryFromJson(sherd["T_front_from_back"], "");
+    EXPECT_LT((both * back).matrix().cwiseAbs().maxCoeff() - front.matrix().cwiseAbs().maxCoeff(),
+              1e-9);
+    EXPECT_LT(((both * back).matrix() - front.matrix()).cwiseAbs().maxCoeff(), 1e-9);
+    const TriangleMesh mesh = readPly(root / "one/truth" / sherd["mesh"].get<std::string>())->mesh;
+    for (const Eigen::Isometry3d& pose : {front, back}) {
+      float floor = 1e9f;
+      for (const Eigen::Vector3f& v : mesh.vertices)
+        floor = std::min(floor, (pose.cast<float>() * v).z());
+      EXPECT_NEAR(floor, 0, 1e-4);
+    }
+    // A hand turns it over about x: the shift stays within what README tells, the other side is up.
+    EXPECT_LT(front.linear().col(2).z() * back.linear().col(2).z(), 0);
+    const Eigen::Vector3d off =
+        back.translation() - Eigen::Vector3d(front.translation().x(), -front.translation().y(), 0);
+    EXPECT_LT(off.head<2>().norm(), 13);
+  }
+}
+
+TEST_F(SimulatedBatch, MasksCoverTheProjectedMeshes) {
+  const auto images = *rig::readCameras(root / "one/truth/cameras.json");
+  const auto truth = *readJson(root / "one/truth/sherds.json");
+  for (const rig::PosedImage& image : {images[0], images[4], images[20]}) {
+    std::string name = image.file.substr(0, image.file.size() - 4) + ".png";
+    name[name.find('/')] = '_';
+    const cv::Mat mask =
+        cv::imread((root / "one/truth/masks" / name).string(), cv::IMREAD_GRAYSCALE);
+    cv::Mat drawn(mask.size(), CV_8U, cv::Scalar(0));
+    for (const auto& sherd : truth["sherds"]) {
+      const auto pose =
+          *isometryFromJson(sherd[image.side == batch::Side::Front ? "plate_from_model_front"
+                                                                   : "plate_from_model_back"],
+                            "");
+      const TriangleMesh mesh =
+          readPly(root / "one/truth" / sherd["mesh"].get<std::string>())->mesh;
+      for (const auto& t : mesh.triangles) {
+        std::vector<cv::Point> corners;  // in sixteenths of a pixel
+        for (const int i : t) {
+          const Eigen::Vector2d q = image.project(pose * mesh.vertices[i].cast<double>());
+          corners.emplace_back(static_cast<int>(std::lround(16 * q.x())),
+                               static_cast<int>(std::lround(16 * q.y())));
+        }
+        cv::fillConvexPoly(drawn, corners, 255, cv::LINE_8, 4);
+      }
+    }
+    // OpenCV's polygons take every touched pixel: half a pixel more all around, never less.
+    const double both = cv::countNonZero((mask > 0) & (drawn > 0)),
+                 either = cv::countNonZero(drawn);
+    EXPECT_EQ(cv::countNonZero(mask), both);
+    EXPECT_GT(both / either, 0.85) << name;
+  }
+}
+
+TEST(SimulatedMarkers, LieWhereTheTrueCamerasProjectThem) {
+  // Bright paper spreads over black, by the blur and the picture's gamma: on all four sides of a
+  // marker alike, so corners may lie inside by some tenths of a pixel but markers not elsewhere.
+  std::string pattern = (fs::temp_directory_path() / "virtualrig_XXXXXX").string();
+  const fs::path root = mkdtemp(pattern.data());
+  SimulateOptions options = tiny(root);
+  options.sherds = 1;
+  options.width = 1200;
+  options.stops = 4;
+  options.fault = Fault::Missing;
+  QuietProgress quiet;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  EXPECT_FALSE(fs::exists(root / "front/cam0_pos01.jpg"));
+  const batch::Plate plate = *batch::readPlate(root / "plate.json");
+  const auto images = *rig::readCameras(root / "truth/cameras.json");
+  for (const rig::PosedImage& image : {images[1], images[2], images[16]}) {
+    const cv::Mat picture = cv::imread((root / image.file).string(), cv::IMREAD_GRAYSCALE);
+    std::vector<std::vector<cv::Point2f>> corners;
+    std::vector<int> ids;
+    auto parameters = cv::aruco::DetectorParameters::create();
+    parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
+    cv::aruco::detectMarkers(picture, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_100),
+                             corners, ids, parameters);
+    EXPECT_GE(ids.size(), 22u) << image.file;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      Eigen::Vector2d off = Eigen::Vector2d::Zero();
+      for (int k = 0; k < 4; ++k)
+        off += Eigen::Vector2d(corners[i][k].x, corners[i][k].y) -
+               image.project(plate.markers[ids[i]].corners[k]);
+      EXPECT_LT((off / 4).norm(), 0.3) << image.file << " marker " << ids[i];
+      mean += off / 4;
+    }
+    EXPECT_LT((mean / static_cast<double>(ids.size())).norm(), 0.05) << image.file;
+  }
+  fs::remove_all(root);
+}
+
+TEST(SimulateOptions, NameTheFieldThatCannotBe) {
+  SimulateOptions options = tiny("x");
+  options.width = 321;
+  EXPECT_NE(options.check().error().what.find("width"), std::string::npos);
+  options = tiny("x");
+  options.lookalikes = 2;
+  EXPECT_NE(options.check().error().what.find("lookalikes"), std::string::npos);
+}
+
+TEST(SimulateOptions, TooManySherdsAreRefusedInWords) {
+  SimulateOptions options = tiny("");
+  QuietProgress quiet;
+  EXPECT_EQ(simulateBatch(options, quiet, {}).error().code, ErrorCode::UnusableInput);
+}
+
+TEST(SimulatedScans, ComeWithTheirTruthAndSitOnTheMesh) {
+  std::string pattern = (fs::temp_directory_path() / "virtualrig_XXXXXX").string();
+  const fs::path root = mkdtemp(pattern.data());
+  SimulateOptions options = tiny(root);
+  options.scans_only = true;
+  QuietProgress quiet;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  const auto truth = *readJson(root / "truth.json");
+  ASSERT_EQ(truth["pairs"].size(), 2u);
+  for (const auto& pair : truth["pairs"]) {
+    const PointCloud front = *readPlyCloud(root / pair["front"].get<std::string>());
+    const PointCloud back = transformed(*readPlyCloud(root / pair["back"].get<std::string>()),
+                                        *isometryFromJson(pair["T_front_from_back"], ""));
+    const TriangleMesh mesh = readPly(root / pair["truth_mesh"].get<std::string>())->mesh;
+    EXPECT_NEAR(medianSpacing(front), 0.4, 0.12);
+    const KdTree tree(mesh.vertices);
+    for (const PointCloud* cloud : {&front, &back}) {
+      std::vector<float> off;
+      for (const Eigen::Vector3f& p : cloud->points)
+        off.push_back(std::sqrt(tree.nearest(p).squared_distance));
+      std::nth_element(off.begin(), off.begin() + static_cast<long>(off.size() / 2), off.end());
+      EXPECT_LT(off[off.size() / 2], 0.3);  // half an edge of the mesh: the nearest corner
+    }
+  }
+  fs::remove_all(root);
+}
+
+}  // namespace
+}  // namespace ostraka::virtualrig

@@ -6,11 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "command.h"
 #include "mask/given_mask.h"
 #include "rig/camera.h"
+#include "stereo/background.h"
 #include "stereo/stereo.h"
 
 namespace ostraka::app {
@@ -52,7 +54,10 @@ Result<stereo::View> readView(const DenseArguments& arguments, const rig::PosedI
                      std::to_string(view.photograph.rows) + " pixels, but its camera says " +
                      std::to_string(width) + "x" + std::to_string(height) + ".",
                  file.string()};
-  if (!arguments.masks) return view;
+  if (!arguments.masks) {
+    view.mask = stereo::possibleObject(view.photograph);
+    return view;
+  }
   const std::optional<fs::path> mask_file = maskFileOf(*arguments.masks, camera.file);
   if (!mask_file)
     return Error{ErrorCode::UnusableInput,
@@ -91,6 +96,31 @@ Result<std::vector<stereo::View>> readViews(const DenseArguments& arguments, Ses
   return views;
 }
 
+// "bounding_box_mm": {"min": [x, y, z], "max": [x, y, z]} beside the images, where the file has it.
+Result<std::optional<Eigen::AlignedBox3d>> readBounds(const fs::path& file) {
+  const Result<nlohmann::json> json = readJson(file);
+  if (!json) return json.error();
+  if (!json->is_object() || !json->contains("bounding_box_mm"))
+    return std::optional<Eigen::AlignedBox3d>();
+  const nlohmann::json& box = (*json)["bounding_box_mm"];
+  Eigen::AlignedBox3d bounds;
+  bool fine = box.is_object() && box.contains("min") && box.contains("max");
+  for (const char* corner : {"min", "max"}) {
+    fine = fine && box[corner].is_array() && box[corner].size() == 3;
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    for (std::size_t axis = 0; fine && axis < 3; ++axis) {
+      fine = box[corner][axis].is_number();
+      if (fine) p[static_cast<Eigen::Index>(axis)] = box[corner][axis].get<double>();
+    }
+    if (fine) (corner[1] == 'i' ? bounds.min() : bounds.max()) = p;
+  }
+  if (!fine || bounds.isEmpty())
+    return Error{ErrorCode::UnusableInput,
+                 "bounding_box_mm must be {\"min\": [x, y, z], \"max\": [x, y, z]}.",
+                 file.string()};
+  return std::optional<Eigen::AlignedBox3d>(bounds);
+}
+
 int runDense(const DenseArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   if (!arguments.output.has_filename() || fs::is_directory(arguments.output))
@@ -98,8 +128,11 @@ int runDense(const DenseArguments& arguments, Session& session) {
                           arguments.output.string()});
   const Result<std::vector<stereo::View>> views = readViews(arguments, session);
   if (!views) return fail(session, views.error());
+  Result<std::optional<Eigen::AlignedBox3d>> bounds = readBounds(arguments.cameras);
+  if (!bounds) return fail(session, bounds.error());
   session.progress.begin("stereo", 0.98);
   stereo::DenseOptions options;
+  options.bounds = *bounds;
   options.threads = arguments.threads;
   const Result<PointCloud> cloud =
       stereo::reconstruct(*views, options, session.progress, session.stop);
@@ -129,7 +162,10 @@ void addDense(CLI::App& root, Command& chosen) {
   command->footer(
       "CAMERAS.json: "
       "{\"unit\":\"mm\",\"images\":[{\"file\",\"width\",\"height\",\"K\",\"dist\",\"R\",\"t\"}]},\n"
-      "x_cam = R X + t, OpenCV's axes, a pixel's centre has integer coordinates.");
+      "x_cam = R X + t, OpenCV's axes, a pixel's centre has integer coordinates. Its\n"
+      "\"bounding_box_mm\" {\"min\",\"max\"} bounds what is reconstructed. Without --masks "
+      "everything\n"
+      "that is lit before a dark background counts as the object.");
   auto arguments = std::make_shared<DenseArguments>();
   command->add_option("IMAGES", arguments->images, "Folder of the photographs")
       ->required()

@@ -8,10 +8,11 @@
 namespace ostraka::registration {
 
 struct ContactOptions {
-  /// A scanned face stands on the plate to its noise (0.05 mm) and the height offset of its scan.
-  double face_sigma_mm = 0.07, face_gap_mm = 0.04;
+  /// A scanned face stands on the plate to its noise (0.05 mm), the height offsets of both scans
+  /// and what the search for the lowest points adds.
+  double face_sigma_mm = 0.10, face_gap_mm = 0.04;
   /// A sherd that stands on its broken edge: the scan ends up to half a millimetre before it.
-  double edge_sigma_mm = 0.15, edge_gap_mm = 0.20;
+  double edge_sigma_mm = 0.20, edge_gap_mm = 0.20;
 };
 
 /// The three points of `side` on which it would rest on the plate z = 0: the facet of its lower

@@ -1,14 +1,16 @@
 #include "registration/register_sides.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
 #include "base/parallel.h"
-#include "registration/contact.h"
-#include "registration/rim_icp.h"
+#include "registration/bilateral_boundary_icp.h"
+#include "registration/pair_fit.h"
+#include "registration/self_check.h"
 
 namespace ostraka::registration {
 namespace {
@@ -16,114 +18,121 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kCorrelationMm = 0.9;  // stereo's and scanners' noise is alike over a window
+constexpr double kNoPairLogLikelihood = -8;  // 1 to 3000: photographs need not be asked
+constexpr double kSamePoseMm = 0.5;          // poses nearer than this run into the same place
 
-struct Pose {
-  Isometry3d front_from_back;
-  int start = -1;
-  RimFit rim;
-  Evidence evidence;
-  double score = 1e9;
-};
+bool better(const FittedPose& a, const FittedPose& b) {
+  return a.score < b.score;
+}
 
-class PairFit {
- public:
-  PairFit(const Strip& front, const Strip& back, const Witnesses& witnesses,
-          const RegistrationOptions& options)
-      : front_(front), back_(back), witnesses_(witnesses), options_(options) {
-    const double noise = std::max(front.noise_mm, back.noise_mm);
-    bias_mm_ = std::max(0.02, 3.0 * (noise - 0.05));
-    radius_ = 0.5 * (front.radius_mm + back.radius_mm);
-  }
-
-  Vector3d pivot(const Isometry3d& pose) const {
-    return 0.5 * (front_.centre + pose * back_.centre);
-  }
-
-  double correlated(double spacing) const {
-    return 2 * std::max(1.0, std::pow(kCorrelationMm / std::max(spacing, 0.05), 2));
-  }
-
-  // One Gauss-Newton step at this radius; returns the RMS displacement in mm.
-  double step(Pose& pose, bool fine, double radius, double robust, double sigma) const {
-    const StripLevel& f = fine ? front_.fine : front_.coarse;
-    const StripLevel& b = fine ? back_.fine : back_.coarse;
-    RimPairing pairing;
-    pairing.radius_mm = radius;
-    pairing.min_cos = std::cos(options_.max_normal_angle_rad);
-    pairing.robust_mm = robust;
-    pairing.sigma_mm = sigma;
-    pairing.correlated = correlated(fine ? std::max(front_.spacing_mm, back_.spacing_mm) : 1.2);
-    pairing.bias_mm = bias_mm_;
-    const Vector3d at = pivot(pose.front_from_back);
-    pose.rim = fitRim(f, b, front_.up, pose.front_from_back, at, radius_, pairing);
-    pose.evidence = pose.rim.evidence;
-    pose.evidence +=
-        contactEvidence(front_, back_, pose.front_from_back, at, witnesses_.front_on_plate,
-                        witnesses_.back_on_plate, fine ? 0.0 : 0.2 * radius, {});
-    Matrix6 damped = pose.evidence.information;
-    damped.topLeftCorner<3, 3>().diagonal().array() += 1e-3 * radius_ * radius_;
-    damped.bottomRightCorner<3, 3>().diagonal().array() += 1e-3;
-    Vector6 x = -damped.ldlt().solve(pose.evidence.gradient);
-    const double moved =
-        std::sqrt(x.head<3>().squaredNorm() * radius_ * radius_ * 0.67 + x.tail<3>().squaredNorm());
-    if (moved > 2.0) x *= 2.0 / moved;  // never farther than a wall's thickness at once
-    pose.front_from_back = changed(pose.front_from_back, x, at);
-    return moved;
-  }
-
-  void coarse(Pose& pose) const {
-    for (const double r : {1.0, 0.85, 0.7, 0.58, 0.48, 0.4, 0.35, 0.33}) {
-      const double radius = options_.first_radius_mm * r;
-      step(pose, false, radius, radius, 0.3 * radius);
+std::vector<FittedPose> startPoses(const Strip& front, std::span<const Isometry3d> starts,
+                                   const Witnesses& witnesses, const RegistrationOptions& options) {
+  std::vector<FittedPose> poses;
+  // On plates the rest tells the height; elsewhere the planes of two contours lie up to a wall's
+  // thickness apart.
+  const bool grounded = witnesses.front_on_plate && witnesses.back_on_plate;
+  for (int s = 0; s < static_cast<int>(starts.size()); ++s)
+    for (const double h : {0.0, 1.0, -1.0}) {
+      if (grounded && h != 0) continue;
+      FittedPose pose;
+      pose.front_from_back = starts[static_cast<std::size_t>(s)];
+      pose.front_from_back.pretranslate(h * options.height_step_mm * front.up);
+      pose.begun = pose.front_from_back;
+      pose.start = s;
+      poses.push_back(pose);
     }
-    Pose probe = pose;
-    step(probe, false, 1.2, 0.6, 0.3);
-    pose.score = probe.rim.spread;
-  }
+  return poses;
+}
 
-  void fine(Pose& pose) const {
-    const double noise = std::max(front_.noise_mm, back_.noise_mm);
-    const double last = std::max(
-        {options_.last_radius_mm, 4.0 * noise, 0.9 * front_.spacing_mm, 0.9 * back_.spacing_mm});
-    double sigma = 0.15, radius = 1.0;
-    for (int round = 0; round < 30; ++round) {
-      const double moved =
-          step(pose, true, radius, std::max(0.12, std::min(radius, 3.0 * sigma)), sigma);
-      sigma = std::clamp(pose.rim.sigma_mm, 0.02, 0.3);
-      if (radius <= last && moved < 2e-4) break;
-      radius = std::max(last, radius * 0.8);
+// Best first, no two alike.
+std::vector<FittedPose> distinct(std::vector<FittedPose> poses, const PairFit& pair, int count) {
+  std::stable_sort(poses.begin(), poses.end(), better);
+  std::vector<FittedPose> kept;
+  for (const FittedPose& pose : poses) {
+    const bool near = std::any_of(kept.begin(), kept.end(), [&](const FittedPose& other) {
+      return pair.distance(pose.front_from_back, other.front_from_back) < kSamePoseMm;
+    });
+    if (!near && static_cast<int>(kept.size()) < count) kept.push_back(pose);
+  }
+  return kept;
+}
+
+// Turned about the viewer's axis so that the rim slides by +-1.5 and +-3 mm: a false valley of the
+// relief lies about a wavelength of it away.
+std::vector<FittedPose> alongTheRim(const FittedPose& best, const PairFit& pair,
+                                    const Strip& front) {
+  std::vector<FittedPose> poses;
+  const Vector3d at = pair.pivot(best.front_from_back);
+  for (const double slide_mm : {1.5, -1.5, 3.0, -3.0}) {
+    FittedPose pose;
+    Vector6 x = Vector6::Zero();
+    x.head<3>() = slide_mm / std::max(1.0, pair.radius()) * front.up;
+    pose.front_from_back = pose.begun = changed(best.front_from_back, x, at);
+    pose.start = best.start;
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+Registration reported(const FittedPose& best, const PairFit& pair, const Strip& front,
+                      const Strip& back) {
+  Registration found;
+  found.front_from_back = best.front_from_back;
+  found.rim_rms_mm = best.rim.rms_mm;
+  found.rim_overlap = best.rim.overlap;
+  found.information = best.evidence.information;
+  found.pivot = pair.pivot(best.front_from_back);
+  found.uncertainty_mm = pair.uncertainty(best.evidence);
+  found.start = best.start;
+  const double noise =
+      std::hypot(std::max(front.noise_mm, front.doubt_mm), std::max(back.noise_mm, back.doubt_mm));
+  if (std::getenv("VERB"))
+    std::printf("noise %.3f %.3f doubt %.3f %.3f\n", front.noise_mm, back.noise_mm, front.doubt_mm,
+                back.doubt_mm);
+  found.log_likelihood = rimLogLikelihood(best.rim.rms_mm, noise, best.rim.pairs);
+  found.runner_up_gap = 1e9;
+  return found;
+}
+
+// The likelihood of a pose of the same pair, for comparing poses: points that do not fit cost as
+// Tukey's weight has it, and 30 or so places along a rim are independent.
+double poseGap(const FittedPose& best, const FittedPose& other) {
+  return 30.0 * std::log(std::max(other.score, 1e-6) / std::max(best.score, 1e-6));
+}
+
+Result<Registration> byBoundaries(const Strip& front, const Strip& back,
+                                  std::span<const Isometry3d> starts, const Witnesses& witnesses,
+                                  const RegistrationOptions& options, std::stop_token stop) {
+  BilateralBoundaryIcpOptions icp;
+  icp.first_radius_mm = options.first_radius_mm;
+  icp.free_scale = options.scale == Scale::Free;
+  std::optional<BilateralBoundaryFit> best;
+  int best_start = -1;
+  std::optional<Error> failure;
+  for (const FittedPose& start : startPoses(front, starts, {}, options)) {
+    const auto fit = bilateralBoundaryIcp(front, back, start.front_from_back, icp, stop);
+    if (!fit) {
+      if (fit.error().code == ErrorCode::Cancelled) return fit.error();
+      failure = fit.error();
+      continue;
     }
-    Pose probe = pose;
-    step(probe, true, 1.0, 0.5, std::max(0.03, sigma));
-    pose.score = probe.rim.spread;
-    pose.rim.rms_mm = probe.rim.rms_mm;
-    pose.rim.overlap = probe.rim.overlap;
+    const bool first =
+        !best || fit->rms_mm * fit->rms_mm * best->pairs < best->rms_mm * best->rms_mm * fit->pairs;
+    if (!first) continue;
+    best = *fit;
+    best_start = start.start;
   }
-
-  double uncertainty(const Evidence& evidence) const {
-    Matrix6 damped = evidence.information;
-    damped.diagonal().array() += 1e-9;
-    const Matrix6 covariance = damped.inverse();
-    // RMS over points spread by radius_: each turn moves two of three coordinates.
-    return std::sqrt(covariance.bottomRightCorner<3, 3>().trace() +
-                     covariance.topLeftCorner<3, 3>().trace() * radius_ * radius_ * 2.0 / 3.0);
-  }
-
-  double bias() const { return bias_mm_; }
-
- private:
-  const Strip &front_, &back_;
-  const Witnesses& witnesses_;
-  const RegistrationOptions& options_;
-  double bias_mm_ = 0, radius_ = 1;
-};
-
-double distanceOf(const Isometry3d& a, const Isometry3d& b, const Strip& back) {
-  const Isometry3d change = a.inverse() * b;
-  const double turn = Eigen::AngleAxisd(change.linear()).angle();
-  return std::sqrt((change * back.centre - back.centre).squaredNorm() +
-                   0.67 * turn * turn * back.radius_mm * back.radius_mm);
+  if (!best) return *failure;
+  Registration found;
+  found.front_from_back = best->front_from_back;
+  found.scale = best->scale;
+  found.rim_rms_mm = best->rms_mm;
+  found.start = best_start;
+  found.rim_overlap = 1;
+  found.runner_up_gap = 1e9;
+  found.uncertainty_mm = 0.1;  // the method's own median error on clean scans; it knows no better
+  (void)witnesses;
+  return found;
 }
 
 }  // namespace
@@ -146,50 +155,58 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
                                    std::span<const Isometry3d> starts, const Witnesses& witnesses,
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop) {
-  (void)progress;
   if (auto ok = options.check(); !ok) return ok.error();
   if (starts.empty())
     return Error{ErrorCode::NotEnough, "No start pose was given for the registration.", {}};
+  if (options.method == Method::BilateralBoundary || options.scale == Scale::Free)
+    return byBoundaries(front, back, starts, witnesses, options, stop);
   const PairFit pair(front, back, witnesses, options);
-  std::vector<Pose> poses;
-  const bool grounded = witnesses.front_on_plate && witnesses.back_on_plate;
-  for (int s = 0; s < static_cast<int>(starts.size()); ++s)
-    for (const double h : {0.0, 1.0, -1.0}) {
-      if (grounded && h != 0) continue;
-      Pose pose{.front_from_back = starts[s], .start = s, .rim = {}, .evidence = {}};
-      pose.front_from_back.pretranslate(h * options.height_step_mm * front.up);
-      poses.push_back(pose);
-    }
-  parallelFor(poses.size(), options.threads, [&](std::size_t i) {
-    if (!stop.stop_requested()) pair.coarse(poses[i]);
-  });
-  if (stop.stop_requested()) return Error::cancelled();
-  std::stable_sort(poses.begin(), poses.end(),
-                   [](const Pose& a, const Pose& b) { return a.score < b.score; });
-  std::vector<Pose> survivors;
-  for (const Pose& pose : poses) {
-    const bool near = std::any_of(survivors.begin(), survivors.end(), [&](const Pose& other) {
-      return distanceOf(pose.front_from_back, other.front_from_back, back) < 0.5;
+  std::vector<FittedPose> poses = startPoses(front, starts, witnesses, options);
+  const auto each = [&](std::vector<FittedPose>& list, void (PairFit::*fit)(FittedPose&) const) {
+    parallelFor(list.size(), options.threads, [&](std::size_t i) {
+      if (!stop.stop_requested()) (pair.*fit)(list[i]);
     });
-    if (!near && static_cast<int>(survivors.size()) < options.max_survivors)
-      survivors.push_back(pose);
-  }
-  parallelFor(survivors.size(), options.threads, [&](std::size_t i) {
-    if (!stop.stop_requested()) pair.fine(survivors[i]);
-  });
+  };
+  progress.report(0, 3);
+  each(poses, &PairFit::coarse);
+  std::vector<FittedPose> survivors = distinct(std::move(poses), pair, options.max_survivors);
+  each(survivors, &PairFit::fine);
   if (stop.stop_requested()) return Error::cancelled();
-  std::stable_sort(survivors.begin(), survivors.end(),
-                   [](const Pose& a, const Pose& b) { return a.score < b.score; });
-  const Pose& best = survivors.front();
-  Registration result;
-  result.front_from_back = best.front_from_back;
-  result.rim_rms_mm = best.rim.rms_mm;
-  result.rim_overlap = best.rim.overlap;
-  result.information = best.evidence.information;
-  result.pivot = pair.pivot(best.front_from_back);
-  result.uncertainty_mm = pair.uncertainty(best.evidence);
-  result.start = best.start;
-  return result;
+  progress.report(1, 3);
+  std::stable_sort(survivors.begin(), survivors.end(), better);
+  FittedPose best = survivors.front();
+
+  std::vector<FittedPose> rivals = alongTheRim(best, pair, front);
+  each(rivals, &PairFit::coarse);
+  rivals = distinct(std::move(rivals), pair, options.max_survivors);
+  std::erase_if(rivals, [&](const FittedPose& rival) {
+    return pair.distance(rival.front_from_back, best.front_from_back) < kSamePoseMm;
+  });
+  each(rivals, &PairFit::fine);
+  if (stop.stop_requested()) return Error::cancelled();
+  progress.report(2, 3);
+  rivals.insert(rivals.end(), survivors.begin(), survivors.end());
+  best = *std::min_element(rivals.begin(), rivals.end(), better);
+
+  const bool hopeless = reported(best, pair, front, back).log_likelihood < kNoPairLogLikelihood;
+  if (!hopeless && (!witnesses.front.empty() || !witnesses.back.empty())) {
+    const SilhouetteWitness silhouettes(front, back, witnesses.front, witnesses.back,
+                                        best.front_from_back, {}, options.threads);
+    FittedPose refined = best;
+    pair.withSilhouettes(refined, silhouettes);
+    best = refined;
+  }
+  if (stop.stop_requested()) return Error::cancelled();
+  Registration found = reported(best, pair, front, back);
+  for (const FittedPose& rival : rivals) {
+    const double away = pair.distance(rival.front_from_back, best.front_from_back);
+    if (away < kSamePoseMm || poseGap(best, rival) >= found.runner_up_gap) continue;
+    found.runner_up_gap = poseGap(best, rival);
+    found.runner_up_mm = away;
+  }
+  judgeRegistration(front, back, found);
+  progress.report(3, 3);
+  return found;
 }
 
 Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,

@@ -60,6 +60,7 @@ struct Registration {
   double runner_up_gap = 0;   ///< log-likelihood above the best pose that differs; 1e9: none
   double runner_up_mm = 0;    ///< RMS distance to that pose over the back's points
   double crossing_share = 0;  ///< share of faces that lie behind the other side's face
+  double thickness_mm = 0;    ///< median distance of the faces
   bool slipped = false;       ///< the pose must not be believed
   std::string reason;         ///< why slipped, one sentence; empty otherwise
   int start = -1;             ///< index of the start it came from

@@ -122,6 +122,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
   strip.up = viewerDirection(scan);
   const Vector3f up = strip.up.cast<float>();
   const KdTree tree(cloud.points);
+  strip.all = cloud.points;
   strip.spacing_mm = medianSpacing(cloud);
   std::vector<float> heights;
   for (const Vector3f& p : cloud.points) heights.push_back(p.dot(up));
@@ -130,7 +131,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
   std::nth_element(sorted.begin(), lowest, sorted.end());
   const float low_end = *lowest + kLowBandMm;
   std::vector<Neighbour> found;
-  std::vector<double> offsets;
+  std::vector<double> offsets, angles;
   const float radius =
       static_cast<float>(std::max(options.normal_radius_mm, 2.2 * strip.spacing_mm));
   for (int i = 0; i < static_cast<int>(cloud.size()); ++i) {
@@ -142,12 +143,14 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
     strip.fine.weights.push_back(heights[i] < low_end ? kLowBandWeight : 1.0f);
     strip.fine.end.push_back(patch.aside > 0.3f ? 1 : 0);
     offsets.push_back(std::abs(patch.normal.dot(cloud.points[i] - patch.mean)));
+    angles.push_back(std::acos(std::clamp(patch.normal.dot(cloud.normals[i]), -1.0f, 1.0f)));
   }
   if (strip.fine.points.size() < 50)
     return Error{ErrorCode::NotEnough,
                  "Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.",
                  scan.id};
   strip.noise_mm = 1.4826 * median(offsets);
+  strip.doubt_mm = 0.32 * std::tan(median(angles));
   strip.fine.tree = KdTree(strip.fine.points);
   strip.coarse = thinnedLevel(strip.fine, options.coarse_mm);
   addShell(cloud, tree, 1.0, strip);

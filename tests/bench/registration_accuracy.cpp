@@ -1,7 +1,9 @@
 // How well and how fast true pairs are registered, and how far false pairs of look-alikes stand
 // apart. Prints one row per pair and a summary per set.
-//   registration_accuracy SHARED/scans [--sets b01,stereo] [--method default|bbicp] [--starts N]
-//                         [--false] [--rows]
+//   registration_accuracy SHARED/scans [--sets b01,stereo] [--method M] [--starts N]
+//                         [--false] [--rows] [--batch SHARED/batches/demo]
+// M: default, bbicp; with the Point Cloud Library also trimmed, gicp, fpfh, 4pcs.
+// --batch: the photographs' masks and true cameras as witnesses (for the set stereo).
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
@@ -12,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <random>
 #include <string>
 #include <vector>
@@ -19,6 +22,9 @@
 #include "base/json.h"
 #include "cloud/ply.h"
 #include "registration/register_sides.h"
+#ifdef OSTRAKA_WITH_PCL
+#include "registration_rivals.h"
+#endif
 
 namespace {
 
@@ -46,7 +52,41 @@ struct Arguments {
   std::string method = "default";
   int starts = 3;
   bool false_pairs = false, rows = false;
+  std::filesystem::path batch;  // a batch with truth: its cameras and masks are witnesses
 };
+
+struct Views {
+  std::vector<rig::PosedImage> cameras;
+  std::vector<cv::Mat1b> masks;  // all sherds
+};
+
+Views readViews(const std::filesystem::path& batch) {
+  Views views;
+  if (batch.empty()) return views;
+  const auto cameras = rig::readCameras(batch / "truth" / "cameras.json");
+  if (!cameras) {
+    std::fprintf(stderr, "%s\n", cameras.error().sentence().c_str());
+    return views;
+  }
+  for (const rig::PosedImage& camera : *cameras) {
+    char name[64];
+    std::snprintf(name, sizeof name, "%s_cam%d_pos%02d.png", batch::name(camera.side),
+                  camera.camera, camera.stop);
+    const cv::Mat1b labels =
+        cv::imread((batch / "truth" / "masks" / name).string(), cv::IMREAD_GRAYSCALE);
+    views.cameras.push_back(camera);
+    views.masks.push_back(labels > 0);
+  }
+  return views;
+}
+
+std::vector<registration::SilhouetteView> silhouettes(const Views& views, batch::Side side) {
+  std::vector<registration::SilhouetteView> chosen;
+  for (std::size_t i = 0; i < views.cameras.size(); ++i)
+    if (views.cameras[i].side == side && !views.masks[i].empty())
+      chosen.push_back({views.cameras[i], views.masks[i]});
+  return chosen;
+}
 
 double cpuSeconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -129,11 +169,32 @@ void printRow(const std::string& set, const Pair& pair, const Row& row) {
   const auto& f = row.found;
   std::printf(
       "%-12s %s %s %s rms %.3f (height %.3f) rim %.3f overlap %.2f LL %7.1f sigma %.3f gap %.1f at "
-      "%.2f cross %.3f%s %.2f s %s\n",
+      "%.2f cross %.3f wall %.2f%s %.2f s %s\n",
       set.c_str(), pair.is_true ? "true " : "FALSE", pair.front.substr(6, 4).c_str(),
       pair.back.substr(5, 4).c_str(), row.rms, row.height, f.rim_rms_mm, f.rim_overlap,
       f.log_likelihood, f.uncertainty_mm, std::min(f.runner_up_gap, 999.0), f.runner_up_mm,
-      f.crossing_share, f.slipped ? " SLIPPED" : "", row.seconds, f.reason.c_str());
+      f.crossing_share, f.thickness_mm, f.slipped ? " SLIPPED" : "", row.seconds, f.reason.c_str());
+}
+
+Result<registration::Registration> registerBy(const std::string& method, const scan::Scan& front,
+                                              const scan::Scan& back,
+                                              const std::vector<Isometry3d>& starts,
+                                              const registration::Witnesses& witnesses,
+                                              const registration::RegistrationOptions& options) {
+#ifdef OSTRAKA_WITH_PCL
+  if (method != "default" && method != "bbicp") {
+    const auto pose = bench::registerByRival(method, front.cloud, back.cloud, starts.front());
+    if (!pose) return Error{ErrorCode::Failed, "The method did not converge.", method};
+    registration::Registration found;
+    found.front_from_back = *pose;
+    found.uncertainty_mm = 1;
+    return found;
+  }
+#else
+  (void)method;
+#endif
+  QuietProgress quiet;
+  return registration::registerSides(front, back, starts, witnesses, options, quiet, {});
 }
 
 void runSet(const Arguments& arguments, const std::string& set) {
@@ -147,6 +208,9 @@ void runSet(const Arguments& arguments, const std::string& set) {
   std::vector<double> rms, rim_true, rim_false, seconds, ratio;
   int slipped = 0, bad_unflagged = 0;
   std::mt19937_64 random(1);
+  const Views views = readViews(arguments.batch);
+  const auto front_views = silhouettes(views, batch::Side::Front);
+  const auto back_views = silhouettes(views, batch::Side::Back);
   const bool plates = set.rfind("flake", 0) != 0;
   for (const Pair& pair : pairs) {
     scan::Scan front, back;
@@ -162,11 +226,12 @@ void runSet(const Arguments& arguments, const std::string& set) {
       starts = allAround(front.cloud, back.cloud);
     registration::RegistrationOptions options;
     if (arguments.method == "bbicp") options.method = registration::Method::BilateralBoundary;
-    QuietProgress quiet;
     const double before = cpuSeconds();
     registration::Witnesses witnesses;
+    witnesses.front = front_views;
+    witnesses.back = back_views;
     witnesses.front_on_plate = witnesses.back_on_plate = plates;
-    auto found = registration::registerSides(front, back, starts, witnesses, options, quiet, {});
+    auto found = registerBy(arguments.method, front, back, starts, witnesses, options);
     Row row;
     row.seconds = cpuSeconds() - before;
     if (!found) {
@@ -219,6 +284,7 @@ int main(int argc, char** argv) {
     const std::string word = argv[i];
     if (word == "--false") arguments.false_pairs = true;
     if (word == "--rows") arguments.rows = true;
+    if (word == "--batch" && i + 1 < argc) arguments.batch = argv[++i];
     if (word == "--sets" && i + 1 < argc) arguments.sets = split(argv[++i]);
     if (word == "--method" && i + 1 < argc) arguments.method = argv[++i];
     if (word == "--starts" && i + 1 < argc) arguments.starts = std::stoi(argv[++i]);

@@ -1,0 +1,32 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <stop_token>
+
+#include "base/result.h"
+#include "registration/strip.h"
+
+namespace ostraka::registration {
+
+struct BilateralBoundaryIcpOptions {
+  double first_radius_mm = 3.0;  ///< start poses hold to a third of a wall
+  double last_radius_mm = 0.8;   ///< 3 sigma of two strips at 0.24 mm per pixel
+  int max_rounds = 60;
+  bool free_scale = false;  ///< also the back's size: --scale free, without a known length
+};
+
+struct BilateralBoundaryFit {
+  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
+  double scale = 1;   ///< p_front = T (scale * p_back)
+  double rms_mm = 0;  ///< point to point over all pairs of the last round
+  int pairs = 0;
+};
+
+/// Wang et al., ICCV 2023, equation 2: the ends of each scan go to the closest points of the
+/// other side's strip, in both directions at once, point to point. Errors: Cancelled, NotEnough
+/// (fewer than 10 pairs).
+Result<BilateralBoundaryFit> bilateralBoundaryIcp(const Strip& front, const Strip& back,
+                                                  const Eigen::Isometry3d& start,
+                                                  const BilateralBoundaryIcpOptions& options,
+                                                  std::stop_token stop);
+
+}  // namespace ostraka::registration

@@ -1,0 +1,161 @@
+#include "registration/pair_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace ostraka::registration {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+constexpr double kCorrelationMm = 0.9;  // stereo's and scanners' noise is alike over a window
+constexpr double kStartTurnRad = 0.06;  // outlines fix a start's tilt to a few degrees ...
+constexpr double kStartShiftMm = 1.5;   // ... and its height to a third of a wall
+
+// Fatness comes from windows that straddle depth steps and grows far faster than the noise: strips
+// with 0.06 mm of noise are 0.01 mm fat, those of photographs with 0.12-0.16 mm more than 0.1.
+double commonBias(double sigma_mm) {
+  return std::clamp(0.015 * std::pow(sigma_mm / 0.1, 6), 0.004, 0.5);
+}
+
+// The start itself is evidence: outlines were laid on each other to find it.
+Evidence startEvidence(const FittedPose& pose, const Vector3d& at) {
+  Evidence evidence;
+  const Eigen::AngleAxisd off(
+      Eigen::Matrix3d(pose.front_from_back.linear() * pose.begun.linear().transpose()));
+  const Vector3d turned = off.angle() * off.axis();
+  const Vector3d moved = at - pose.begun * (pose.front_from_back.inverse() * at);
+  for (int k = 0; k < 3; ++k) {
+    evidence.add(turned[k] / kStartTurnRad, Vector6::Unit(k) / kStartTurnRad);
+    evidence.add(moved[k] / kStartShiftMm, Vector6::Unit(k + 3) / kStartShiftMm);
+  }
+  return evidence;
+}
+
+}  // namespace
+
+PairFit::PairFit(const Strip& front, const Strip& back, const Witnesses& witnesses,
+                 const RegistrationOptions& options)
+    : front_(front), back_(back), witnesses_(witnesses), options_(options) {
+  radius_mm_ = 0.5 * (front.radius_mm + back.radius_mm);
+  spacing_mm_ = std::max(front.spacing_mm, back.spacing_mm);
+  const double noise = std::max(front.noise_mm, back.noise_mm);
+  last_radius_mm_ = std::max({options.last_radius_mm, 4.0 * noise, 0.9 * spacing_mm_});
+}
+
+Vector3d PairFit::pivot(const Isometry3d& pose) const {
+  return 0.5 * (front_.centre + pose * back_.centre);
+}
+
+RimFit PairFit::rim(const FittedPose& pose, bool fine, double radius, double robust,
+                    double sigma) const {
+  const double spacing = fine ? spacing_mm_ : options_.strip.coarse_mm;
+  RimPairing pairing;
+  pairing.radius_mm = radius;
+  pairing.min_cos = std::cos(options_.max_normal_angle_rad);
+  pairing.robust_mm = robust;
+  pairing.sigma_mm = sigma;
+  // Each pair is met from both sides, and neighbours err together.
+  pairing.correlated = 2 * std::max(1.0, std::pow(kCorrelationMm / std::max(spacing, 0.05), 2));
+  pairing.bias_mm = fine ? commonBias(sigma) : 0.02;
+  return fitRim(fine ? front_.fine : front_.coarse, fine ? back_.fine : back_.coarse, front_.up,
+                pose.front_from_back, pivot(pose.front_from_back), radius_mm_, pairing);
+}
+
+// One Gauss-Newton step on the gathered evidence; returns the RMS displacement in mm.
+double PairFit::solve(FittedPose& pose, const Vector3d& at) const {
+  Matrix6 damped = pose.evidence.information;
+  damped.topLeftCorner<3, 3>().diagonal().array() += 1e-3 * radius_mm_ * radius_mm_;
+  damped.bottomRightCorner<3, 3>().diagonal().array() += 1e-3;
+  Vector6 x = -damped.ldlt().solve(pose.evidence.gradient);
+  const double moved = std::sqrt(x.head<3>().squaredNorm() * radius_mm_ * radius_mm_ * 2.0 / 3.0 +
+                                 x.tail<3>().squaredNorm());
+  if (!std::isfinite(moved)) return 0;
+  if (moved > 2.0) x *= 2.0 / moved;  // never farther than a wall's thickness at once
+  pose.front_from_back = changed(pose.front_from_back, x, at);
+  return moved;
+}
+
+void PairFit::coarse(FittedPose& pose) const {
+  for (const double r : {1.0, 0.85, 0.7, 0.58, 0.48, 0.4, 0.35, 0.33}) {
+    const double radius = options_.first_radius_mm * r;
+    const Vector3d at = pivot(pose.front_from_back);
+    pose.evidence = rim(pose, false, radius, radius, 0.3 * radius).evidence;
+    pose.evidence +=
+        contactEvidence(front_, back_, pose.front_from_back, at, witnesses_.front_on_plate,
+                        witnesses_.back_on_plate, 0.2 * radius, {});
+    pose.evidence += startEvidence(pose, at);
+    solve(pose, at);
+  }
+  pose.score = rim(pose, false, 1.2, 0.6, 0.3).spread;
+}
+
+double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteWitness* silhouettes,
+                          double reach_px) const {
+  const Vector3d at = pivot(pose.front_from_back);
+  const double robust = std::max(0.12, std::min(radius, 3.0 * pose.sigma_mm));
+  const RimFit strip = rim(pose, true, radius, robust, pose.sigma_mm);
+  pose.evidence = strip.evidence;
+  pose.evidence += contactEvidence(front_, back_, pose.front_from_back, at,
+                                   witnesses_.front_on_plate, witnesses_.back_on_plate, 0, {});
+  const Vector3d seen = (front_.up - pose.front_from_back.linear() * back_.up).normalized();
+  pose.evidence +=
+      fitOutlines(front_.all, back_.all, spacing_mm_, pose.front_from_back, seen, at, {}).evidence;
+  if (silhouettes != nullptr) {
+    const OutlineFit fit = silhouettes->evidence(pose.front_from_back, at, reach_px);
+    if (std::getenv("VERB"))
+      std::printf("silhouette pairs %d sigma %.3f px\n", fit.pairs, fit.sigma_mm);
+    pose.evidence += fit.evidence;
+  }
+  // Few pairs tell little of their own noise: half of what strips of photographs show is assumed.
+  pose.sigma_mm = strip.pairs < 100 ? 0.15 : std::clamp(strip.sigma_mm, 0.02, 0.3);
+  pose.rim = strip;
+  return solve(pose, at);
+}
+
+void PairFit::judge(FittedPose& pose) const {
+  const RimFit whole = rim(pose, true, 1.0, 0.5, std::max(0.03, pose.sigma_mm));
+  pose.score = whole.spread;
+  pose.rim.rms_mm = whole.rms_mm;
+  pose.rim.overlap = whole.overlap;
+  pose.rim.pairs = whole.pairs;
+}
+
+void PairFit::fine(FittedPose& pose) const {
+  double radius = 1.0;
+  for (int round = 0; round < 30; ++round) {
+    const double moved = fineRound(pose, radius, nullptr, 0);
+    if (radius <= last_radius_mm_ && moved < 1e-3) break;  // 1/30 of what scans can tell
+    radius = std::max(last_radius_mm_, radius * 0.75);
+  }
+  judge(pose);
+}
+
+void PairFit::withSilhouettes(FittedPose& pose, const SilhouetteWitness& silhouettes) const {
+  for (const double reach_px : {6.0, 4.5, 3.5, 3.0, 3.0, 3.0})
+    if (fineRound(pose, last_radius_mm_, &silhouettes, reach_px) < 1e-3) break;
+  judge(pose);
+}
+
+double PairFit::uncertainty(const Evidence& evidence) const {
+  Matrix6 damped = evidence.information;
+  damped.diagonal().array() += 1e-9;
+  const Matrix6 covariance = damped.inverse();
+  // RMS over points spread by the radius: each turn moves two of three coordinates.
+  return std::sqrt(covariance.bottomRightCorner<3, 3>().trace() +
+                   covariance.topLeftCorner<3, 3>().trace() * radius_mm_ * radius_mm_ * 2.0 / 3.0);
+}
+
+double PairFit::distance(const Isometry3d& a, const Isometry3d& b) const {
+  const Isometry3d change = a.inverse() * b;
+  const double turn = Eigen::AngleAxisd(change.linear()).angle();
+  return std::sqrt((change * back_.centre - back_.centre).squaredNorm() +
+                   2.0 / 3.0 * turn * turn * back_.radius_mm * back_.radius_mm);
+}
+
+}  // namespace ostraka::registration

@@ -1,0 +1,56 @@
+#pragma once
+#include <Eigen/Geometry>
+
+#include "registration/contact.h"
+#include "registration/outline.h"
+#include "registration/register_sides.h"
+#include "registration/rim_icp.h"
+#include "registration/silhouettes.h"
+
+namespace ostraka::registration {
+
+/// A pose on its way, with what the witnesses last said about it.
+struct FittedPose {
+  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d begun = Eigen::Isometry3d::Identity();
+  int start = -1;
+  RimFit rim;              ///< rms and overlap within 1 mm once fine() has run
+  Evidence evidence;       ///< of all witnesses together
+  double sigma_mm = 0.15;  ///< of one pair of strip points
+  double score = 1e9;      ///< share of strip points that do not fit, lower is better
+};
+
+/// The joint estimate of one pair of strips: strip, outline, rest on the plate, photographs.
+class PairFit {
+ public:
+  PairFit(const Strip& front, const Strip& back, const Witnesses& witnesses,
+          const RegistrationOptions& options);
+
+  /// Eight rounds on the thinned strips, radius 3 to 1 mm; the start itself counts as evidence.
+  void coarse(FittedPose& pose) const;
+  /// All points, radius 1 mm down to one scan spacing, until nothing moves; at most 30 rounds.
+  void fine(FittedPose& pose) const;
+  /// Goes on from fine() with the photographs' outlines.
+  void withSilhouettes(FittedPose& pose, const SilhouetteWitness& silhouettes) const;
+
+  /// 1-sigma RMS displacement over the sherd.
+  double uncertainty(const Evidence& evidence) const;
+  /// RMS displacement of the back between two poses.
+  double distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const;
+  Eigen::Vector3d pivot(const Eigen::Isometry3d& pose) const;
+  double radius() const { return radius_mm_; }
+
+ private:
+  double solve(FittedPose& pose, const Eigen::Vector3d& at) const;
+  RimFit rim(const FittedPose& pose, bool fine, double radius, double robust, double sigma) const;
+  double fineRound(FittedPose& pose, double radius, const SilhouetteWitness* silhouettes,
+                   double reach_px) const;
+  void judge(FittedPose& pose) const;
+
+  const Strip &front_, &back_;
+  const Witnesses& witnesses_;
+  const RegistrationOptions& options_;
+  double radius_mm_ = 1, last_radius_mm_ = 0.35, spacing_mm_ = 0.4;
+};
+
+}  // namespace ostraka::registration

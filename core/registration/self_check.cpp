@@ -1,0 +1,104 @@
+#include "registration/self_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace ostraka::registration {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+constexpr double kLargestRmsMm = 0.60;     // twice the worst true pair of fat stereo strips
+constexpr double kSmallestOverlap = 0.02;  // below it the rims were not seen from both sides
+constexpr double kLargestCrossing = 0.10;  // faces may touch at feathered edges only
+constexpr double kLargestUncertaintyMm = 0.35;
+constexpr float kFace = 0.8f;      // within 37 degrees of the viewer: face, no broken edge
+constexpr double kRivalGap = 2.0;  // log-likelihood: a rival 7 times less likely is no rival
+constexpr double kRivalMm = 0.40;
+
+std::string sentence(const char* format, double a, double b = 0) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+}  // namespace
+
+Thickness thicknessOf(const Strip& front, const Strip& back,
+                      const Eigen::Isometry3d& front_from_back) {
+  const Vector3d up = (front.up - front_from_back.linear() * back.up).normalized();
+  const Vector3d side = up.unitOrthogonal(), across = up.cross(side);
+  const auto flat = [&](const Vector3d& p) {
+    return Vector3f(static_cast<float>(side.dot(p)), static_cast<float>(across.dot(p)), 0.0f);
+  };
+  std::vector<Vector3f> plan;
+  std::vector<double> heights;
+  const Vector3f front_up = up.cast<float>();
+  const Vector3f back_up = (front_from_back.linear().transpose() * -up).cast<float>();
+  for (std::size_t i = 0; i < back.shell.size(); ++i) {
+    if (back.shell_normals[i].dot(back_up) < kFace) continue;
+    const Vector3d p = front_from_back * back.shell[i].cast<double>();
+    plan.push_back(flat(p));
+    heights.push_back(up.dot(p));
+  }
+  const KdTree tree(plan);
+  std::vector<double> walls;
+  int crossing = 0;
+  for (std::size_t i = 0; i < front.shell.size(); ++i) {
+    if (front.shell_normals[i].dot(front_up) < kFace) continue;
+    const Vector3d p = front.shell[i].cast<double>();
+    const Neighbour below = tree.nearest(flat(p), 1.0f);  // the shell's own spacing
+    if (below.index < 0) continue;
+    walls.push_back(up.dot(p) - heights[static_cast<std::size_t>(below.index)]);
+    crossing += walls.back() < 0 ? 1 : 0;
+  }
+  Thickness thickness;
+  thickness.compared = static_cast<int>(walls.size());
+  if (walls.empty()) return thickness;
+  thickness.crossing_share = crossing / static_cast<double>(walls.size());
+  const auto middle = walls.begin() + static_cast<std::ptrdiff_t>(walls.size() / 2);
+  std::nth_element(walls.begin(), middle, walls.end());
+  thickness.median_mm = *middle;
+  return thickness;
+}
+
+double rimLogLikelihood(double rim_rms_mm, double noise_mm, int pairs) {
+  // Two strips of one break: the noise of both. Of two breaks: their relief beside it.
+  const double same = std::max(0.08, 1.1 * noise_mm);
+  const double other = std::hypot(0.32, same);
+  constexpr double kSpread = 0.30;  // of the RMS' logarithm from sherd to sherd
+  const double above = std::max(0.0, std::log(std::max(rim_rms_mm, 1e-3) / same) / kSpread);
+  const double below = std::min(0.0, std::log(std::max(rim_rms_mm, 1e-3) / other) / kSpread);
+  // Few pairs are few witnesses; 200 stand for a rim of some 30 independent places.
+  return std::clamp(0.5 * (below * below - above * above) * std::min(1.0, pairs / 200.0), -12.0,
+                    8.0);
+}
+
+void judgeRegistration(const Strip& front, const Strip& back, Registration& found) {
+  const Thickness wall = thicknessOf(front, back, found.front_from_back);
+  found.crossing_share = wall.crossing_share;
+  found.thickness_mm = wall.median_mm;
+  const double facing = front.up.dot(found.front_from_back.linear() * back.up);
+  const auto slip = [&found](std::string reason) {
+    found.slipped = true;
+    found.reason = std::move(reason);
+  };
+  if (facing > 0)
+    slip("The back lies upside down: both sides face the same way.");
+  else if (wall.compared > 20 && wall.crossing_share > kLargestCrossing)
+    slip(sentence("The faces cross: %.0f %% of the front lies behind the back.",
+                  100 * wall.crossing_share));
+  else if (found.rim_overlap < kSmallestOverlap)
+    slip("The two scans share almost no broken edge; outlines alone tie them.");
+  else if (found.rim_rms_mm > kLargestRmsMm)
+    slip(sentence("The broken edges do not fit: %.2f mm RMS.", found.rim_rms_mm));
+  else if (found.uncertainty_mm > kLargestUncertaintyMm)
+    slip(sentence("The rim hardly fixes the pose: uncertain by %.2f mm.", found.uncertainty_mm));
+  else if (found.runner_up_gap < kRivalGap && found.runner_up_mm > kRivalMm)
+    slip(sentence("A place %.1f mm along the rim fits nearly as well.", found.runner_up_mm));
+}
+
+}  // namespace ostraka::registration

@@ -1,0 +1,200 @@
+#include "registration/silhouettes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "base/parallel.h"
+#include "cloud/nearest.h"
+
+namespace ostraka::registration {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector2f;
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+using Derivative = Eigen::Matrix<double, 2, 3>;
+
+// d(pixel)/d(point in the plate frame), the lens' distortion left aside (its slope is below 1 %).
+Derivative derivative(const rig::PosedImage& camera, const Vector3d& p_plate) {
+  const Vector3d p = camera.camera_from_plate * p_plate;
+  const double fx = camera.intrinsics.fx, fy = camera.intrinsics.fy;
+  Derivative d;
+  d << fx / p.z(), 0, -fx * p.x() / (p.z() * p.z()), 0, fy / p.z(), -fy * p.y() / (p.z() * p.z());
+  return d * camera.camera_from_plate.linear();
+}
+
+std::vector<Vector2f> project(const rig::PosedImage& camera, std::span<const Vector3f> points,
+                              const Eigen::Isometry3d& plate_from_points) {
+  std::vector<Vector2f> pixels;
+  pixels.reserve(points.size());
+  for (const Vector3f& p : points)
+    pixels.push_back(camera.project(plate_from_points * p.cast<double>()).cast<float>());
+  return pixels;
+}
+
+std::vector<Vector3f> flatPoints(const std::vector<Vector2d>& points) {
+  std::vector<Vector3f> flat;
+  flat.reserve(points.size());
+  for (const Vector2d& p : points)
+    flat.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f);
+  return flat;
+}
+
+Vector3f flatPoint(const Vector2d& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f};
+}
+
+// The mask around the sherd, blurred as the points' coverage is. Empty outside the photograph.
+Coverage cutOut(const cv::Mat1b& mask, const Coverage& around, double blur) {
+  Coverage coverage;
+  const int x0 = std::max(0, static_cast<int>(around.origin.x()) - 10);
+  const int y0 = std::max(0, static_cast<int>(around.origin.y()) - 10);
+  const int x1 = std::min(
+      mask.cols, static_cast<int>(around.origin.x() + around.cell * around.picture.cols) + 10);
+  const int y1 = std::min(
+      mask.rows, static_cast<int>(around.origin.y() + around.cell * around.picture.rows) + 10);
+  if (x1 - x0 < 8 || y1 - y0 < 8) return coverage;
+  coverage.origin = Vector2d(x0, y0);
+  mask(cv::Rect(x0, y0, x1 - x0, y1 - y0)).convertTo(coverage.picture, CV_32F, 1.0 / 255);
+  cv::GaussianBlur(coverage.picture, coverage.picture, cv::Size(0, 0), blur);
+  return coverage;
+}
+
+// One fatness for all views of a side (a fat strip, a soft mask), unknown and marginalised. It must
+// not be one per view: what moves in a low view is mostly the lower edge, and taking out each
+// view's own mean would take out the height.
+OutlineFit sideEvidence(std::span<const OutlineMatch> matches, const SilhouetteOptions& options,
+                        double independent) {
+  OutlineFit fit;
+  fit.pairs = static_cast<int>(matches.size());
+  if (fit.pairs < 50) return fit;
+  const auto medianOf = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  std::vector<double> sizes;
+  for (const OutlineMatch& m : matches) sizes.push_back(m.residual);
+  const double median = medianOf(sizes);
+  for (double& s : sizes) s = std::abs(s - median);
+  fit.sigma_mm = std::max(options.min_sigma_px, 1.4826 * medianOf(sizes));
+  Vector6 shared = Vector6::Zero();
+  double weight = 1 / (options.fatness_px * options.fatness_px), slope = 0;
+  for (const OutlineMatch& m : matches) {
+    const double u = (m.residual - median) / (3 * fit.sigma_mm), free = 1 - u * u;
+    if (free <= 0) continue;
+    const double w = free * free * independent;
+    fit.evidence.add(m.residual / fit.sigma_mm, m.row / fit.sigma_mm, w);
+    const double w_px = w / (fit.sigma_mm * fit.sigma_mm);
+    shared += w_px * m.row;
+    weight += w_px;
+    slope += w_px * m.residual;
+  }
+  fit.evidence.information -= shared * shared.transpose() / weight;
+  fit.evidence.gradient -= shared * (slope / weight);
+  return fit;
+}
+
+}  // namespace
+
+struct SilhouetteWitness::View {
+  const rig::PosedImage* camera = nullptr;
+  bool back_moves = false;  // a photograph of the front's shot
+  double cell = 1, blur = 1.5;
+  Coverage still;  // the side that made this shot's scan
+  Outline mask;
+  KdTree mask_tree{{}};
+};
+
+SilhouetteWitness::~SilhouetteWitness() = default;
+
+SilhouetteWitness::SilhouetteWitness(const Strip& front, const Strip& back,
+                                     std::span<const SilhouetteView> front_views,
+                                     std::span<const SilhouetteView> back_views,
+                                     const Eigen::Isometry3d& front_from_back,
+                                     const SilhouetteOptions& options, int threads)
+    : front_(front), back_(back), options_(options), threads_(threads) {
+  views_.resize(front_views.size() + back_views.size());
+  const Eigen::Isometry3d same = Eigen::Isometry3d::Identity();
+  parallelFor(views_.size(), threads, [&](std::size_t i) {
+    const bool of_front = i < front_views.size();
+    const SilhouetteView& given = of_front ? front_views[i] : back_views[i - front_views.size()];
+    const Strip& still = of_front ? front : back;
+    const Strip& moving = of_front ? back : front;
+    View& view = views_[i];
+    view.camera = &given.camera;
+    view.back_moves = of_front;
+    const double depth = (given.camera.camera_from_plate * still.centre).z();
+    if (!(depth > 0) || given.mask.empty()) return;
+    const double px_per_mm = given.camera.intrinsics.fx / depth;
+    const double spacing = std::max(front.spacing_mm, back.spacing_mm);
+    view.cell = std::max(1.0, 1.3 * spacing * px_per_mm);
+    view.blur = std::max(options.blur_px, view.cell);
+    view.still = coverageOf(project(given.camera, still.all, same), view.cell, view.blur);
+    const Eigen::Isometry3d plate_from_moving =
+        of_front ? front_from_back : front_from_back.inverse();
+    const Coverage around =
+        coverageOf(project(given.camera, moving.all, plate_from_moving), view.cell, view.blur);
+    if (view.still.picture.empty() || around.picture.empty()) return;
+    view.mask = outlineOf(cutOut(given.mask, around, view.blur));
+    view.mask_tree = KdTree(flatPoints(view.mask.points));
+  });
+}
+
+OutlineFit SilhouetteWitness::evidence(const Eigen::Isometry3d& front_from_back,
+                                       const Vector3d& pivot, double reach_px) const {
+  std::vector<std::vector<OutlineMatch>> found(views_.size());
+  parallelFor(views_.size(), threads_, [&](std::size_t i) {
+    const View& view = views_[i];
+    if (view.mask.points.empty()) return;
+    const Strip& moving = view.back_moves ? back_ : front_;
+    const Eigen::Isometry3d plate_from_moving =
+        view.back_moves ? front_from_back : front_from_back.inverse();
+    const std::vector<Vector2f> pixels = project(*view.camera, moving.all, plate_from_moving);
+    const Outline outline = outlineOf(coverageOf(pixels, view.cell, view.blur));
+    std::vector<Vector3f> flat;
+    for (const Vector2f& p : pixels) flat.emplace_back(p.x(), p.y(), 0.0f);
+    const KdTree points(flat);
+    std::vector<OutlineMatch> matches;
+    for (std::size_t k = 0; k < outline.points.size(); ++k) {
+      const Vector2d& u = outline.points[k];
+      const Neighbour near = view.mask_tree.nearest(flatPoint(u), static_cast<float>(reach_px));
+      if (near.index < 0) continue;
+      const auto m = static_cast<std::size_t>(near.index);
+      if (view.mask.normals[m].dot(outline.normals[k]) < 0.7071) continue;
+      // Where the still side reaches farther out, the moving one does not make the outline.
+      if (view.still.at(u + options_.margin_px * outline.normals[k]) > 0.5) continue;
+      const int q = points.nearest(flatPoint(u)).index;
+      const Vector3d p_moving = moving.all[static_cast<std::size_t>(q)].cast<double>();
+      const Vector3d p_plate = plate_from_moving * p_moving;
+      const Vector2d n2 = view.mask.normals[m];
+      const Vector3d slope = derivative(*view.camera, p_plate).transpose() * n2;  // px per mm
+      const Vector3d p_front = view.back_moves ? p_plate : p_moving;
+      // Moving the back moves the front against it in the back's photographs.
+      const Vector3d n = view.back_moves ? slope : Vector3d(-front_from_back.linear() * slope);
+      matches.push_back({n2.dot(u - view.mask.points[m]), rowOf(p_front, n, pivot)});
+    }
+    found[i] = std::move(matches);
+  });
+  OutlineFit sum;
+  for (const bool back_moves : {true, false}) {
+    std::vector<OutlineMatch> matches;
+    double cell = 1;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      if (views_[i].back_moves != back_moves) continue;
+      matches.insert(matches.end(), found[i].begin(), found[i].end());
+      cell = views_[i].cell;
+    }
+    const double independent = std::min(1.0, cell / options_.correlation_px) / options_.views_alike;
+    const OutlineFit fit = sideEvidence(matches, options_, independent);
+    sum.evidence += fit.evidence;
+    sum.sigma_mm = std::max(sum.sigma_mm, fit.sigma_mm);
+    sum.pairs += fit.pairs;
+  }
+  return sum;
+}
+
+}  // namespace ostraka::registration

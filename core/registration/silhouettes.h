@@ -1,0 +1,49 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "registration/evidence.h"
+#include "registration/outline.h"
+#include "registration/register_sides.h"
+#include "registration/strip.h"
+
+namespace ostraka::registration {
+
+struct SilhouetteOptions {
+  double blur_px = 1.5;        ///< picture and points alike, so that corners shrink alike
+  double reach_px = 6;         ///< start poses from the strips hold to a millimetre
+  double margin_px = 3;        ///< outline of the moving side counts only where the other side ends
+  double min_sigma_px = 0.25;  ///< masks' edges hold to a quarter of a pixel
+  double correlation_px = 12;  ///< a bump of the scan's end shows in several pixels ...
+  double views_alike = 8;      ///< ... and in as many of 24 views
+  double fatness_px = 0.5;     ///< SD of the scan's and the mask's common excess, one per side
+};
+
+/// Registered sides must fill the outlines of the photographs of both shots to sub-pixel. In the
+/// front's photographs the back moves, in the back's the front; what is alike around an outline
+/// (fat strips, soft masks) is taken out.
+class SilhouetteWitness {
+ public:
+  /// Cuts the views' outlines once around the sherd. front_from_back: good to a millimetre.
+  SilhouetteWitness(const Strip& front, const Strip& back,
+                    std::span<const SilhouetteView> front_views,
+                    std::span<const SilhouetteView> back_views,
+                    const Eigen::Isometry3d& front_from_back, const SilhouetteOptions& options,
+                    int threads);
+  ~SilhouetteWitness();
+
+  /// reach_px shrinks from round to round. sigma is in pixels.
+  OutlineFit evidence(const Eigen::Isometry3d& front_from_back, const Eigen::Vector3d& pivot,
+                      double reach_px) const;
+
+ private:
+  struct View;
+  const Strip &front_, &back_;
+  SilhouetteOptions options_;
+  int threads_;
+  std::vector<View> views_;
+};
+
+}  // namespace ostraka::registration

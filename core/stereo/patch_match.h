@@ -2,11 +2,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
-#include "stereo/frame.h"
 #include "stereo/hull.h"
-#include "stereo/window.h"
+#include "stereo/judge.h"
 
 namespace ostraka::stereo {
 
@@ -24,32 +24,20 @@ struct PlaneMap {
   }
 };
 
-/// From one view's camera to another's: x_source = rotation * x_view + translation.
-struct Link {
-  int source = 0;
-  Eigen::Matrix3f rotation;
-  Eigen::Vector3f translation;
-};
-
-/// The views that each view is compared with, best first: those seen from the object's middle under
-/// an angle near 20 degrees, spread over directions.
-std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frames,
-                                             const Eigen::Vector3f& middle,
-                                             const DenseOptions& options);
-
 struct SweepOptions {
-  WindowShape window;
+  JudgeOptions judge;
   int rounds = 3;
-  int best_sources = 3;          ///< the cost is the mean over this many
   int max_active_sources = 0;    ///< per pixel, chosen by the first plane; 0 = all
   float first_perturbation = 1;  ///< of depth, in multiples of the depth that moves one pixel
   std::uint64_t seed = 1;
 };
 
 /// Improves one view's planes in place by checkerboard propagation and random perturbation
-/// (Galliani et al., ICCV 2015). ranges: per pixel of the frame's list. Deterministic for a seed.
+/// (Galliani et al., ICCV 2015). ranges: per pixel of the frame's list. Deterministic for a seed;
+/// left half done when stop is requested.
 void sweepPlanes(std::span<const Frame* const> frames, int view, std::span<const Link> links,
-                 std::span<const DepthRange> ranges, const SweepOptions& options, PlaneMap& planes);
+                 std::span<const DepthRange> ranges, const SweepOptions& options, PlaneMap& planes,
+                 const std::stop_token& stop);
 
 /// Random planes inside the ranges, a third of them level with the plate.
 void startPlanes(const Frame& frame, std::span<const DepthRange> ranges, std::uint64_t seed,

@@ -127,7 +127,7 @@ Result<void> Reconstruction::match(int level) {
       sweep.first_perturbation = 0.5F;
       if (level == 0) sweep.max_active_sources = 5;
     }
-    sweepPlanes(frames, static_cast<int>(i), links[i], list, sweep, planes[i]);
+    sweepPlanes(frames, static_cast<int>(i), links[i], list, sweep, planes[i], stop);
   });
   if (stop.stop_requested()) return Error::cancelled();
   return {};

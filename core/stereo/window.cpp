@@ -22,20 +22,21 @@ struct LaneSums {
   Floats w{}, i{}, j{}, ii{}, jj{}, ij{};
 };
 
-inline __attribute__((always_inline)) Floats load(const float* from) {
-  Floats value;
-  std::memcpy(&value, from, sizeof value);
-  return value;
-}
-
 __attribute__((target_clones("arch=x86-64-v3", "default"))) void correlate(
     const Window& window, const std::uint32_t* packed, int width, int height, const AffineMap& m,
     LaneSums& out) {
+  const auto load = [](const float* from, Floats& value) {
+    std::memcpy(&value, from, sizeof value);
+  };
   LaneSums sum;
   const Floats zero{}, max_x = zero + static_cast<float>(width - 1);
   const Floats max_y = zero + static_cast<float>(height - 1);
   for (int k = 0; k < window.samples; k += Window::kLanes) {
-    const Floats dx = load(window.dx + k), dy = load(window.dy + k);
+    Floats dx, dy, grey, weight;
+    load(window.dx + k, dx);
+    load(window.dy + k, dy);
+    load(window.grey + k, grey);
+    load(window.weight + k, weight);
     Floats x = m.x0 + m.xx * dx + m.xy * dy, y = m.y0 + m.yx * dx + m.yy * dy;
     x = x > zero ? x : zero;  // what is not on the picture comes to lie on its blank border
     x = x < max_x ? x : max_x;
@@ -56,8 +57,7 @@ __attribute__((target_clones("arch=x86-64-v3", "default"))) void correlate(
     const Floats least = least_ab < least_cd ? least_ab : least_cd;
     const Floats top = a + rx * (b - a), bottom = c + rx * (d - c);
     const Floats v = top + ry * (bottom - top) - window.base;
-    const Floats grey = load(window.grey + k);
-    const Floats w = least > zero ? load(window.weight + k) : zero;
+    const Floats w = least > zero ? weight : zero;
     const Floats wi = w * grey, wj = w * v;
     sum.w += w;
     sum.i += wi;

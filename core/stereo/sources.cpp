@@ -1,0 +1,51 @@
+#include "stereo/sources.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostraka::stereo {
+
+std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frames,
+                                             const Eigen::Vector3f& middle,
+                                             const DenseOptions& options) {
+  constexpr double ideal_rad = 0.35, spread_rad = 0.3;  // 20 degrees: depth against foreshortening
+  std::vector<std::vector<Link>> all(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Eigen::Vector3f own = (frames[i]->centre - middle).normalized();
+    struct Candidate {
+      double score;
+      std::size_t frame;
+      Eigen::Vector3f direction;
+    };
+    std::vector<Candidate> candidates;
+    for (std::size_t j = 0; j < frames.size(); ++j) {
+      const Eigen::Vector3f other = (frames[j]->centre - middle).normalized();
+      const double angle = std::acos(std::clamp(static_cast<double>(own.dot(other)), -1.0, 1.0));
+      if (j == i || angle < options.min_source_angle_rad || angle > options.max_source_angle_rad)
+        continue;
+      const double off = (angle - ideal_rad) / spread_rad;
+      candidates.push_back({std::exp(-0.5 * off * off), j, other});
+    }
+    while (!candidates.empty() && static_cast<int>(all[i].size()) < options.max_sources) {
+      const auto best =
+          std::max_element(candidates.begin(), candidates.end(),
+                           [](const auto& a, const auto& b) { return a.score < b.score; });
+      const Frame& source = *frames[best->frame];
+      Link link;
+      link.source = static_cast<int>(best->frame);
+      link.rotation = source.rotation * frames[i]->rotation.transpose();
+      link.translation = source.translation - link.rotation * frames[i]->translation;
+      all[i].push_back(link);
+      const Eigen::Vector3f taken = best->direction;
+      candidates.erase(best);
+      for (Candidate& c : candidates)  // two sources in the same place say the same thing
+        c.score *=
+            1.0 -
+            0.5 * std::exp(-0.5 *
+                           std::pow(std::acos(std::min(1.0F, taken.dot(c.direction))) / 0.15, 2));
+    }
+  }
+  return all;
+}
+
+}  // namespace ostraka::stereo

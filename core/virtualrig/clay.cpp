@@ -86,7 +86,7 @@ Clay makeClay(bool plain, Random& random) {
   clay.paint_period_mm = static_cast<float>(random.uniform(9, 22));
   clay.paint_width_mm = static_cast<float>(random.uniform(1, 4));
   clay.paint_phase_mm = static_cast<float>(random.uniform(0, 20));
-  clay.grain = static_cast<float>(random.uniform(0.14, 0.24));
+  clay.grain = static_cast<float>(random.uniform(0.17, 0.28));
   clay.mottle = static_cast<float>(random.uniform(0.12, 0.25));
   clay.temper = static_cast<float>(random.uniform(0.06, 0.25));
   clay.temper_mm = static_cast<float>(random.uniform(1.2, 2.6));

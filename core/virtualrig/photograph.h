@@ -10,10 +10,10 @@ namespace ostraka::virtualrig {
 
 /// What lens and sensor do to the light.
 struct Sensor {
-  double blur_px = 0.62;          ///< standard deviation of the lens's blur
+  double blur_px = 0.57;          ///< standard deviation of the lens's blur
   double sampling_noise = 0.055;  ///< relative, per pixel and before the blur: the clay's glitter
   double shot_noise = 4e-5;       ///< variance per brightness: 1.4 % at a brightness of 0.2
-  double read_noise = 0.0012;     ///< standard deviation, of full scale
+  double read_noise = 0.0009;     ///< standard deviation, of full scale
   double vignette = 0.2;          ///< light lost in the corners
 };
 

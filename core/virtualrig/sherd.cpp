@@ -7,7 +7,7 @@ namespace ostraka::virtualrig {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kMostFaces = 58'000;  // formats: at most 60 000 faces in a truth mesh
+constexpr int kMostFaces = 55'000;  // an estimate; a truth mesh holds at most 60 000
 
 // The plane in which a piece is drawn: unrolled wall (a along the parallel, b up the profile), or
 // the base seen from outside (distance from the origin = arc length from the base's centre).
@@ -67,7 +67,8 @@ class Outline {
     seed_ = static_cast<std::uint32_t>(random.next());
   }
 
-  double radius(double angle) const {
+  /// through_mm: depth in the wall from its middle; a crack wanders that way as well.
+  double radius(double angle, double through_mm = 0) const {
     if (plan_.mirrored) angle = kPi - angle;
     const Eigen::Vector2d d(std::cos(angle), std::sin(angle));
     double r = plan_.radius_mm;
@@ -79,7 +80,8 @@ class Outline {
       r = turn / (cross(d, q) + cross(p, d));  // along p + t (q - p)
       break;
     }
-    const Eigen::Vector3f q(static_cast<float>(r * d.x()), static_cast<float>(r * d.y()), 0);
+    const Eigen::Vector3f q(static_cast<float>(r * d.x()), static_cast<float>(r * d.y()),
+                            static_cast<float>(through_mm));
     // Cracks wander by some mm over centimetres; what is finer belongs to the break's relief.
     return r + 0.06 * plan_.radius_mm * noise(q / 17, seed_ + 7) +
            1.8 * fractalNoise(q / 8, seed_, 3);
@@ -175,7 +177,7 @@ class Builder {
                                                1.2 * fractalNoise(q / 2.2f, relief_seed_, 3));
       const double worn =
           0.18 * (std::exp(-depth * wall / 0.4) + std::exp((depth - 1) * wall / 0.4));
-      double r = middle + through * c.lean + relief - worn;
+      double r = outline_.radius(c.angle, through) + through * c.lean + relief - worn;
       // The lip: half an ellipse across the wall, its top on the vessel's upper edge.
       const double lip =
           rim_b_ + 0.45 * wall * (std::sin(kPi * (c.rim ? t : std::acos(1 - 2 * depth) / kPi)) - 1);

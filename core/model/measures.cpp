@@ -85,8 +85,13 @@ Vector2d smallestRectangle(const std::vector<Vector2d>& hull) {
   return best;
 }
 
+// Of the cosine between a face's normal and the sherd's own: breaks are steeper.
+constexpr double kFaceCosine = 0.5;
+// Both faces of a wall run within 30 degrees of each other; an oblique break does not.
+constexpr double kOppositeCosine = -0.87;
+
 // Wall thickness per about 1 mm^2: rays from triangle centres against their normal.
-std::vector<double> thicknesses(const TriangleMesh& mesh) {
+std::vector<double> thicknesses(const TriangleMesh& mesh, const Vector3d& across_sherd) {
   const RayGrid rays(mesh);
   std::vector<double> found;
   double due = 0;
@@ -97,9 +102,11 @@ std::vector<double> thicknesses(const TriangleMesh& mesh) {
     if (due < 1) continue;
     due = std::fmod(due, 1.0);
     const Vector3d normal = across.normalized();
+    if (std::abs(normal.dot(across_sherd)) < kFaceCosine) continue;
     const auto hit = rays.leaving(((p.a + p.b + p.c) / 3).cast<float>(), (-normal).cast<float>(),
                                   static_cast<int>(i));
-    if (hit && hit->normal.cast<double>().dot(normal) < -0.5) found.push_back(hit->distance_mm);
+    if (hit && hit->normal.cast<double>().dot(normal) < kOppositeCosine)
+      found.push_back(hit->distance_mm);
   }
   return found;
 }
@@ -130,7 +137,7 @@ Measures measure(const TriangleMesh& mesh) {
   const Vector2d sides = smallestRectangle(convexHull(std::move(outline)));
   m.length_mm = sides.maxCoeff();
   m.width_mm = sides.minCoeff();
-  std::vector<double> walls = thicknesses(mesh);
+  std::vector<double> walls = thicknesses(mesh, axes.eigenvectors().col(0));
   if (!walls.empty()) {
     std::sort(walls.begin(), walls.end());
     const auto at = [&](double share) {

@@ -54,10 +54,10 @@ struct Measures {
   double length_mm = 0;  ///< longer side of the smallest rectangle around the sherd, seen along the
                          ///< least principal axis of its surface (its own plane)
   double width_mm = 0;   ///< shorter side of that rectangle
-  /// Thickness: length of the wall along rays that enter against the normal and leave through a
-  /// face turned by at least 120 degrees from it (both faces of a wall, not a face and a break),
-  /// one per about 1 mm^2. min and max are the 2nd and 98th percentile. 0 when no ray
-  /// meets a wall.
+  /// Thickness: length of the wall along rays that enter one of its faces (turned by at most 60
+  /// degrees from the sherd's plane: no break) against the normal and leave through the other
+  /// (within 30 degrees of parallel: no oblique break either), one per about 1 mm^2. min and max
+  /// are the 2nd and 98th percentile. 0 when no ray meets a wall.
   double thickness_min_mm = 0, thickness_mean_mm = 0, thickness_max_mm = 0;
   double area_mm2 = 0;
   double volume_mm3 = 0;                               ///< positive for outward faces
@@ -65,8 +65,9 @@ struct Measures {
 };
 Measures measure(const TriangleMesh& mesh);
 
-/// Fewer triangles, no vertex farther than about max_deviation_mm from the surface (error of
-/// quadrics, as meshoptimizer measures it); closed and manifold as before. Errors: UnusableInput.
+/// Fewer triangles by collapsing edges as long as the quadric error (distance from the planes of
+/// the faces that were there) stays within max_deviation_mm; closed and manifold as before, colours
+/// and seen flags kept. Errors: UnusableInput. Garland, Heckbert, SIGGRAPH 1997.
 Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm);
 
 /// Each edge is used once in each direction, each vertex has one fan of triangles, no triangle is

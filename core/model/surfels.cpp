@@ -33,7 +33,11 @@ struct Fit {
   float density = 0;  // neighbours per mm^2
 };
 
+enum class Residual { OwnNormal, BothNormals };
+
 struct FitOptions {
+  Residual
+      residual;  // measured along the fit's normal, or along the mean of it and the neighbour's
   float normal_sharpness;  // weight exp(-(1 - cos) * this)
   int rounds;
 };
@@ -84,7 +88,8 @@ Fit fitAround(const Vector3f& start, const Vector3f& start_normal, const std::ve
       const float cosine = nj.dot(fit.normal);
       if (cosine < 0.2f) continue;
       const Vector3f d = all.points[static_cast<std::size_t>(n.index)] - fit.point;
-      const float h = 0.5f * (nj + fit.normal).dot(d);
+      const float h = options.residual == Residual::OwnNormal ? fit.normal.dot(d)
+                                                              : 0.5f * (nj + fit.normal).dot(d);
       const float u = h / scale;
       if (u * u >= 1) continue;
       const float noise = all.noise[static_cast<std::size_t>(n.index)];
@@ -151,7 +156,7 @@ bool estimateNoise(Sources& all, float radius, int threads, std::stop_token stop
       if (all.side[static_cast<std::size_t>(j)] == all.side[i])
         near.push_back({j, kernel(d2, radius)});
     });
-    fits[i] = fitAround(all.points[i], all.normals[i], near, all, {3.0f, 3});
+    fits[i] = fitAround(all.points[i], all.normals[i], near, all, {Residual::OwnNormal, 3.0f, 3});
     fits[i].density =
         static_cast<float>(near.size()) / (static_cast<float>(M_PI) * radius * radius);
   });
@@ -236,7 +241,8 @@ double sideGap(const Sources& all, const std::vector<Fit>& own_fits, float radiu
       if (all.side[static_cast<std::size_t>(j)] == 1) near.push_back({j, kernel(d2, radius)});
     });
     if (near.size() < 8) return;
-    const Fit other = fitAround(own_fits[i].point, own_fits[i].normal, near, all, {8.0f, 3});
+    const Fit other = fitAround(own_fits[i].point, own_fits[i].normal, near, all,
+                                {Residual::BothNormals, 8.0f, 3});
     if (other.support >= 8)
       gap[i] = std::abs((other.point - own_fits[i].point).dot(own_fits[i].normal));
   });
@@ -299,7 +305,8 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
             all.noise[i] / kFitFloor_mm /
             std::sqrt(0.5f * static_cast<float>(M_PI) * std::max(density[i], 0.1f));
         const float reach = std::clamp(wanted, nearest, std::max(nearest, 1.2f));
-        smooth[k] = fitWithin(all.points[i], all.normals[i], reach, bins, all, {8.0f, 4}, near);
+        smooth[k] = fitWithin(all.points[i], all.normals[i], reach, bins, all,
+                              {Residual::BothNormals, 8.0f, 4}, near);
       });
   if (!whole) return Error::cancelled();
   for (std::size_t k = 0; k < smooth.size(); ++k) {

@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "model/contouring.h"
+#include "model/model.h"
+#include "shapes.h"
+
+namespace ostraka::model {
+namespace {
+
+TEST(Measures, ATurnedBoxHasItsSidesAreaVolumeAndCentre) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translate(Eigen::Vector3d(40, -20, 7))
+      .rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  const Measures m = measure(transformed(boxMesh({30, 20, 5}), pose));
+  EXPECT_NEAR(m.length_mm, 30, 1e-4);
+  EXPECT_NEAR(m.width_mm, 20, 1e-4);
+  EXPECT_NEAR(m.area_mm2, 2 * (600 + 150 + 100), 1e-2);
+  EXPECT_NEAR(m.volume_mm3, 3000, 1e-2);
+  EXPECT_LT((m.centroid - Eigen::Vector3d(40, -20, 7)).norm(), 1e-4);
+}
+
+TEST(Measures, ThicknessIsThatOfTheWallNotOfTheBreaks) {
+  // A plate on a grid: many small faces; 24 x 18 x 4 mm.
+  Grid grid;
+  grid.cell_mm = 0.5f;
+  grid.size = {60, 48, 20};
+  const Eigen::Vector3f centre(14.6f, 11.7f, 4.6f), size(24, 18, 4);
+  for (int z = 0; z < 20; ++z)
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 60; ++x) {
+        const Eigen::Vector3f q = (grid.node(x, y, z) - centre).cwiseAbs() - 0.5f * size;
+        grid.values.push_back(q.maxCoeff());
+      }
+  const Measures m = measure(contour(grid));
+  // The grid chamfers the edges a little.
+  EXPECT_NEAR(m.thickness_min_mm, 4, 0.06);
+  EXPECT_NEAR(m.thickness_mean_mm, 4, 0.02);
+  EXPECT_NEAR(m.thickness_max_mm, 4, 0.02);
+}
+
+TEST(Measures, AMeshWithoutFacesMeasuresNothing) {
+  EXPECT_EQ(measure(TriangleMesh{}).area_mm2, 0);
+}
+
+}  // namespace
+}  // namespace ostraka::model

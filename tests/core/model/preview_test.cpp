@@ -1,0 +1,45 @@
+#include "model/preview.h"
+
+#include <gtest/gtest.h>
+
+#include "model/model.h"
+#include "shapes.h"
+
+namespace ostraka::model {
+namespace {
+
+constexpr PreviewOptions kSmall{.width_px = 60, .height_px = 40};
+
+TEST(Preview, ABoxFillsThePictureUpToTheMargin) {
+  TriangleMesh box = boxMesh({30, 20, 5});
+  const cv::Mat picture = renderView(box, Eigen::Matrix3d::Identity(), kSmall);
+  const cv::Vec3b white(255, 255, 255);
+  EXPECT_EQ(picture.at<cv::Vec3b>(0, 0), white);
+  EXPECT_NE(picture.at<cv::Vec3b>(20, 30), white);
+  EXPECT_NE(picture.at<cv::Vec3b>(20, 6), white);  // 30 mm over 88 % of 60 pixels: from 3.6 on
+  EXPECT_EQ(picture.at<cv::Vec3b>(20, 2), white);
+}
+
+TEST(Preview, FilledPlacesShowInTheirColour) {
+  TriangleMesh box = boxMesh({30, 20, 5});
+  const cv::Vec3b seen = renderView(box, Eigen::Matrix3d::Identity(), kSmall).at<cv::Vec3b>(20, 30);
+  box.seen.assign(8, 0);
+  const cv::Vec3b filled =
+      renderView(box, Eigen::Matrix3d::Identity(), kSmall).at<cv::Vec3b>(20, 30);
+  EXPECT_GT(filled[2] - filled[0], 60 + seen[2] - seen[0]);  // orange
+}
+
+TEST(Preview, ThreeViewsSideBySideAreTheSameEachTime) {
+  TriangleMesh box = boxMesh({30, 20, 5});
+  box.normals = vertexNormals(box);
+  const cv::Mat once = renderPreview(box, kSmall), again = renderPreview(box, kSmall);
+  ASSERT_EQ(once.cols, 180);
+  ASSERT_EQ(once.rows, 40);
+  EXPECT_TRUE(std::equal(once.datastart, once.dataend, again.datastart));
+  // The edge view shows the box's 5 mm only: white a quarter of the height above the middle.
+  EXPECT_EQ(once.at<cv::Vec3b>(10, 150), cv::Vec3b(255, 255, 255));
+  EXPECT_NE(once.at<cv::Vec3b>(20, 150), cv::Vec3b(255, 255, 255));
+}
+
+}  // namespace
+}  // namespace ostraka::model

@@ -135,7 +135,7 @@ OutlineFit fitOutlines(std::span<const Vector3f> front, std::span<const Vector3f
     const Vector3d at = q.x() * side + q.y() * across + up.dot(pivot) * up;
     matches.push_back({n2.dot(q - f.points[k]), rowOf(at, n, pivot)});
   }
-  return weigh(matches, 0.05, std::min(1.0, cell / options.correlation_mm));
+  return weigh(matches, options.min_sigma_mm, std::min(1.0, cell / options.correlation_mm));
 }
 
 }  // namespace ostraka::registration

@@ -35,7 +35,9 @@ struct OutlineOptions {
   double min_cell_mm = 0.25;
   double blur_mm = 0.6;         ///< one to two scan spacings: single points do not shape it
   double reach_mm = 2.0;        ///< outlines farther apart show different things
-  double correlation_mm = 2.0;  ///< neighbours along the outline err together this far
+  double correlation_mm = 4.0;  ///< bumps of a break are this long; neighbours err together
+  /// Where a break leans, one side sees its outermost part and the other ends before it.
+  double min_sigma_mm = 0.15;
 };
 
 struct OutlineFit {

@@ -4,8 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace ostraka::registration {
 namespace {
@@ -107,10 +105,7 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteWitne
   pose.evidence +=
       fitOutlines(front_.all, back_.all, spacing_mm_, pose.front_from_back, seen, at, {}).evidence;
   if (silhouettes != nullptr) {
-    const OutlineFit fit = silhouettes->evidence(pose.front_from_back, at, reach_px);
-    if (std::getenv("VERB"))
-      std::printf("silhouette pairs %d sigma %.3f px\n", fit.pairs, fit.sigma_mm);
-    pose.evidence += fit.evidence;
+    pose.evidence += silhouettes->evidence(pose.front_from_back, at, reach_px).evidence;
   }
   // Few pairs tell little of their own noise: half of what strips of photographs show is assumed.
   pose.sigma_mm = strip.pairs < 100 ? 0.15 : std::clamp(strip.sigma_mm, 0.02, 0.3);

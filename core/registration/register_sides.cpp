@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -18,8 +16,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kNoPairLogLikelihood = -8;  // 1 to 3000: photographs need not be asked
-constexpr double kSamePoseMm = 0.5;          // poses nearer than this run into the same place
+constexpr double kNoPairLogLikelihood = -3.5;  // 1 to 30: photographs need not be asked
+constexpr double kSamePoseMm = 0.5;            // poses nearer than this run into the same place
 
 bool better(const FittedPose& a, const FittedPose& b) {
   return a.score < b.score;
@@ -84,11 +82,7 @@ Registration reported(const FittedPose& best, const PairFit& pair, const Strip& 
   found.pivot = pair.pivot(best.front_from_back);
   found.uncertainty_mm = pair.uncertainty(best.evidence);
   found.start = best.start;
-  const double noise =
-      std::hypot(std::max(front.noise_mm, front.doubt_mm), std::max(back.noise_mm, back.doubt_mm));
-  if (std::getenv("VERB"))
-    std::printf("noise %.3f %.3f doubt %.3f %.3f\n", front.noise_mm, back.noise_mm, front.doubt_mm,
-                back.doubt_mm);
+  const double noise = std::hypot(front.noise_mm, back.noise_mm);
   found.log_likelihood = rimLogLikelihood(best.rim.rms_mm, noise, best.rim.pairs);
   found.runner_up_gap = 1e9;
   return found;

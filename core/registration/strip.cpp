@@ -25,6 +25,7 @@ double median(std::vector<double>& values) {
 struct Patch {
   Vector3f normal = Vector3f::Zero(), mean = Vector3f::Zero();
   float aside = 0;  // distance of the mean within the plane, as a share of the radius
+  Vector3f towards = Vector3f::Zero();  // the same as a vector
   int count = 0;
 };
 
@@ -42,7 +43,8 @@ Patch patchAround(const PointCloud& cloud, const KdTree& tree, int i, float radi
   patch.normal.normalize();
   patch.mean /= static_cast<float>(std::max(1, patch.count));
   const Vector3f offset = patch.mean - p;
-  patch.aside = (offset - patch.normal * patch.normal.dot(offset)).norm() / radius;
+  patch.towards = (offset - patch.normal * patch.normal.dot(offset)) / radius;
+  patch.aside = patch.towards.norm();
   return patch;
 }
 
@@ -131,7 +133,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
   std::nth_element(sorted.begin(), lowest, sorted.end());
   const float low_end = *lowest + kLowBandMm;
   std::vector<Neighbour> found;
-  std::vector<double> offsets, angles;
+  std::vector<double> offsets;
   const float radius =
       static_cast<float>(std::max(options.normal_radius_mm, 2.2 * strip.spacing_mm));
   for (int i = 0; i < static_cast<int>(cloud.size()); ++i) {
@@ -141,16 +143,14 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
     strip.fine.points.push_back(cloud.points[i]);
     strip.fine.normals.push_back(patch.normal);
     strip.fine.weights.push_back(heights[i] < low_end ? kLowBandWeight : 1.0f);
-    strip.fine.end.push_back(patch.aside > 0.3f ? 1 : 0);
+    strip.fine.end.push_back(patch.towards.dot(up) > 0.25f ? 1 : 0);
     offsets.push_back(std::abs(patch.normal.dot(cloud.points[i] - patch.mean)));
-    angles.push_back(std::acos(std::clamp(patch.normal.dot(cloud.normals[i]), -1.0f, 1.0f)));
   }
   if (strip.fine.points.size() < 50)
     return Error{ErrorCode::NotEnough,
                  "Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.",
                  scan.id};
   strip.noise_mm = 1.4826 * median(offsets);
-  strip.doubt_mm = 0.32 * std::tan(median(angles));
   strip.fine.tree = KdTree(strip.fine.points);
   strip.coarse = thinnedLevel(strip.fine, options.coarse_mm);
   addShell(cloud, tree, 1.0, strip);

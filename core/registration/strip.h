@@ -23,7 +23,7 @@ struct StripLevel {
   std::vector<Eigen::Vector3f> points;   ///< mm, frame of the scan
   std::vector<Eigen::Vector3f> normals;  ///< unit, outward, averaged over neighbours
   std::vector<float> weights;            ///< 0..1, lower in the lowest, fattest band
-  std::vector<std::uint8_t> end;         ///< 1 where the scan ends: the row that BBICP uses
+  std::vector<std::uint8_t> end;         ///< 1 where the scan ends below: the row that BBICP uses
   KdTree tree{{}};
 };
 
@@ -38,11 +38,7 @@ struct Strip {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();     ///< towards the viewer, frame of the scan
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of the shell, mm
   double radius_mm = 0;                              ///< RMS distance of the shell from the centre
-  double noise_mm = 0;  ///< robust SD of the strip's points about their neighbours' planes
-  /// What the normals' scatter tells of the depth's noise: a window of 0.64 mm that errs by its
-  /// angle errs by 0.32 mm times its tangent at the ends. Smooth but wrong strips, as stereo leaves
-  /// them, give themselves away here and not in noise_mm.
-  double doubt_mm = 0;
+  double noise_mm = 0;    ///< robust SD of the strip's points about their neighbours' planes
   double spacing_mm = 0;  ///< median distance of neighbours
 };
 

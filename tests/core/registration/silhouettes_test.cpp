@@ -12,13 +12,13 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-// Looks at (x, y, 2) from `azimuth`, 400 mm away, 35 degrees up, at 4 pixels per mm.
-rig::PosedImage camera(double azimuth, const Vector3d& target) {
+// Looks at the target from `azimuth` and `elevation`, 400 mm away, at 4 pixels per mm.
+rig::PosedImage camera(double azimuth, double elevation, const Vector3d& target) {
   rig::PosedImage image;
   image.intrinsics = {
       .width = 600, .height = 500, .fx = 1600, .fy = 1600, .cx = 300, .cy = 250, .distortion = {}};
-  const Vector3d away(std::cos(azimuth) * std::cos(0.6), std::sin(azimuth) * std::cos(0.6),
-                      std::sin(0.6));
+  const Vector3d away(std::cos(azimuth) * std::cos(elevation),
+                      std::sin(azimuth) * std::cos(elevation), std::sin(elevation));
   const Vector3d z = -away, x = z.cross(Vector3d::UnitZ()).normalized(), y = z.cross(x);
   Eigen::Matrix3d rows;
   rows << x.transpose(), y.transpose(), z.transpose();
@@ -47,10 +47,12 @@ TEST(Silhouettes, MoveTheBackToWhereThePhotographsShowIt) {
   const auto front = prepareStrip(sherd.front, {}), back = prepareStrip(sherd.back, {});
   const Isometry3d same = Isometry3d::Identity();
   std::vector<SilhouetteView> front_views, back_views;
-  for (int k = 0; k < 8; ++k) {
-    const rig::PosedImage f = camera(0.785 * k, Vector3d(0, 0, 2));
+  // Three elevations: at a single one a fatness of all outlines looks like a height.
+  for (int k = 0; k < 12; ++k) {
+    const double azimuth = 0.5236 * k, elevation = 0.44 + 0.33 * (k % 3);
+    const rig::PosedImage f = camera(azimuth, elevation, Vector3d(0, 0, 2));
     front_views.push_back({f, maskOf(f, sherd.front, same, sherd.back, sherd.truth)});
-    const rig::PosedImage b = camera(0.785 * k, sherd.truth.inverse() * Vector3d(0, 0, 2));
+    const rig::PosedImage b = camera(azimuth, elevation, sherd.truth.inverse() * Vector3d(0, 0, 2));
     back_views.push_back({b, maskOf(b, sherd.front, sherd.truth.inverse(), sherd.back, same)});
   }
   Isometry3d pose = sherd.truth;
@@ -64,15 +66,15 @@ TEST(Silhouettes, MoveTheBackToWhereThePhotographsShowIt) {
     fit.evidence.information.diagonal().array() += 1e-3;
     pose = changed(pose, -fit.evidence.information.ldlt().solve(fit.evidence.gradient), pivot);
   }
-  // Whole-pixel masks of 4 pixels per mm: a third of a pixel is left at most.
-  EXPECT_LT(rms_mm(pose, sherd.truth, sherd.back), std::min(0.10, before / 4));
+  // Whole-pixel masks, a pixel too fat, of 4 pixels per mm: half a pixel is left at most.
+  EXPECT_LT(rms_mm(pose, sherd.truth, sherd.back), std::min(0.15, before / 3));
 }
 
 TEST(Silhouettes, ViewsThatDoNotSeeTheSherdSayNothing) {
   const SimulatedSherd sherd = simulatedSherd({});
   const auto front = prepareStrip(sherd.front, {}), back = prepareStrip(sherd.back, {});
   const std::vector<SilhouetteView> views = {
-      {camera(0, Vector3d(900, 900, 0)), cv::Mat1b(500, 600, uchar{0})}};
+      {camera(0, 0.6, Vector3d(900, 900, 0)), cv::Mat1b(500, 600, uchar{0})}};
   const SilhouetteWitness witness(*front, *back, views, {}, sherd.truth, {}, 1);
   EXPECT_EQ(witness.evidence(sherd.truth, front->centre, 6).pairs, 0);
 }

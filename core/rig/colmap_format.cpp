@@ -117,7 +117,7 @@ Result<std::vector<ColmapCamera>> parseColmapCameras(std::string_view bytes, Col
     cameras.push_back(std::move(camera));
   }
   if (!reader.whole()) return damaged(where);
-  return byId(Result(std::move(cameras)));
+  return byId(Result<std::vector<ColmapCamera>>(std::move(cameras)));
 }
 
 Result<std::vector<ColmapImage>> parseColmapImages(std::string_view bytes, ColmapFormat format,
@@ -128,16 +128,12 @@ Result<std::vector<ColmapImage>> parseColmapImages(std::string_view bytes, Colma
   const std::uint64_t count = reader.count(73);
   for (std::uint64_t k = 0; k < count && reader.good(); ++k) images.push_back(imageFrom(reader));
   if (!reader.whole()) return damaged(where);
-  return byId(Result(std::move(images)));
+  return byId(Result<std::vector<ColmapImage>>(std::move(images)));
 }
 
 Result<std::vector<ColmapPoint>> parseColmapPoints(std::string_view bytes, ColmapFormat format,
                                                    const std::string& where) {
-  if (format == ColmapFormat::Text) {
-    Result<std::vector<ColmapPoint>> points = colmap_text::points(bytes, where);
-    if (!points) return points.error();
-    return byId(std::move(*points));
-  }
+  if (format == ColmapFormat::Text) return byId(colmap_text::points(bytes, where));
   Reader reader(bytes);
   std::vector<ColmapPoint> points;
   const std::uint64_t count = reader.count(51);
@@ -155,7 +151,7 @@ Result<std::vector<ColmapPoint>> parseColmapPoints(std::string_view bytes, Colma
     points.push_back(std::move(point));
   }
   if (!reader.whole()) return damaged(where);
-  return byId(Result(std::move(points)));
+  return byId(Result<std::vector<ColmapPoint>>(std::move(points)));
 }
 
 std::string colmapBytes(const std::vector<ColmapCamera>& cameras, ColmapFormat format) {

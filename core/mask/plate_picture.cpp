@@ -156,44 +156,90 @@ cv::Mat3f spreadColours(const cv::Mat3f& weighted_sum, const cv::Mat1f& weight, 
   return full;
 }
 
+/// The plate's colour that nothing accepted as bare may be far from: without it the estimate could
+/// walk, round by round, from the plate's colour to that of a grey sherd.
+struct Anchor {
+  cv::Mat3f albedo;
+  Tolerance tolerance;
+};
+
+// How far the plate's own mottle strays from one colour, measured on the bare rim; a stain may be
+// three times as strong. With an empty photograph the anchor is each cell's own colour.
+Tolerance anchorTolerance(std::span<const PlateLook> looks, const Samples& samples,
+                          const PlateGrid& grid, const cv::Mat1b& paper,
+                          const PlatePicture& picture) {
+  Tolerance tolerance{0.1F, 0.04F};
+  if (picture.has_empty) return tolerance;
+  std::vector<float> brightness, colour;
+  for (std::size_t s = 0; s < looks.size(); ++s)
+    for (int row = 0; row < grid.size; row += kFitStride)
+      for (int column = 0; column < grid.size; column += kFitStride) {
+        const cv::Vec3f value = samples[s](row, column);
+        if (value[0] == kNoSample || !isBareRim(grid, paper, row, column)) continue;
+        const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
+        const cv::Vec3f own = value - latticeAt(picture.light, p[0], p[1]) - picture.exposure[s];
+        const float g = (own[0] + own[1] + own[2]) / 3;
+        brightness.push_back(std::abs(g));
+        colour.push_back(static_cast<float>(cv::norm(own - cv::Vec3f(g, g, g))));
+      }
+  if (brightness.size() < 100) return tolerance;
+  const auto middle = static_cast<std::ptrdiff_t>(brightness.size() / 2);
+  std::nth_element(brightness.begin(), brightness.begin() + middle, brightness.end());
+  std::nth_element(colour.begin(), colour.begin() + middle, colour.end());
+  tolerance.brightness = std::clamp(3 * 1.48F * brightness[middle], 0.1F, 0.3F);
+  tolerance.colour = std::clamp(3 * 0.85F * colour[middle], 0.04F, 0.12F);  // 0.85: two dimensions
+  return tolerance;
+}
+
 // Step A: albedo from all looks' samples without light and exposure, weighted by how bare they look
 // against the albedo so far.
 void updateAlbedo(std::span<const PlateLook> looks, const Samples& samples, const cv::Mat3f& empty,
-                  int empty_look, const Tolerance& tolerance, const PlateGrid& grid,
-                  PlatePicture& picture) {
+                  int empty_look, const Tolerance& tolerance, const Anchor& anchor,
+                  const PlateGrid& grid, PlatePicture& picture) {
   cv::Mat3f sum(grid.size, grid.size, cv::Vec3f::all(0));
-  cv::Mat1f weight(grid.size, grid.size, 0.F);
+  cv::Mat1f weight(grid.size, grid.size, 0.F), trusted(grid.size, grid.size, 0.F);
   for (int row = 0; row < grid.size; ++row)
     for (int column = 0; column < grid.size; ++column) {
       const cv::Vec3f before = picture.albedo(row, column);
+      float squares = 0;
       for (std::size_t s = 0; s < looks.size(); ++s) {
         const cv::Vec3f value = samples[s](row, column);
         if (value[0] == kNoSample) continue;
         const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
         const cv::Vec3f own = value - latticeAt(picture.light, p[0], p[1]) - picture.exposure[s];
-        const float w = bareWeight(own - before, tolerance);
+        const float w = bareWeight(own - before, tolerance) *
+                        bareWeight(own - anchor.albedo(row, column), anchor.tolerance);
         sum(row, column) += w * own;
         weight(row, column) += w;
+        squares += w * w;
       }
       if (!empty.empty() && empty(row, column)[0] != kNoSample) {
         const cv::Vec2f p = looks[empty_look].pixel_of_cell(row, column);
         sum(row, column) +=
             kEmptyWeight * (empty(row, column) - latticeAt(picture.light, p[0], p[1]));
         weight(row, column) += kEmptyWeight;
+        squares += kEmptyWeight;
       }
+      // Many half-hearted looks are not one certain look: what counts is the typical weight.
+      trusted(row, column) = weight(row, column) > 0 ? squares : 0.F;
     }
   // 4 mm: wider than the cloth's texture, narrower than its stains.
-  const cv::Mat3f filled = spreadColours(sum, weight, 4 / grid.pitch_mm);
+  cv::Mat3f certain_sum = sum.clone();
+  for (int row = 0; row < grid.size; ++row)
+    for (int column = 0; column < grid.size; ++column)
+      certain_sum(row, column) *= trusted(row, column) / std::max(1e-6F, weight(row, column));
+  const cv::Mat3f filled = spreadColours(certain_sum, trusted, 4 / grid.pitch_mm);
   for (int row = 0; row < grid.size; ++row)
     for (int column = 0; column < grid.size; ++column) {
       const float w = weight(row, column);
-      // Less than about one bare look is no evidence against the neighbours.
-      const float share = w * w / (w * w + 0.5F);
+      // Less than about one certain look is no evidence against the neighbours.
+      const float certain = trusted(row, column);
+      const float share = certain * certain / (certain * certain + 0.5F);
       picture.albedo(row, column) =
           w > 0 ? share * sum(row, column) / w + (1 - share) * filled(row, column)
                 : filled(row, column);
     }
-  picture.support = weight;
+  picture.support = trusted;
 }
 
 // Step B: exposure of each look, then the light's lattice, from the residuals of bare samples.
@@ -309,11 +355,13 @@ PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f
   }
   fitLightFromRim(looks, samples, grid, paper, picture);
   startAlbedo(looks, samples, empty_samples, empty_look, paper, picture);
+  const Anchor anchor{picture.albedo.clone(),
+                      anchorTolerance(looks, samples, grid, paper, picture)};
   for (int round = 0; round < kRounds; ++round) {
     // From a wide look at everything plate-like down to the noise of a pixel.
     const float narrowing = std::pow(0.75F, static_cast<float>(round));
     const Tolerance tolerance{0.3F * narrowing, 0.12F * narrowing};
-    updateAlbedo(looks, samples, empty_samples, empty_look, tolerance, grid, picture);
+    updateAlbedo(looks, samples, empty_samples, empty_look, tolerance, anchor, grid, picture);
     updateLight(looks, samples, tolerance, grid, picture);
   }
   picture.room = stillRoom(looks, picture, grid);

@@ -1,0 +1,221 @@
+#include "mask/hull_mask.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "base/parallel.h"
+#include "mask/colour_model.h"
+#include "mask/hull.h"
+#include "mask/outline.h"
+#include "mask/plate_picture.h"
+
+namespace ostraka::mask {
+namespace {
+
+constexpr int kRounds = 4;       // colours and hull teach each other; the hull settles after three
+constexpr int kVoxels = 96;      // per side of the box: 1 % of it, a few pixels of a photograph
+constexpr double kBoxRadii = 2;  // half the box, in radii of the first guess
+
+/// Where all cameras look, and how large a thing there would fill about half of the pictures.
+struct Guess {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0;
+};
+
+// The point nearest to all optical axes.
+Guess guessFromAxes(std::span<const rig::PosedImage> images) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const rig::PosedImage& image : images) {
+    const Eigen::Vector3d axis = image.camera_from_plate.linear().row(2);
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
+    normal += across;
+    right += across * image.centre();
+  }
+  Guess guess;
+  guess.centre = normal.ldlt().solve(right);
+  std::vector<double> radii;
+  for (const rig::PosedImage& image : images) {
+    const double depth = (image.camera_from_plate * guess.centre).z();
+    const int shorter = std::min(image.intrinsics.width, image.intrinsics.height);
+    if (depth > 0) radii.push_back(0.25 * shorter / image.intrinsics.fx * depth);
+  }
+  if (radii.empty()) return guess;
+  std::nth_element(radii.begin(), radii.begin() + radii.size() / 2, radii.end());
+  guess.radius = radii[radii.size() / 2];
+  return guess;
+}
+
+class HullMasker {
+ public:
+  HullMasker(std::span<const rig::PosedImage> images, std::span<const cv::Mat> photographs,
+             const Guess& guess, const HullMaskOptions& options)
+      : images_(images), photographs_(photographs), guess_(guess), options_(options) {
+    hull_.threads = options.threads;
+    hull_.reduction = std::max(1, photographs[0].cols / 340);
+    // A body is seen as itself by nearly all views; what only some call foreground is surroundings.
+    hull_.inside_share = 0.6;
+    hull_.carving_views = std::max(1.5, 0.2 * static_cast<double>(images.size()));
+    space_.pitch = 2 * kBoxRadii * guess.radius / kVoxels;
+    space_.low = guess.centre - Eigen::Vector3d::Constant(kBoxRadii * guess.radius);
+    space_.count = {kVoxels, kVoxels, kVoxels};
+  }
+
+  Result<MaskResult> run(Progress& progress, const std::stop_token& stop) {
+    start();
+    for (int round = 0; round < kRounds; ++round) {
+      progress.report(round, kRounds + 1);
+      parallelFor(views_.size(), options_.threads, [&](std::size_t i) { weigh(i); });
+      first_ = false;
+      voxels_ = carveHull(space_, views_, hull_, stop);
+      if (stop.stop_requested()) return Error::cancelled();
+      if (std::none_of(voxels_.begin(), voxels_.end(), [](unsigned char v) { return v != 0; }))
+        return Error{ErrorCode::NotEnough,
+                     "No body was found that the photographs agree on; check the cameras, or give "
+                     "masks.",
+                     {}};
+      parallelFor(views_.size(), options_.threads, [&](std::size_t i) {
+        silhouettes_[i] = silhouetteOfHull(space_, voxels_, views_[i], hull_);
+      });
+    }
+    MaskResult result;
+    result.masks.resize(images_.size());
+    parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
+      if (!stop.stop_requested()) result.masks[i] = outline(i);
+    });
+    if (stop.stop_requested()) return Error::cancelled();
+    progress.report(kRounds + 1, kRounds + 1);
+    return result;
+  }
+
+ private:
+  void start() {
+    views_.resize(images_.size());
+    colours_.resize(images_.size());
+    silhouettes_.resize(images_.size());
+    for (std::size_t i = 0; i < images_.size(); ++i) {
+      cv::Mat small;
+      cv::resize(photographs_[i], small,
+                 {photographs_[i].cols / hull_.reduction, photographs_[i].rows / hull_.reduction},
+                 0, 0, cv::INTER_AREA);
+      colours_[i] = logColours(small);
+      views_[i].image = &images_[i];
+      silhouettes_[i] = cv::Mat1b(small.size(), uchar{0});
+      disc(i, 0.7, silhouettes_[i]);
+    }
+  }
+
+  // Draws the guess, scaled, as it shows in a view.
+  void disc(std::size_t i, double scale, cv::Mat1b& mask) const {
+    const Eigen::Vector3d q = images_[i].camera_from_plate * guess_.centre;
+    if (q.z() <= 0) return;
+    const Eigen::Vector2d p = images_[i].intrinsics.project(q) / hull_.reduction;
+    const double radius =
+        scale * guess_.radius * images_[i].intrinsics.fx / q.z() / hull_.reduction;
+    cv::circle(mask, {cvRound(p.x()), cvRound(p.y())}, cvRound(radius), 255, cv::FILLED);
+  }
+
+  // Odds of each reduced pixel from the colours inside and outside the silhouette so far.
+  void weigh(std::size_t i) {
+    cv::Mat1b inner, outer;
+    const cv::Mat window = cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9});
+    cv::erode(silhouettes_[i], inner, window);
+    cv::dilate(silhouettes_[i], outer, window);
+    if (first_) disc(i, 1.6, outer);
+    ColourHistogram body, surroundings;
+    const cv::Mat3f& colours = colours_[i];
+    for (int y = 0; y < colours.rows; ++y)
+      for (int x = 0; x < colours.cols; ++x) {
+        const int bin = ColourHistogram::bin(colours(y, x));
+        if (inner(y, x) != 0) body.add(bin);
+        if (outer(y, x) == 0) surroundings.add(bin);
+      }
+    body.finish();
+    surroundings.finish();
+    cv::Mat1f odds(colours.size());
+    for (int y = 0; y < colours.rows; ++y)
+      for (int x = 0; x < colours.cols; ++x) {
+        const int bin = ColourHistogram::bin(colours(y, x));
+        odds(y, x) = std::clamp(std::log(body.density(bin) / surroundings.density(bin)), -4.F, 4.F);
+      }
+    // Neighbours belong together; two reduced pixels keep the outline to a voxel.
+    cv::GaussianBlur(odds, odds, {}, 2, 2, cv::BORDER_REPLICATE);
+    views_[i].inside.create(odds.size());
+    views_[i].clear.create(odds.size());
+    for (int y = 0; y < odds.rows; ++y)
+      for (int x = 0; x < odds.cols; ++x) {
+        const float share = 1 / (1 + std::exp(-2 * odds(y, x)));
+        views_[i].inside(y, x) = share;
+        views_[i].clear(y, x) = std::max(0.F, 1 - 2 * share);
+      }
+    odds_[i] = odds;
+  }
+
+  cv::Mat1b outline(std::size_t i) const {
+    const cv::Size size = photographs_[i].size();
+    cv::Mat1b allowed;
+    cv::Mat1f odds;
+    cv::dilate(silhouettes_[i], allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {7, 7}));
+    cv::resize(allowed, allowed, size, 0, 0, cv::INTER_NEAREST);
+    // Inside the hull the views' agreement speaks for the body, whatever a spot's own colour.
+    cv::Mat1f spoken = odds_[i].clone();
+    cv::Mat1b inner;
+    cv::erode(silhouettes_[i], inner, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+    for (int y = 0; y < spoken.rows; ++y)
+      for (int x = 0; x < spoken.cols; ++x)
+        if (inner(y, x) != 0) spoken(y, x) = std::max(spoken(y, x), 0.F) + 2;
+    cv::resize(spoken, odds, size, 0, 0, cv::INTER_LINEAR);
+    cv::Mat3f colours = logColours(photographs_[i]);
+    cv::GaussianBlur(colours, colours, {}, 1, 1);
+    CutOptions cut_options;
+    cut_options.min_area_px = 0.002 * static_cast<double>(size.area());
+    return softenOutline(cutOutline(odds, allowed, colours, cut_options), photographs_[i]);
+  }
+
+  std::span<const rig::PosedImage> images_;
+  std::span<const cv::Mat> photographs_;
+  Guess guess_;
+  const HullMaskOptions& options_;
+  HullOptions hull_;
+  HullSpace space_;
+  bool first_ = true;
+  std::vector<HullView> views_;
+  std::vector<cv::Mat3f> colours_;
+  std::vector<cv::Mat1b> silhouettes_;
+  std::vector<cv::Mat1f> odds_ = std::vector<cv::Mat1f>(images_.size());
+  std::vector<unsigned char> voxels_;
+};
+
+}  // namespace
+
+Result<void> HullMaskOptions::check() const {
+  return {};
+}
+
+Result<MaskResult> maskByHull(std::span<const rig::PosedImage> images,
+                              std::span<const cv::Mat> photographs, const HullMaskOptions& options,
+                              Progress& progress, std::stop_token stop) {
+  if (images.size() != photographs.size())
+    return Error{ErrorCode::UnusableInput, "Each photograph needs one pose.", {}};
+  if (images.size() < 3)
+    return Error{ErrorCode::NotEnough,
+                 "A hull needs at least 3 photographs; photograph the thing from more sides.",
+                 {}};
+  for (std::size_t i = 0; i < images.size(); ++i)
+    if (photographs[i].type() != CV_8UC3 || photographs[i].cols != images[i].intrinsics.width ||
+        photographs[i].rows != images[i].intrinsics.height)
+      return Error{ErrorCode::UnusableInput,
+                   "The photograph is not of the size that its camera has; use the original file.",
+                   images[i].file};
+  const Guess guess = guessFromAxes(images);
+  if (!(guess.radius > 0) || !guess.centre.allFinite())
+    return Error{ErrorCode::UnusableInput,
+                 "The cameras do not look at a common place; check their poses.",
+                 {}};
+  return HullMasker(images, photographs, guess, options).run(progress, stop);
+}
+
+}  // namespace ostraka::mask

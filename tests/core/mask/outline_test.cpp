@@ -1,0 +1,77 @@
+#include "mask/outline.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+namespace ostraka::mask {
+namespace {
+
+// Linear light to sRGB, 0..255.
+double encoded(double linear) {
+  const double v = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return 255 * v;
+}
+
+TEST(Outline, TheSoftEdgeLiesWhereTheLightIsMixedInHalves) {
+  // A straight edge at x = 30.3 between clay and a dark plate: pixel 30 covers [29.5, 30.5] and is
+  // 0.8 sherd. The crossing of 127.5 must come out at 30.3 however bright the sides are.
+  const double edge = 30.3, clay = 0.5, ground = 0.02;
+  cv::Mat photograph(40, 60, CV_8UC3);
+  cv::Mat1b cut(40, 60, uchar{0});
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 60; ++x) {
+      const double share = std::clamp(edge - (x - 0.5), 0.0, 1.0);
+      const double v = encoded(share * clay + (1 - share) * ground);
+      photograph.at<cv::Vec3b>(y, x) = cv::Vec3b::all(cv::saturate_cast<uchar>(v));
+      if (x <= 31 && y > 2 && y < 37) cut(y, x) = 255;  // a pixel too wide
+    }
+  const cv::Mat1b soft = softenOutline(cut, photograph);
+  int x = 29;
+  while (soft(20, x + 1) >= 127.5) ++x;
+  const double t = (soft(20, x) - 127.5) / (soft(20, x) - soft(20, x + 1));
+  EXPECT_NEAR(x + t, 30.3, 0.15);
+}
+
+TEST(Outline, WithoutContrastTheCutStays) {
+  const cv::Mat photograph(40, 60, CV_8UC3, cv::Scalar::all(90));
+  cv::Mat1b cut(40, 60, uchar{0});
+  cut.colRange(10, 30) = 255;
+  const cv::Mat1b soft = softenOutline(cut, photograph);
+  EXPECT_GE(soft(20, 29), 128);
+  EXPECT_LT(soft(20, 30), 128);
+}
+
+TEST(Outline, TheCutFollowsTheContrastWhereTheEvidenceIsWeak) {
+  cv::Mat1f odds(40, 60, 0.F);
+  cv::Mat3f residual(40, 60, cv::Vec3f::all(0));
+  std::mt19937 random(5);
+  std::normal_distribution<float> noise(0, 0.02F);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 60; ++x) {
+      odds(y, x) = x < 15 ? 5.F : x > 45 ? -5.F : 0.F;
+      residual(y, x) = cv::Vec3f::all((x < 27 ? 0.5F : 0.F) + noise(random));
+    }
+  const cv::Mat1b cut = cutOutline(odds, cv::Mat1b(40, 60, uchar{255}), residual, {});
+  for (int y = 0; y < 40; ++y) {
+    EXPECT_EQ(cut(y, 26), 255) << y;
+    EXPECT_EQ(cut(y, 27), 0) << y;
+  }
+}
+
+TEST(Outline, CrumbsAndPinholesBelowTheAreaGo) {
+  cv::Mat1f odds(60, 80, -5.F);
+  odds(cv::Rect(10, 10, 40, 40)) = 5.F;
+  odds(cv::Rect(25, 25, 6, 6)) = -5.F;  // a hole of 36 pixels
+  odds(cv::Rect(65, 20, 8, 8)) = 5.F;   // a crumb of 64 pixels
+  const cv::Mat1b cut = cutOutline(odds, cv::Mat1b(60, 80, uchar{255}),
+                                   cv::Mat3f(60, 80, cv::Vec3f::all(0)), {2.5, 100});
+  EXPECT_EQ(cut(28, 28), 255);
+  EXPECT_EQ(cut(24, 69), 0);
+  EXPECT_EQ(cut(12, 12), 255);
+}
+
+}  // namespace
+}  // namespace ostraka::mask

@@ -233,7 +233,9 @@ double jointLogLikelihood(double outline, double rim, int n_scans) {
   const double look_alike = std::log(kLookAlike) - rim;
   const double most = std::max(stranger, look_alike);
   const double either = most + std::log(std::exp(stranger - most) + std::exp(look_alike - most));
-  return -either - std::log(static_cast<double>(std::max(1, n_scans)));
+  // A match against leaving both alone: (1/n) / (lone * lone).
+  constexpr double kLone = 0.1;
+  return -either - std::log(kLone * kLone * std::max(1, n_scans));
 }
 
 Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_front, int n_back,

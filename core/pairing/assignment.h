@@ -61,7 +61,7 @@ Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_fr
 /// Log-likelihood ratio from outline, rim and batch size, for Evidence::log_likelihood. A false
 /// pair is a stranger (judged by the outline, against strangers at random) or, one time in fifty, a
 /// look-alike (judged by the rim, against rims of like outlines); whichever explains more counts.
-/// A scan has n_scans possible partners, of which one is right.
+/// A scan has n_scans possible partners, and one in ten has none.
 double jointLogLikelihood(double outline, double rim, int n_scans);
 
 }  // namespace ostraka::pairing

@@ -5,6 +5,7 @@
 
 #include "base/json.h"
 #include "base/parallel.h"
+#include "pairing/rim_evidence.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -34,15 +35,36 @@ double placeLogLikelihood(const scan::Scan& front, const scan::Scan& back) {
   return std::min(2.5, std::log(0.5 + 0.5 * near / anywhere));
 }
 
-pairing::Evidence evidenceOf(const Registered& r, double place_log_likelihood, int n_scans) {
+double outlineOf(const Registered& r) {
+  const auto start = static_cast<std::size_t>(std::max(0, r.registration->start));
+  return r.candidate->starts.at(start).log_likelihood;
+}
+
+/// One figure per registered pair, 0 where the registration failed.
+std::vector<double> rimsOf(const std::vector<Registered>& registered) {
+  std::vector<pairing::RimFigures> figures;
+  for (const Registered& r : registered) {
+    if (!r.registration) continue;
+    figures.push_back({r.candidate->front, r.candidate->back, outlineOf(r),
+                       r.registration->rim_rms_mm, r.registration->log_likelihood});
+  }
+  const std::vector<double> known = pairing::rimLogLikelihoods(figures);
+  std::vector<double> rims(registered.size(), 0);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < registered.size(); ++i) {
+    if (registered[i].registration) rims[i] = known[next++];
+  }
+  return rims;
+}
+
+pairing::Evidence evidenceOf(const Registered& r, double rim, double place_log_likelihood,
+                             int n_scans) {
   const registration::Registration& found = *r.registration;
-  const auto start = static_cast<std::size_t>(std::max(0, found.start));
-  const double contour = r.candidate->starts.at(start).log_likelihood;
   pairing::Evidence evidence;
   evidence.front = r.candidate->front;
   evidence.back = r.candidate->back;
   evidence.log_likelihood =
-      pairing::jointLogLikelihood(contour, found.log_likelihood, n_scans) + place_log_likelihood;
+      pairing::jointLogLikelihood(outlineOf(r), rim, n_scans) + place_log_likelihood;
   evidence.rim_rms_mm = found.rim_rms_mm;
   evidence.overlap = found.rim_overlap;
   evidence.slipped = found.slipped;
@@ -92,16 +114,18 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
   });
   if (stop.stop_requested()) return Error::cancelled();
 
+  const std::vector<double> rims = rimsOf(registered);
+  const int n_scans = static_cast<int>(std::max(fronts.size(), backs.size()));
   std::vector<pairing::Evidence> evidence;
-  for (const Registered& r : registered) {
+  for (std::size_t i = 0; i < registered.size(); ++i) {
+    const Registered& r = registered[i];
     if (!r.registration) continue;
     const double hint =
         options.place == PlaceEvidence::None
             ? 0.0
             : placeLogLikelihood(fronts[static_cast<std::size_t>(r.candidate->front)],
                                  backs[static_cast<std::size_t>(r.candidate->back)]);
-    evidence.push_back(
-        evidenceOf(r, hint, static_cast<int>(std::max(fronts.size(), backs.size()))));
+    evidence.push_back(evidenceOf(r, rims[i], hint, n_scans));
   }
   const Result<pairing::Assignment> assignment = pairing::assignPairs(
       evidence, static_cast<int>(fronts.size()), static_cast<int>(backs.size()), options.assign);

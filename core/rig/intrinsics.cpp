@@ -54,8 +54,7 @@ double sdOf(const Solution& s, int term) {
   return s.sd_intrinsics.at<double>(term);
 }
 
-// A distortion term that is smaller than twice its standard deviation, or whose effect is not known
-// to a quarter of its size, is noise: it is kept at zero.
+// A distortion term that is smaller than twice its standard deviation is noise: it is kept at zero.
 int flagsForUndetermined(const Solution& s) {
   int flags = 0;
   const auto weak = [&](int k) {

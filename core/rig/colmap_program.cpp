@@ -1,0 +1,266 @@
+#include "rig/colmap_program.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "base/parallel.h"
+#include "batch/photograph.h"
+
+namespace ostraka::rig {
+namespace fs = std::filesystem;
+namespace {
+
+class Session {
+ public:
+  Session(const fs::path& program, const fs::path& workspace, const ColmapPoseOptions& options,
+          Progress& progress, std::stop_token stop)
+      : program_(program),
+        workspace_(workspace),
+        threads_(std::to_string(options.threads > 0 ? options.threads : availableThreads())),
+        progress_(progress),
+        stop_(std::move(stop)) {}
+
+  // Links to the photographs, one folder per camera, and masks as COLMAP names them.
+  Result<void> prepare(const std::vector<batch::Shot>& shots) {
+    std::error_code failed;
+    fs::remove_all(workspace_, failed);
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+      const std::string name = "cam" + std::to_string(shots[i].camera) + "/" + std::to_string(i) +
+                               shots[i].file.extension().string();
+      shot_of_[name] = i;
+      const fs::path link = workspace_ / "images" / name;
+      fs::create_directories(link.parent_path(), failed);
+      fs::create_symlink(shots[i].file, link, failed);
+      if (failed)
+        return Error{ErrorCode::CannotWrite,
+                     "COLMAP's workspace cannot be written (" + failed.message() + ").",
+                     workspace_.string()};
+      if (shots[i].mask_file.empty()) continue;
+      if (const Result<void> done = writeMask(shots[i].mask_file, name); !done) return done;
+    }
+    return {};
+  }
+
+  Result<void> run() {
+    const std::string database = (workspace_ / "database.db").string();
+    const std::string images = (workspace_ / "images").string();
+    const fs::path sparse = workspace_ / "sparse";
+    fs::create_directories(sparse);
+    std::vector<std::string> extract{
+        "feature_extractor", "--database_path", database, "--image_path", images,
+        "--ImageReader.single_camera_per_folder", "1", "--ImageReader.camera_model", "OPENCV",
+        // Without a display and CUDA COLMAP aborts unless told so.
+        "--SiftExtraction.use_gpu", "0", "--SiftExtraction.num_threads", threads_};
+    if (with_masks_) {
+      extract.push_back("--ImageReader.mask_path");
+      extract.push_back((workspace_ / "masks").string());
+    }
+    if (const Result<void> done = step(0, "features", extract); !done) return done;
+    if (const Result<void> done =
+            step(1, "matching",
+                 {"exhaustive_matcher", "--database_path", database, "--SiftMatching.use_gpu", "0",
+                  "--SiftMatching.num_threads", threads_});
+        !done)
+      return done;
+    return step(2, "mapping",
+                {"mapper", "--database_path", database, "--image_path", images, "--output_path",
+                 sparse.string(), "--Mapper.num_threads", threads_});
+  }
+
+  // COLMAP may leave several models, and none with exit status 0: the largest one counts.
+  Result<ColmapModel> largestModel() const {
+    ColmapModel best;
+    std::error_code failed;
+    std::vector<fs::path> folders;
+    for (fs::directory_iterator it(workspace_ / "sparse", failed), end; !failed && it != end;
+         it.increment(failed))
+      folders.push_back(it->path());
+    std::sort(folders.begin(), folders.end());
+    for (const fs::path& folder : folders) {
+      Result<ColmapModel> model = readColmapModel(folder);
+      if (!model) return model.error();
+      if (model->images.size() > best.images.size()) best = std::move(*model);
+    }
+    return best;
+  }
+
+  // Index of the shot behind an image's name.
+  std::optional<std::size_t> shotOf(const std::string& name) const {
+    const auto found = shot_of_.find(name);
+    if (found == shot_of_.end()) return std::nullopt;
+    return found->second;
+  }
+
+ private:
+  Result<void> writeMask(const fs::path& file, const std::string& name) {
+    const Result<cv::Mat> labels = batch::readMask(file);
+    if (!labels) return labels.error();
+    const fs::path target = workspace_ / "masks" / (name + ".png");
+    std::error_code failed;
+    fs::create_directories(target.parent_path(), failed);
+    const cv::Mat mask = *labels > 0;
+    if (failed || !cv::imwrite(target.string(), mask))
+      return Error{ErrorCode::CannotWrite, "The mask cannot be written.", target.string()};
+    with_masks_ = true;
+    return {};
+  }
+
+  Result<void> step(int done, const std::string& word, const std::vector<std::string>& arguments) {
+    progress_.report(done, 3);
+    progress_.note(NoteLevel::Info, "rig: COLMAP " + word);
+    return runProgram(program_, arguments, workspace_ / "log.txt", stop_);
+  }
+
+  fs::path program_, workspace_;
+  std::string threads_;
+  Progress& progress_;
+  std::stop_token stop_;
+  std::map<std::string, std::size_t> shot_of_;
+  bool with_masks_ = false;
+};
+
+Eigen::Isometry3d turntableOrIdentity(const ColmapPoses& poses) {
+  std::map<int, std::vector<Eigen::Vector3d>> by_camera;
+  for (const PosedImage& image : poses.images) by_camera[image.camera].push_back(image.centre());
+  std::vector<std::vector<Eigen::Vector3d>> centres;
+  for (auto& [camera, list] : by_camera) centres.push_back(std::move(list));
+  return turntableFromCentres(centres, poses.points).value_or(Eigen::Isometry3d::Identity());
+}
+
+void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& table_from_world) {
+  for (PosedImage& image : poses.images)
+    image.camera_from_plate = image.camera_from_plate * table_from_world.inverse();
+  for (Eigen::Vector3d& point : poses.points) point = table_from_world * point;
+}
+
+double low(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const std::size_t k = values.size() / 50;  // a few wild points lie below the plate
+  std::nth_element(values.begin(), values.begin() + k, values.end());
+  return values[k];
+}
+
+}  // namespace
+
+Result<void> ColmapPoseOptions::check() const {
+  if (!(min_posed_share > 0 && min_posed_share <= 1))
+    return Error{ErrorCode::UnusableInput, "min_posed_share must lie between 0 and 1.", {}};
+  return {};
+}
+
+std::optional<Eigen::Isometry3d> turntableFromCentres(
+    const std::vector<std::vector<Eigen::Vector3d>>& centres,
+    const std::vector<Eigen::Vector3d>& points) {
+  // Differences within a camera's circle are at right angles to the axis.
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const auto& circle : centres) {
+    if (circle.size() < 3) continue;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& c : circle) mean += c / static_cast<double>(circle.size());
+    for (const Eigen::Vector3d& c : circle) spread += (c - mean) * (c - mean).transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  if (!(solver.eigenvalues()[1] > 1e-6 * std::max(1e-12, spread.trace()))) return std::nullopt;
+  const Eigen::Vector3d axis = solver.eigenvectors().col(0);
+  // Circles about one point of the plane: |c|^2 = 2 c.m + k, with one k per camera.
+  const Eigen::Vector3d u = solver.eigenvectors().col(1), v = solver.eigenvectors().col(2);
+  Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  double cameras_height = 0, count = 0;
+  for (const auto& circle : centres) {
+    if (circle.size() < 3) continue;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    double mean_square = 0;
+    const double n = static_cast<double>(circle.size());
+    for (const Eigen::Vector3d& c : circle) {
+      const Eigen::Vector2d p(u.dot(c), v.dot(c));
+      mean += p / n;
+      mean_square += p.squaredNorm() / n;
+    }
+    for (const Eigen::Vector3d& c : circle) {
+      const Eigen::Vector2d p(u.dot(c), v.dot(c)), d = p - mean;
+      a += 2 * d * d.transpose();
+      b += d * (p.squaredNorm() - mean_square);
+      cameras_height += axis.dot(c);
+      ++count;
+    }
+  }
+  const Eigen::Vector2d m = a.ldlt().solve(b);
+  std::vector<double> heights;
+  for (const Eigen::Vector3d& p : points) heights.push_back(axis.dot(p));
+  std::vector<double> sorted = heights;
+  double middle = 0;
+  if (!sorted.empty()) {
+    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+    middle = sorted[sorted.size() / 2];
+  }
+  const double up = cameras_height / count >= middle ? 1 : -1;
+  for (double& h : heights) h *= up;
+  const Eigen::Vector3d z = up * axis;
+  const Eigen::Vector3d origin = m.x() * u + m.y() * v + low(heights) * z;
+  Eigen::Isometry3d world_from_table = Eigen::Isometry3d::Identity();
+  world_from_table.linear() << u, z.cross(u), z;
+  world_from_table.translation() = origin;
+  return world_from_table.inverse();
+}
+
+ColmapPoses scaledTo(ColmapPoses poses, double mm_per_unit) {
+  for (PosedImage& image : poses.images) image.camera_from_plate.translation() *= mm_per_unit;
+  for (Eigen::Vector3d& point : poses.points) point *= mm_per_unit;
+  poses.has_scale = true;
+  return poses;
+}
+
+Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const fs::path& workspace,
+                                   const ColmapPoseOptions& options, Progress& progress,
+                                   std::stop_token stop) {
+  if (const Result<void> good = options.check(); !good) return good.error();
+  const std::optional<fs::path> program =
+      options.program.empty() ? findProgram("colmap") : std::optional(options.program);
+  if (!program)
+    return Error{ErrorCode::Missing,
+                 "Without plate.json poses come from COLMAP, which is not installed; install the "
+                 "package 'colmap' or photograph on a marker plate.",
+                 {}};
+  Session session(*program, fs::absolute(workspace), options, progress, stop);
+  if (const Result<void> done = session.prepare(shots); !done) return done.error();
+  if (const Result<void> done = session.run(); !done) return done.error();
+  const Result<ColmapModel> model = session.largestModel();
+  if (!model) return model.error();
+  const Result<std::vector<PosedImage>> images = fromColmap(*model);
+  if (!images) return images.error();
+  std::map<std::size_t, PosedImage> by_shot;
+  for (const PosedImage& image : *images)
+    if (const auto shot = session.shotOf(image.file)) by_shot[*shot] = image;
+  ColmapPoses poses;
+  for (auto& [index, image] : by_shot) {
+    image.file = shots[index].file.string();
+    image.side = shots[index].side;
+    image.camera = shots[index].camera;
+    image.stop = shots[index].stop;
+    poses.images.push_back(image);
+  }
+  const auto needed = std::max(3.0, std::ceil(options.min_posed_share * shots.size()));
+  if (static_cast<double>(poses.images.size()) < needed)
+    return Error{ErrorCode::NotEnough,
+                 "COLMAP found poses for " + std::to_string(poses.images.size()) + " of " +
+                     std::to_string(shots.size()) +
+                     " photographs, too few; give masks or photograph on a marker plate.",
+                 workspace.string()};
+  for (const ColmapPoint& point : model->points) {
+    poses.points.push_back(point.position);
+    poses.reprojection_px += point.error_px / static_cast<double>(model->points.size());
+  }
+  moveTo(poses, turntableOrIdentity(poses));
+  progress.report(3, 3);
+  progress.note(NoteLevel::Warning,
+                "The poses come from COLMAP and have no scale; measures need a known length.");
+  return poses;
+}
+
+}  // namespace ostraka::rig

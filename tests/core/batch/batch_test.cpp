@@ -1,0 +1,152 @@
+#include "batch/batch.h"
+
+#include <gmock/gmock.h>
+
+#include "batch_folder.h"
+
+namespace ostraka::batch {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+void threeViewsPerSide(const TemporaryFolder& folder) {
+  for (const char* side : {"front", "back"})
+    for (int stop = 0; stop < 3; ++stop)
+      folder.image(std::string(side) + "/cam0_pos0" + std::to_string(stop) + ".jpg");
+}
+
+Result<Batch> read(const TemporaryFolder& folder, Listener& listener) {
+  return readBatch(folder.path(), {}, listener);
+}
+
+TEST(ReadBatch, SortsShotsBySideCameraAndStop) {
+  const TemporaryFolder folder("sorted");
+  threeViewsPerSide(folder);
+  folder.image("front/cam1_pos11.PNG", 20, 10);
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value()) << batch.error().sentence();
+  ASSERT_EQ(batch->shots.size(), 7U);
+  EXPECT_EQ(batch->shots[2].stop, 2);
+  EXPECT_EQ(batch->shots[3].camera, 1);
+  EXPECT_EQ(batch->shots[3].stop, 11);
+  EXPECT_EQ(batch->shots[3].width, 20);
+  EXPECT_EQ(batch->shots[4].side, Side::Back);
+  EXPECT_FALSE(batch->plate.has_value());
+  EXPECT_THAT(listener.warnings, IsEmpty());
+}
+
+TEST(ReadBatch, ReadsThePapersLayoutWithCamerasFromOneAndItsMasks) {
+  const TemporaryFolder folder("paper");
+  for (const char* side : {"top", "bottom"})
+    for (int k = 1; k <= 3; ++k) {
+      const std::string stem = "/cam1_image00" + std::to_string(k);
+      folder.image(std::string(side) + "_images" + stem + ".tif");
+      folder.image(std::string(side) + "_masks" + stem + ".png");
+    }
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value()) << batch.error().sentence();
+  ASSERT_EQ(batch->shots.size(), 6U);
+  EXPECT_EQ(batch->shots[0].camera, 0);
+  EXPECT_EQ(batch->shots[0].stop, 1);
+  EXPECT_EQ(batch->shots[0].mask_file.filename(), "cam1_image001.png");
+  EXPECT_EQ(batch->shots[0].mask_file.parent_path().filename(), "top_masks");
+}
+
+TEST(ReadBatch, NamesTheMissingSide) {
+  const TemporaryFolder folder("oneside");
+  folder.image("front/cam0_pos00.jpg");
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_FALSE(batch.has_value());
+  EXPECT_EQ(batch.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(batch.error().sentence(), HasSubstr("back"));
+}
+
+TEST(ReadBatch, RefusesAFolderThatIsNoBatch) {
+  const TemporaryFolder folder("nobatch");
+  Listener listener;
+  EXPECT_THAT(read(folder, listener).error().what, HasSubstr("no batch"));
+  EXPECT_THAT(readBatch(folder.path() / "nowhere", {}, listener).error().what,
+              HasSubstr("no such folder"));
+}
+
+TEST(ReadBatch, LeavesOutTheCutOffPhotographOnly) {
+  const TemporaryFolder folder("cutoff");
+  threeViewsPerSide(folder);
+  folder.image("front/cam0_pos03.jpg");
+  const std::string whole = folder.read("front/cam0_pos03.jpg");
+  folder.write("front/cam0_pos03.jpg", whole.substr(0, whole.size() - 20));
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value());
+  EXPECT_EQ(batch->shots.size(), 6U);
+  EXPECT_THAT(listener.warnings,
+              ElementsAre(testing::AllOf(HasSubstr("cam0_pos03.jpg"), HasSubstr("cut off"))));
+}
+
+TEST(ReadBatch, LeavesOutThePhotographOfAnotherSize) {
+  const TemporaryFolder folder("size");
+  threeViewsPerSide(folder);
+  folder.image("back/cam0_pos03.jpg", 12, 16);
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value());
+  EXPECT_EQ(batch->shots.size(), 6U);
+  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("12 x 16")));
+}
+
+TEST(ReadBatch, NeedsThreeUsableViewsPerSide) {
+  const TemporaryFolder folder("few");
+  threeViewsPerSide(folder);
+  folder.write("back/cam0_pos01.jpg", "no image");
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_FALSE(batch.has_value());
+  EXPECT_EQ(batch.error().code, ErrorCode::NotEnough);
+  EXPECT_THAT(batch.error().sentence(), HasSubstr("back side has 2 usable"));
+}
+
+TEST(ReadBatch, WarnsOfNamesItDoesNotUnderstandAndOfDoubles) {
+  const TemporaryFolder folder("names");
+  threeViewsPerSide(folder);
+  folder.image("front/IMG_1234.jpg");
+  folder.image("front/cam0_pos00.png");
+  folder.write("front/Thumbs.db", "x");
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value());
+  EXPECT_EQ(batch->shots.size(), 6U);
+  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("IMG_1234"), HasSubstr("cam0_pos00.png")));
+}
+
+TEST(ReadBatch, TakesCalibrationAndEmptyPlatesOfItsCamerasOnly) {
+  const TemporaryFolder folder("calib");
+  threeViewsPerSide(folder);
+  folder.image("calib/cam0_cal00.jpg");
+  folder.image("calib/cam7_cal00.jpg");
+  folder.image("calib/empty_cam0.jpg");
+  folder.image("calib/cam0_cal01.jpg", 99, 9);
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value());
+  EXPECT_EQ(batch->calibration.size(), 1U);
+  EXPECT_EQ(batch->empty_plates.size(), 1U);
+  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("99 x 9")));
+}
+
+TEST(ReadBatch, StopsAtABrokenPlateFile) {
+  const TemporaryFolder folder("plate");
+  threeViewsPerSide(folder);
+  folder.write("plate.json", "{\"dictionary\":");
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_FALSE(batch.has_value());
+  EXPECT_THAT(batch.error().sentence(), HasSubstr("plate.json"));
+}
+
+}  // namespace
+}  // namespace ostraka::batch

@@ -1,0 +1,59 @@
+#include "batch/photograph.h"
+
+#include <gmock/gmock.h>
+
+#include <opencv2/core.hpp>
+
+#include "batch_folder.h"
+
+namespace ostraka::batch {
+namespace {
+
+TEST(ReadPhotograph, GivesColoursAsStored) {
+  const TemporaryFolder folder("photo");
+  folder.image("a.png", 5, 4);
+  const auto image = readPhotograph(folder.path() / "a.png");
+  ASSERT_TRUE(image.has_value());
+  EXPECT_EQ(image->cols, 5);
+  EXPECT_EQ(image->at<cv::Vec3b>(3, 4), cv::Vec3b(10, 20, 30));
+}
+
+TEST(ReadPhotograph, DoesNotTurnAPictureByItsExifOrientation) {
+  const TemporaryFolder folder("exif");
+  folder.image("a.jpg", 30, 20);
+  std::string bytes = folder.read("a.jpg");
+  // An APP1 segment that says "turn by 90 degrees" (orientation 6), after the start marker.
+  const std::string exif(
+      "\xFF\xE1\0\x22"
+      "Exif\0\0MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+      36);
+  bytes.insert(2, exif);
+  folder.write("a.jpg", bytes);
+  const auto image = readPhotograph(folder.path() / "a.jpg");
+  ASSERT_TRUE(image.has_value()) << image.error().sentence();
+  EXPECT_EQ(image->cols, 30);
+  EXPECT_EQ(image->rows, 20);
+}
+
+TEST(ReadPhotograph, RefusesACutOffPicture) {
+  const TemporaryFolder folder("cut");
+  folder.image("a.jpg", 64, 64);
+  const std::string bytes = folder.read("a.jpg");
+  folder.write("a.jpg", bytes.substr(0, bytes.size() * 2 / 3));
+  const auto image = readPhotograph(folder.path() / "a.jpg");
+  ASSERT_FALSE(image.has_value());
+  EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(image.error().sentence(), testing::HasSubstr("a.jpg"));
+}
+
+TEST(ReadMask, KeepsLabels) {
+  const TemporaryFolder folder("mask");
+  cv::imwrite((folder.path() / "m.png").string(), cv::Mat(3, 3, CV_8U, cv::Scalar(7)));
+  const auto mask = readMask(folder.path() / "m.png");
+  ASSERT_TRUE(mask.has_value());
+  EXPECT_EQ(mask->type(), CV_8U);
+  EXPECT_EQ(mask->at<unsigned char>(1, 1), 7);
+}
+
+}  // namespace
+}  // namespace ostraka::batch

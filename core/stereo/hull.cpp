@@ -32,17 +32,33 @@ Eigen::AlignedBox3f seenBox(std::span<const Frame* const> frames) {
   return {middle - reach, middle + reach};
 }
 
-bool seenOutside(const Frame& f, const Eigen::Vector3f& p_plate, float margin_mm) {
+/// Fewer views than this cannot give a depth that others confirm.
+constexpr int kMinViews = 3;
+
+enum class Seen { NotInPicture, Outside, Inside };
+
+Seen seen(const Frame& f, const Eigen::Vector3f& p_plate, float margin_mm) {
   const Eigen::Vector3f p = f.toCamera(p_plate);
-  if (p.z() <= 0) return true;
+  if (p.z() <= 0) return Seen::NotInPicture;
   const Eigen::Vector2f pixel = f.project(p);
-  if (!f.holds(pixel)) return false;
+  if (!f.holds(pixel)) return Seen::NotInPicture;
   const int x = static_cast<int>(pixel.x() + 0.5F), y = static_cast<int>(pixel.y() + 0.5F);
   const int reach = static_cast<int>(std::ceil(margin_mm * f.fx / p.z()));
   for (int v = std::max(0, y - reach); v <= std::min(f.height - 1, y + reach); ++v)
     for (int u = std::max(0, x - reach); u <= std::min(f.width - 1, x + reach); ++u)
-      if (f.coverage(v, u) > 0.01F) return false;
-  return true;
+      if (f.coverage(v, u) > 0.01F) return Seen::Inside;
+  return Seen::Outside;
+}
+
+bool maybeObject(std::span<const Frame* const> frames, const Eigen::Vector3f& p_plate,
+                 float margin_mm) {
+  int inside = 0;
+  for (const Frame* f : frames) {
+    const Seen s = seen(*f, p_plate, margin_mm);
+    if (s == Seen::Outside) return false;
+    inside += s == Seen::Inside ? 1 : 0;
+  }
+  return inside >= kMinViews;
 }
 
 Hull carve(std::span<const Frame* const> frames, const Eigen::AlignedBox3f& box, double max_cubes,
@@ -62,12 +78,9 @@ Hull carve(std::span<const Frame* const> frames, const Eigen::AlignedBox3f& box,
       for (int i = 0; i < hull.size.x(); ++i) {
         const Eigen::Vector3f p =
             hull.origin + hull.edge_mm * Eigen::Vector3i(i, j, static_cast<int>(k)).cast<float>();
-        const bool outside = std::any_of(frames.begin(), frames.end(), [&](const Frame* f) {
-          return seenOutside(*f, p, margin_mm);
-        });
         const auto place = static_cast<std::size_t>(j) * static_cast<std::size_t>(hull.size.x()) +
                            static_cast<std::size_t>(i);
-        hull.inside[k * layer + place] = outside ? 0 : 1;
+        hull.inside[k * layer + place] = maybeObject(frames, p, margin_mm) ? 1 : 0;
       }
   });
   return hull;

@@ -10,7 +10,8 @@
 
 namespace ostraka::stereo {
 
-/// The visual hull: cubes whose centre no view sees outside its mask (Laurentini 1994).
+/// The visual hull: cubes that at least 3 views see and none sees outside its mask (Laurentini,
+/// IEEE PAMI 1994).
 struct Hull {
   Eigen::Vector3f origin;  ///< centre of the first cube, plate frame, mm
   float edge_mm = 1;
@@ -26,8 +27,8 @@ struct DepthRange {
   float near = 0, far = 0;
 };
 
-/// Carves within the bounds, or within what the views see where there are none. The cubes' edge
-/// follows from max_cubes. Errors: NotEnough when nothing is left.
+/// Carves six million cubes within the bounds, or within what the masks bound where there are
+/// none. Errors: NotEnough when nothing is left.
 Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions& options,
                        int threads);
 

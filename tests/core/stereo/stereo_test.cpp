@@ -1,0 +1,104 @@
+#include "stereo/stereo.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "textured_ball.h"
+
+namespace ostraka::stereo {
+namespace {
+
+PointCloud reconstructed(const std::vector<View>& views, int threads) {
+  DenseOptions options;
+  options.threads = threads;
+  options.floor_z_mm = 10.0;
+  QuietProgress quiet;
+  Result<PointCloud> cloud = reconstruct(views, options, quiet, {});
+  EXPECT_TRUE(cloud.has_value()) << (cloud ? "" : cloud.error().what);
+  return cloud ? std::move(*cloud) : PointCloud{};
+}
+
+TEST(Stereo, FindsABallToAFifthOfAPixelWithItsNormals) {
+  const TexturedBall ball;
+  const PointCloud cloud = reconstructed(ballViews(ball, 6), 2);
+  ASSERT_GT(cloud.size(), 5000U);  // 628 mm^2 of half ball, one point per 0.2 mm
+  ASSERT_TRUE(cloud.hasNormals());
+  std::vector<double> distance, angle;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d out = cloud.points[i].cast<double>() - ball.centre;
+    distance.push_back(out.norm() - ball.radius_mm);
+    angle.push_back(
+        std::acos(std::min(1.0, out.normalized().dot(cloud.normals[i].cast<double>()))));
+  }
+  std::sort(distance.begin(), distance.end());
+  std::sort(angle.begin(), angle.end());
+  const std::size_t n = cloud.size();
+  // Flat windows of 0.66 mm sink into a ball of 10 mm by r^2 / 2R = 0.02 mm.
+  EXPECT_NEAR(distance[n / 2], 0.0, 0.04);
+  EXPECT_LT(distance[n * 9 / 10], 0.08);
+  EXPECT_GT(distance[n / 10], -0.08);
+  EXPECT_LT(angle[n / 2], 0.1);  // 6 degrees
+}
+
+TEST(Stereo, GivesTheSameBytesForOneThreeAndSixteenThreads) {
+  const std::vector<View> views = ballViews({}, 4);
+  const PointCloud one = reconstructed(views, 1);
+  for (const int threads : {3, 16}) {
+    const PointCloud other = reconstructed(views, threads);
+    ASSERT_EQ(one.size(), other.size());
+    EXPECT_EQ(
+        0, std::memcmp(one.points.data(), other.points.data(), one.size() * sizeof one.points[0]));
+    EXPECT_EQ(0, std::memcmp(one.normals.data(), other.normals.data(),
+                             one.size() * sizeof one.normals[0]));
+    EXPECT_EQ(one.colors, other.colors);
+  }
+}
+
+TEST(Stereo, RefusesTwoViews) {
+  std::vector<View> views = ballViews({}, 4);
+  views.resize(2);
+  QuietProgress quiet;
+  const Result<PointCloud> cloud = reconstruct(views, {}, quiet, {});
+  ASSERT_FALSE(cloud.has_value());
+  EXPECT_EQ(cloud.error().code, ErrorCode::NotEnough);
+}
+
+TEST(Stereo, NamesThePhotographWhoseSizeIsNotItsCameras) {
+  std::vector<View> views = ballViews({}, 4);
+  views[2].photograph = views[2].photograph.rowRange(0, 100).clone();
+  QuietProgress quiet;
+  const Result<PointCloud> cloud = reconstruct(views, {}, quiet, {});
+  ASSERT_FALSE(cloud.has_value());
+  EXPECT_EQ(cloud.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(cloud.error().where, "stop1");
+}
+
+TEST(Stereo, SaysThatEmptyMasksHoldNoObject) {
+  std::vector<View> views = ballViews({}, 4);
+  for (View& view : views) view.mask.setTo(0);
+  QuietProgress quiet;
+  const Result<PointCloud> cloud = reconstruct(views, {}, quiet, {});
+  ASSERT_FALSE(cloud.has_value());
+  EXPECT_EQ(cloud.error().code, ErrorCode::NotEnough);
+}
+
+TEST(Stereo, StopsOnRequest) {
+  std::stop_source source;
+  source.request_stop();
+  QuietProgress quiet;
+  const Result<PointCloud> cloud = reconstruct(ballViews({}, 4), {}, quiet, source.get_token());
+  ASSERT_FALSE(cloud.has_value());
+  EXPECT_EQ(cloud.error().code, ErrorCode::Cancelled);
+}
+
+TEST(DenseOptions, NameTheFieldThatIsWrong) {
+  DenseOptions options;
+  options.max_sources = 17;
+  ASSERT_FALSE(options.check().has_value());
+  EXPECT_NE(options.check().error().what.find("max_sources"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ostraka::stereo

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMinCorners = 6;
 constexpr std::size_t kMinViews = 3;
+constexpr double kMinTiltRad = 0.15;  // 9 degrees; calibrations need 20 and more
 
 struct Solution {
   cv::Mat matrix, distortion, sd_intrinsics, rms_per_view;
@@ -111,7 +112,9 @@ double largestTilt(const IntrinsicsReport& report) {
 
 void judge(IntrinsicsReport& report) {
   const double focal = report.intrinsics.fx, sd = report.sd[0];
-  report.focal_determined = sd < 0.01 * focal;
+  // Without tilt any focal length explains the views with another distance, and the standard
+  // deviation, which holds near the solution only, can look small by chance.
+  report.focal_determined = sd < 0.01 * focal && largestTilt(report) > kMinTiltRad;
   if (!report.focal_determined) {
     char text[256];
     std::snprintf(

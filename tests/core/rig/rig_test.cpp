@@ -1,0 +1,59 @@
+#include "rig/rig.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "simulated_rig.h"
+
+namespace ostraka::rig {
+namespace {
+
+std::filesystem::path temporaryFile(const std::string& name) {
+  return std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "-" + name);
+}
+
+Rig sample() {
+  Rig rig;
+  rig.cameras.push_back({0, lens(2600), lookingDown(0.5, 0.1), 0.2, 0.03, 0.01});
+  rig.cameras.push_back({4, lens(2500), lookingDown(1.0, 0.2), 0.2, 0.03, 0.02});
+  rig.stops = {0, 1, 5};
+  rig.stop_angles_rad = {0, 0.7, 3};
+  rig.reprojection_rms_px = 0.04;
+  return rig;
+}
+
+TEST(RigFile, ComesBackAsItWasWritten) {
+  const std::filesystem::path file = temporaryFile("rig.json");
+  const Rig rig = sample();
+  ASSERT_TRUE(writeRig(file, rig).has_value());
+  const auto read = readRig(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  ASSERT_NE(read->find(4), nullptr);
+  EXPECT_EQ(read->find(3), nullptr);
+  EXPECT_EQ(read->find(4)->intrinsics.fx, 2500);
+  EXPECT_EQ(read->find(4)->intrinsics.distortion, rig.cameras[1].intrinsics.distortion);
+  EXPECT_TRUE(
+      read->find(4)->camera_from_turntable.isApprox(rig.cameras[1].camera_from_turntable, 1e-15));
+  EXPECT_EQ(read->stops, rig.stops);
+  EXPECT_NEAR(read->stop_angles_rad[2], 3, 1e-14);
+}
+
+TEST(RigFile, RefusesWhatIsNoRig) {
+  const std::filesystem::path file = temporaryFile("norig.json");
+  for (const char* text : {"{}", "[1]", R"({"format":"ostraka-rig/9","cameras":[],"stops":[]})",
+                           R"({"format":"ostraka-rig/1","cameras":[],"stops":[]})",
+                           R"({"format":"ostraka-rig/1","cameras":[{"camera":0}],"stops":[]})"}) {
+    std::ofstream(file) << text;
+    const auto read = readRig(file);
+    ASSERT_FALSE(read.has_value()) << text;
+    EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
+    EXPECT_THAT(read.error().sentence(), testing::HasSubstr("norig.json"));
+  }
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace ostraka::rig

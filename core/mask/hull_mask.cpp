@@ -122,7 +122,12 @@ class HullMasker {
   void weigh(std::size_t i) {
     cv::Mat1b inner, outer;
     const cv::Mat window = cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9});
-    cv::erode(silhouettes_[i], inner, window);
+    // The hull of few views is wide: only its core is surely the body.
+    cv::Mat1f depth;
+    cv::distanceTransform(silhouettes_[i], depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    double deepest = 0;
+    cv::minMaxLoc(depth, nullptr, &deepest);
+    inner = depth > 0.4 * deepest;
     cv::dilate(silhouettes_[i], outer, window);
     if (first_) disc(i, 1.6, outer);
     ColourHistogram body, surroundings;
@@ -160,13 +165,15 @@ class HullMasker {
     cv::Mat1f odds;
     cv::dilate(silhouettes_[i], allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {7, 7}));
     cv::resize(allowed, allowed, size, 0, 0, cv::INTER_NEAREST);
-    // Inside the hull the views' agreement speaks for the body, whatever a spot's own colour.
+    // Deep inside the hull the views' agreement speaks for the body, whatever a spot's own colour.
     cv::Mat1f spoken = odds_[i].clone();
-    cv::Mat1b inner;
-    cv::erode(silhouettes_[i], inner, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+    cv::Mat1f depth;
+    cv::distanceTransform(silhouettes_[i], depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    double deepest = 0;
+    cv::minMaxLoc(depth, nullptr, &deepest);
     for (int y = 0; y < spoken.rows; ++y)
       for (int x = 0; x < spoken.cols; ++x)
-        if (inner(y, x) != 0) spoken(y, x) = std::max(spoken(y, x), 0.F) + 2;
+        if (depth(y, x) > 0.5 * deepest) spoken(y, x) = std::max(spoken(y, x), 0.F) + 2;
     cv::resize(spoken, odds, size, 0, 0, cv::INTER_LINEAR);
     cv::Mat3f colours = logColours(photographs_[i]);
     cv::GaussianBlur(colours, colours, {}, 1, 1);

@@ -1,6 +1,7 @@
 #include "stereo/stereo.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -36,6 +37,7 @@ struct Reconstruction {
   Result<void> check() const;
   Result<void> prepare();
   std::vector<DepthRange> listPixels(std::size_t view, int level);
+  void matchView(std::size_t view, int level);
   Result<void> match(int level);
   PointCloud coloured(const std::vector<SurfacePoint>& points) const;
 };
@@ -107,29 +109,47 @@ std::vector<DepthRange> Reconstruction::listPixels(std::size_t view, int level) 
   return list;
 }
 
+void Reconstruction::matchView(std::size_t i, int level) {
+  const std::vector<DepthRange> list = listPixels(i, level);
+  SweepOptions sweep;
+  sweep.seed = options.seed + 1000 * static_cast<std::uint64_t>(level) + i;
+  const auto place = static_cast<std::size_t>(level);
+  const Frame& frame = pyramids[i][place];
+  if (level == kLevels - 1) {
+    startPlanes(frame, list, sweep.seed, planes[i]);
+    sweep.rounds = 5;
+    sweep.first_perturbation = 2;
+  } else {
+    PlaneMap finer;
+    refinePlanes(pyramids[i][place + 1], planes[i], frame, finer);
+    planes[i] = std::move(finer);
+    sweep.rounds = level == 0 ? 2 : 3;
+    sweep.first_perturbation = 0.5F;
+    // At full size each pixel keeps the sources that its plane from the level above fits best.
+    if (level == 0) sweep.max_active_sources = 5;
+  }
+  sweepPlanes(framesAt(level), static_cast<int>(i), links[i], list, sweep, planes[i], stop);
+}
+
 Result<void> Reconstruction::match(int level) {
-  const std::vector<const Frame*> frames = framesAt(level);
-  parallelFor(views.size(), options.threads, [&](std::size_t i) {
-    if (stop.stop_requested()) return;
-    const std::vector<DepthRange> list = listPixels(i, level);
-    SweepOptions sweep;
-    sweep.seed = options.seed + 1000 * static_cast<std::uint64_t>(level) + i;
-    const Frame& frame = *frames[i];
-    if (level == kLevels - 1) {
-      startPlanes(frame, list, sweep.seed, planes[i]);
-      sweep.rounds = 5;
-      sweep.first_perturbation = 2;
-    } else {
-      PlaneMap finer;
-      refinePlanes(pyramids[i][static_cast<std::size_t>(level) + 1], planes[i], frame, finer);
-      planes[i] = std::move(finer);
-      sweep.rounds = level == 0 ? 2 : 3;
-      sweep.first_perturbation = 0.5F;
-      if (level == 0) sweep.max_active_sources = 5;
-    }
-    sweepPlanes(frames, static_cast<int>(i), links[i], list, sweep, planes[i], stop);
-  });
-  if (stop.stop_requested()) return Error::cancelled();
+  // Seconds per view of the levels behave as 8 : 3 : 1.
+  constexpr std::array<std::int64_t, kLevels> effort{8, 3, 1};
+  std::int64_t before = 0, total = 0;
+  for (int l = 0; l < kLevels; ++l) {
+    total += effort[static_cast<std::size_t>(l)];
+    if (l > level) before += effort[static_cast<std::size_t>(l)];
+  }
+  const auto count = static_cast<std::int64_t>(views.size());
+  const std::size_t batch = 2 * static_cast<std::size_t>(std::max(
+                                    1, options.threads > 0 ? options.threads : availableThreads()));
+  for (std::size_t first = 0; first < views.size(); first += batch) {
+    parallelFor(std::min(batch, views.size() - first), options.threads, [&](std::size_t i) {
+      if (!stop.stop_requested()) matchView(first + i, level);
+    });
+    if (stop.stop_requested()) return Error::cancelled();
+    const auto done = static_cast<std::int64_t>(std::min(first + batch, views.size()));
+    progress.report(before * count + effort[static_cast<std::size_t>(level)] * done, total * count);
+  }
   return {};
 }
 

@@ -1,6 +1,8 @@
-// dense_accuracy BATCH front|back OUT.ply [--sherd K] [--threads N]
+// dense_accuracy BATCH front|back OUT.ply [--sherd K] [--threads N] [--masks DIR]
 // One side's dense cloud from the true cameras and masks, to be judged by `evaluate.py cloud`.
-// --sherd K takes that sherd alone (1 = the first). Prints the seconds.
+// --sherd K takes that sherd alone (1 = the first);
+// --masks DIR takes masks from there (front_cam0_pos00.png) instead of the true ones. Prints the
+// seconds.
 #include <chrono>
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
@@ -22,7 +24,7 @@ class Notes final : public Progress {
 };
 
 struct Arguments {
-  std::string batch, side, out;
+  std::string batch, side, out, masks;
   int sherd = 0, threads = 1;
 };
 
@@ -38,8 +40,11 @@ Result<std::vector<stereo::View>> readViews(const Arguments& a) {
         cv::imread(a.batch + "/" + image.file, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     std::string mask = image.file.substr(0, image.file.size() - 4) + ".png";
     mask[mask.find('/')] = '_';
-    const cv::Mat labels = cv::imread(a.batch + "/truth/masks/" + mask, cv::IMREAD_UNCHANGED);
-    view.mask = a.sherd > 0 ? cv::Mat1b(labels == a.sherd) : cv::Mat1b(labels > 0);
+    const cv::Mat labels = cv::imread(
+        (a.masks.empty() ? a.batch + "/truth/masks" : a.masks) + "/" + mask, cv::IMREAD_UNCHANGED);
+    view.mask = a.sherd > 0       ? cv::Mat1b(labels == a.sherd)
+                : a.masks.empty() ? cv::Mat1b(labels > 0)
+                                  : cv::Mat1b(labels);
     views.push_back(std::move(view));
   }
   return views;
@@ -66,9 +71,10 @@ int run(const Arguments& a) {
 
 int main(int argc, char** argv) {
   if (argc < 4) return std::fprintf(stderr, "dense_accuracy BATCH front|back OUT.ply\n"), 2;
-  Arguments a{argv[1], argv[2], argv[3]};
+  Arguments a{argv[1], argv[2], argv[3], {}};
   for (int i = 4; i + 1 < argc; i += 2) {
     if (std::string(argv[i]) == "--sherd") a.sherd = std::stoi(argv[i + 1]);
+    if (std::string(argv[i]) == "--masks") a.masks = argv[i + 1];
     if (std::string(argv[i]) == "--threads") a.threads = std::stoi(argv[i + 1]);
   }
   return run(a);

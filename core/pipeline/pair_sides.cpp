@@ -35,17 +35,34 @@ double placeLogLikelihood(const scan::Scan& front, const scan::Scan& back) {
   return std::min(2.5, std::log(0.5 + 0.5 * near / anywhere));
 }
 
-double outlineOf(const Registered& r) {
-  const auto start = static_cast<std::size_t>(std::max(0, r.registration->start));
-  return r.candidate->starts.at(start).log_likelihood;
+// What the outlines say of the pose that the registration ended at: the best start that describes
+// the same pose. A worse start may well have led there; its own figure would say too little.
+double outlineOf(const Registered& r, const scan::Scan& back) {
+  constexpr double kSamePose_mm =
+      4;  // starts are off by up to 6 degrees of tilt and 1 mm in height
+  const registration::Registration& found = *r.registration;
+  double best =
+      r.candidate->starts.at(static_cast<std::size_t>(std::max(0, found.start))).log_likelihood;
+  const std::size_t step = std::max<std::size_t>(1, back.cloud.size() / 200);
+  for (const pairing::StartPose& start : r.candidate->starts) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < back.cloud.size(); i += step, ++count) {
+      const Eigen::Vector3d p = back.cloud.points[i].cast<double>();
+      sum += (start.front_from_back * p - found.front_from_back * p).squaredNorm();
+    }
+    if (sum <= kSamePose_mm * kSamePose_mm * count) best = std::max(best, start.log_likelihood);
+  }
+  return best;
 }
 
 /// One figure per registered pair, 0 where the registration failed.
-std::vector<double> rimsOf(const std::vector<Registered>& registered) {
+std::vector<double> rimsOf(const std::vector<Registered>& registered,
+                           std::span<const scan::Scan> backs) {
   std::vector<pairing::RimFigures> figures;
   for (const Registered& r : registered) {
     if (!r.registration) continue;
-    figures.push_back({r.candidate->front, r.candidate->back, outlineOf(r),
+    const scan::Scan& back = backs[static_cast<std::size_t>(r.candidate->back)];
+    figures.push_back({r.candidate->front, r.candidate->back, outlineOf(r, back),
                        r.registration->rim_rms_mm, r.registration->log_likelihood});
   }
   const std::vector<double> known = pairing::rimLogLikelihoods(figures);
@@ -57,14 +74,14 @@ std::vector<double> rimsOf(const std::vector<Registered>& registered) {
   return rims;
 }
 
-pairing::Evidence evidenceOf(const Registered& r, double rim, double place_log_likelihood,
-                             int n_scans) {
+pairing::Evidence evidenceOf(const Registered& r, const scan::Scan& back, double rim,
+                             double place_log_likelihood, int n_scans) {
   const registration::Registration& found = *r.registration;
   pairing::Evidence evidence;
   evidence.front = r.candidate->front;
   evidence.back = r.candidate->back;
   evidence.log_likelihood =
-      pairing::jointLogLikelihood(outlineOf(r), rim, n_scans) + place_log_likelihood;
+      pairing::jointLogLikelihood(outlineOf(r, back), rim, n_scans) + place_log_likelihood;
   evidence.rim_rms_mm = found.rim_rms_mm;
   evidence.overlap = found.rim_overlap;
   evidence.slipped = found.slipped;
@@ -114,7 +131,7 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
   });
   if (stop.stop_requested()) return Error::cancelled();
 
-  const std::vector<double> rims = rimsOf(registered);
+  const std::vector<double> rims = rimsOf(registered, backs);
   const int n_scans = static_cast<int>(std::max(fronts.size(), backs.size()));
   std::vector<pairing::Evidence> evidence;
   for (std::size_t i = 0; i < registered.size(); ++i) {
@@ -125,7 +142,8 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
             ? 0.0
             : placeLogLikelihood(fronts[static_cast<std::size_t>(r.candidate->front)],
                                  backs[static_cast<std::size_t>(r.candidate->back)]);
-    evidence.push_back(evidenceOf(r, rims[i], hint, n_scans));
+    evidence.push_back(
+        evidenceOf(r, backs[static_cast<std::size_t>(r.candidate->back)], rims[i], hint, n_scans));
   }
   const Result<pairing::Assignment> assignment = pairing::assignPairs(
       evidence, static_cast<int>(fronts.size()), static_cast<int>(backs.size()), options.assign);

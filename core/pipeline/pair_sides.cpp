@@ -14,10 +14,20 @@ using nlohmann::ordered_json;
 
 struct Registered {
   const pairing::PairCandidate* candidate = nullptr;
-  std::optional<registration::Registration>
-      registration;  // absent: the strips could not be compared
-  std::string failure;
+  std::optional<registration::Registration> registration;  // absent: cancelled
 };
+
+// Where rims cannot be compared, the outlines may still tell the pair; its pose is for a person.
+registration::Registration outlinesAlone(const pairing::PairCandidate& candidate, std::string why) {
+  registration::Registration rough;
+  rough.front_from_back = candidate.starts.front().front_from_back;
+  rough.start = 0;
+  rough.runner_up_gap = 1e9;
+  rough.uncertainty_mm = 1;  // a start's tilt and height
+  rough.slipped = true;
+  rough.reason = "Only the outlines tie these sides: " + std::move(why);
+  return rough;
+}
 
 Eigen::Vector2d place(const scan::Scan& scan) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -55,12 +65,16 @@ double outlineOf(const Registered& r, const scan::Scan& back) {
   return best;
 }
 
-/// One figure per registered pair, 0 where the registration failed.
+bool rimsCompared(const Registered& r) {
+  return r.registration && r.registration->rim_rms_mm > 0;
+}
+
+/// One figure per candidate, 0 where no rims could be compared.
 std::vector<double> rimsOf(const std::vector<Registered>& registered,
                            std::span<const scan::Scan> backs) {
   std::vector<pairing::RimFigures> figures;
   for (const Registered& r : registered) {
-    if (!r.registration) continue;
+    if (!rimsCompared(r)) continue;
     const scan::Scan& back = backs[static_cast<std::size_t>(r.candidate->back)];
     figures.push_back({r.candidate->front, r.candidate->back, outlineOf(r, back),
                        r.registration->rim_rms_mm, r.registration->log_likelihood});
@@ -69,7 +83,7 @@ std::vector<double> rimsOf(const std::vector<Registered>& registered,
   std::vector<double> rims(registered.size(), 0);
   std::size_t next = 0;
   for (std::size_t i = 0; i < registered.size(); ++i) {
-    if (registered[i].registration) rims[i] = known[next++];
+    if (rimsCompared(registered[i])) rims[i] = known[next++];
   }
   return rims;
 }
@@ -89,12 +103,21 @@ pairing::Evidence evidenceOf(const Registered& r, const scan::Scan& back, double
   return evidence;
 }
 
-Result<std::vector<std::optional<registration::Strip>>> stripsOf(
-    std::span<const scan::Scan> scans, const registration::StripOptions& options, int threads) {
-  std::vector<std::optional<registration::Strip>> strips(scans.size());
+struct PreparedStrip {
+  std::optional<registration::Strip> strip;
+  std::string why;  // there is none
+};
+
+std::vector<PreparedStrip> stripsOf(std::span<const scan::Scan> scans,
+                                    const registration::StripOptions& options, int threads) {
+  std::vector<PreparedStrip> strips(scans.size());
   parallelFor(scans.size(), threads, [&](std::size_t i) {
     Result<registration::Strip> strip = registration::prepareStrip(scans[i], options);
-    if (strip) strips[i] = std::move(*strip);
+    if (strip) {
+      strips[i].strip = std::move(*strip);
+    } else {
+      strips[i].why = strip.error().sentence();
+    }
   });
   return strips;
 }
@@ -116,18 +139,20 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
     if (stop.stop_requested()) return;
     const pairing::PairCandidate& candidate = (*candidates)[i];
     registered[i].candidate = &candidate;
-    const auto& front = (*front_strips)[static_cast<std::size_t>(candidate.front)];
-    const auto& back = (*back_strips)[static_cast<std::size_t>(candidate.back)];
-    if (!front || !back) return;
+    if (candidate.starts.empty()) return;
+    const PreparedStrip& front = front_strips[static_cast<std::size_t>(candidate.front)];
+    const PreparedStrip& back = back_strips[static_cast<std::size_t>(candidate.back)];
+    if (!front.strip || !back.strip) {
+      registered[i].registration = outlinesAlone(candidate, (front.strip ? back : front).why);
+      return;
+    }
     std::vector<Eigen::Isometry3d> starts;
     for (const pairing::StartPose& start : candidate.starts)
       starts.push_back(start.front_from_back);
     const Result<registration::Registration> found = registration::registerSides(
-        *front, *back, starts, witnesses, options.registration, quiet, stop);
-    if (found)
-      registered[i].registration = *found;
-    else
-      registered[i].failure = found.error().sentence();
+        *front.strip, *back.strip, starts, witnesses, options.registration, quiet, stop);
+    registered[i].registration =
+        found ? *found : outlinesAlone(candidate, found.error().sentence());
   });
   if (stop.stop_requested()) return Error::cancelled();
 
@@ -153,14 +178,17 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
   table.unpaired_front = assignment->unpaired_front;
   table.unpaired_back = assignment->unpaired_back;
   table.candidates = static_cast<int>(candidates->size());
-  for (const pairing::Decision& decision : assignment->pairs)
-    for (const Registered& r : registered)
-      if (r.registration && r.candidate->front == decision.front &&
-          r.candidate->back == decision.back)
-        table.pairs.push_back(
-            {decision, *r.registration,
-             r.candidate->starts.at(static_cast<std::size_t>(std::max(0, r.registration->start)))
-                 .contour_rms_mm});
+  for (pairing::Decision decision : assignment->pairs)
+    for (const Registered& r : registered) {
+      if (!r.registration || r.candidate->front != decision.front ||
+          r.candidate->back != decision.back)
+        continue;
+      if (r.registration->slipped) decision.reason = r.registration->reason;
+      table.pairs.push_back(
+          {decision, *r.registration,
+           r.candidate->starts.at(static_cast<std::size_t>(std::max(0, r.registration->start)))
+               .contour_rms_mm});
+    }
   return table;
 }
 
@@ -182,11 +210,13 @@ ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,
                      {"reason", pair.decision.reason},
                      {"alternatives", alternatives},
                      {"T_front_from_back", ostraka::toJson(pair.registration.front_from_back)},
-                     {"rim_rms_mm", pair.registration.rim_rms_mm},
+                     {"rim_rms_mm", nullptr},
                      {"rim_overlap", pair.registration.rim_overlap},
                      {"uncertainty_mm", pair.registration.uncertainty_mm},
                      {"contour_rms_mm", pair.contour_rms_mm},
                      {"slipped", pair.registration.slipped}});
+    if (pair.registration.rim_rms_mm > 0)
+      pairs.back()["rim_rms_mm"] = pair.registration.rim_rms_mm;  // null: no rims to compare
     if (pair.registration.scale != 1) pairs.back()["scale"] = pair.registration.scale;
   }
   ordered_json lone_fronts = ordered_json::array(), lone_backs = ordered_json::array();

@@ -44,8 +44,9 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
       if (!pose) return pose.error();
       pairs.pairs.push_back({indexOf(fronts, p.at("front")), indexOf(backs, p.at("back")),
                              p.at("score"), p.at("margin"), p.at("ambiguous"), p.at("slipped"),
-                             p.at("reason"), *pose, p.at("rim_rms_mm"), p.at("rim_overlap"),
-                             p.at("uncertainty_mm")});
+                             p.at("reason"), *pose,
+                             p.at("rim_rms_mm").is_null() ? 0.0 : p.at("rim_rms_mm").get<double>(),
+                             p.at("rim_overlap"), p.at("uncertainty_mm")});
       if (pairs.pairs.back().front < 0 || pairs.pairs.back().back < 0)
         return Error{ErrorCode::UnusableInput,
                      "A pair names a scan that is not there; delete this file and start again.",

@@ -14,8 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 1;                 // of stage.json and the artefacts beside it
-constexpr const char* kProgram = "0.1.0";  // a new version computes anew: its results may differ
+constexpr int kFormat = 1;  // of stage.json and the artefacts beside it
+constexpr const char* kProgram =
+    OSTRAKA_VERSION;  // a new version computes anew: results may differ
 
 // Names (relative) and SHA-256 of all files of a stage but stage.json, in the order of their names.
 Result<ordered_json> hashesOf(const fs::path& folder) {

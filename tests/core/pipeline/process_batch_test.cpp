@@ -1,0 +1,152 @@
+// The whole chain on a small batch of the virtual rig: 2 sherds, 640 pixels wide.
+#include "pipeline/process_batch.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "virtualrig/simulate.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Asks to stop as soon as a stage of this name begins.
+class StopsAt final : public Progress {
+ public:
+  StopsAt(std::string stage, std::stop_source& stop) : stage_(std::move(stage)), stop_(stop) {}
+  void begin(std::string_view stage, double) override {
+    if (stage == stage_) stop_.request_stop();
+  }
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  std::string stage_;
+  std::stop_source& stop_;
+};
+
+class ProcessBatch : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string pattern = (fs::temp_directory_path() / "ostraka_process_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    virtualrig::SimulateOptions options;
+    options.seed = 5;
+    options.sherds = 2;
+    options.width = 640;
+    options.output = folder_ / "batch";
+    options.threads = 0;
+    QuietProgress quiet;
+    const Result<void> made = virtualrig::simulateBatch(options, quiet, {});
+    ASSERT_TRUE(made.has_value()) << made.error().sentence();
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  static Result<ProcessSummary> process(const fs::path& output, int threads, Progress& progress,
+                                        std::stop_token stop = {}) {
+    ProcessOptions options;
+    options.batch = folder_ / "batch";
+    options.output = output;
+    options.threads = threads;
+    return processBatch(options, progress, stop);
+  }
+
+  // What a person keeps, by name: sherds and pairs.json. The reports hold seconds.
+  static std::map<std::string, std::string> results(const fs::path& output) {
+    std::map<std::string, std::string> hashes;
+    hashes["pairs.json"] = sha256(*readFile(output / "pairs.json"));
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(output / "sherds"))
+      if (entry.is_regular_file())
+        hashes[fs::relative(entry.path(), output).generic_string()] =
+            sha256(*readFile(entry.path()));
+    return hashes;
+  }
+
+  static fs::path folder_;
+};
+
+fs::path ProcessBatch::folder_;
+
+TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
+  QuietProgress quiet;
+  const Result<ProcessSummary> summary = process(folder_ / "out", 0, quiet);
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_EQ(summary->sherds.size(), 2u);
+  EXPECT_TRUE(summary->whole());
+  for (const char* name : {"front.ply", "back.ply", "model.ply", "model.glb", "preview.png"})
+    for (const char* number : {"01", "02"})
+      EXPECT_TRUE(fs::exists(folder_ / "out" / "sherds" / number / name)) << number << ' ' << name;
+  const Result<std::string> html = readFile(folder_ / "out" / "report.html");
+  ASSERT_TRUE(html.has_value());
+  EXPECT_EQ(html->find("http"), std::string::npos) << "the report must not need a network";
+  const Result<nlohmann::json> report = readJson(folder_ / "out" / "report.json");
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->at("sherds").size(), 2u);
+  // Sherds of the virtual rig have walls of 3 to 10 mm.
+  for (const nlohmann::json& sherd : report->at("sherds")) {
+    const double wall = sherd.at("figures").at("measures").at("thickness_mean_mm").get<double>();
+    EXPECT_GT(wall, 2.5);
+    EXPECT_LT(wall, 11.0);
+  }
+}
+
+TEST_F(ProcessBatch, StoppedAndStartedAgainWithOtherThreadsLeavesTheSameBytes) {
+  QuietProgress quiet;
+  ASSERT_TRUE(process(folder_ / "out", 0, quiet).has_value());
+  for (const char* stage : {"stereo of the back side", "models"}) {
+    std::stop_source stop;
+    StopsAt stopping(stage, stop);
+    const Result<ProcessSummary> stopped =
+        process(folder_ / "again", 3, stopping, stop.get_token());
+    ASSERT_FALSE(stopped.has_value());
+    EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+    EXPECT_FALSE(fs::exists(folder_ / "again" / "report.json"))
+        << "half a result must not look whole";
+  }
+  ASSERT_TRUE(process(folder_ / "again", 1, quiet).has_value());
+  EXPECT_EQ(results(folder_ / "again"), results(folder_ / "out"));
+}
+
+TEST_F(ProcessBatch, RefusesAFolderThatHoldsSomethingElse) {
+  ASSERT_TRUE(writeFileAtomically(folder_ / "mine" / "thesis.txt", "do not touch").has_value());
+  QuietProgress quiet;
+  const Result<ProcessSummary> refused = process(folder_ / "mine", 1, quiet);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(*readFile(folder_ / "mine" / "thesis.txt"), "do not touch");
+}
+
+TEST_F(ProcessBatch, RefusesTheOutputOfAnotherBatch) {
+  ASSERT_TRUE(writeFileAtomically(folder_ / "other" / "work" / "batch.json",
+                                  R"({"front/cam0_pos00.jpg":"0"})")
+                  .has_value());
+  QuietProgress quiet;
+  const Result<ProcessSummary> refused = process(folder_ / "other", 1, quiet);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().what.find("another batch"), std::string::npos);
+}
+
+TEST_F(ProcessBatch, NamesAMissingSide) {
+  const fs::path half = folder_ / "half";
+  fs::copy(folder_ / "batch", half, fs::copy_options::recursive);
+  fs::remove_all(half / "back");
+  ProcessOptions options;
+  options.batch = half;
+  options.output = folder_ / "half_out";
+  QuietProgress quiet;
+  const Result<ProcessSummary> refused = processBatch(options, quiet, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_NE(refused.error().sentence().find("back"), std::string::npos);
+  EXPECT_FALSE(fs::exists(options.output)) << "an unusable batch leaves nothing behind";
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

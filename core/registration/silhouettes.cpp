@@ -63,6 +63,19 @@ Coverage cutOut(const cv::Mat1b& mask, const Coverage& around, double blur) {
   return coverage;
 }
 
+// Where the side that made this shot's scan ends at the mask's outline too, it hides the other
+// side's end, which may then lie anywhere inside. That is asked once, of the mask and a scan that
+// both lie still: asked of the moving outline, it would keep the points that lie wrong.
+Outline madeByTheMoving(const Outline& mask, const Coverage& still, double margin_px) {
+  Outline free;
+  for (std::size_t i = 0; i < mask.points.size(); ++i) {
+    if (still.at(mask.points[i] - margin_px * mask.normals[i]) > 0.5) continue;
+    free.points.push_back(mask.points[i]);
+    free.normals.push_back(mask.normals[i]);
+  }
+  return free;
+}
+
 // One fatness for all views of a side (a fat strip, a soft mask), unknown and marginalised. It must
 // not be one per view: what moves in a low view is mostly the lower edge, and taking out each
 // view's own mean would take out the height.
@@ -139,7 +152,8 @@ SilhouetteWitness::SilhouetteWitness(const Strip& front, const Strip& back,
     const Coverage around =
         coverageOf(project(given.camera, moving.all, plate_from_moving), view.cell, view.blur);
     if (view.still.picture.empty() || around.picture.empty()) return;
-    view.mask = outlineOf(cutOut(given.mask, around, view.blur));
+    view.mask = madeByTheMoving(outlineOf(cutOut(given.mask, around, view.blur)), view.still,
+                                options.margin_px);
     view.mask_tree = KdTree(flatPoints(view.mask.points));
   });
 }
@@ -165,8 +179,6 @@ OutlineFit SilhouetteWitness::evidence(const Eigen::Isometry3d& front_from_back,
       if (near.index < 0) continue;
       const auto m = static_cast<std::size_t>(near.index);
       if (view.mask.normals[m].dot(outline.normals[k]) < 0.7071) continue;
-      // Where the still side reaches farther out, the moving one does not make the outline.
-      if (view.still.at(u + options_.margin_px * outline.normals[k]) > 0.5) continue;
       const int q = points.nearest(flatPoint(u)).index;
       const Vector3d p_moving = moving.all[static_cast<std::size_t>(q)].cast<double>();
       const Vector3d p_plate = plate_from_moving * p_moving;

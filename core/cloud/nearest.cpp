@@ -1,6 +1,8 @@
 #include "cloud/nearest.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nanoflann.hpp>
 
 namespace ostraka {
@@ -20,6 +22,30 @@ struct Points {
 
 using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Points>,
                                                   Points, 3, int>;
+
+// The nearest point no farther than a limit. A search that knows its limit from the start leaves
+// aside at once what lies beyond; where most queries find nothing, that is most of the tree.
+class NearestWithin {
+ public:
+  using DistanceType = float;
+  explicit NearestWithin(float max_squared)
+      : squared_(std::nextafter(max_squared, std::numeric_limits<float>::infinity())) {}
+  bool addPoint(float squared, int index) {
+    if (squared < squared_) {
+      squared_ = squared;
+      index_ = index;
+    }
+    return true;
+  }
+  float worstDist() const { return squared_; }
+  bool full() const { return index_ >= 0; }
+  std::size_t size() const { return index_ >= 0 ? 1 : 0; }
+  Neighbour found() const { return index_ >= 0 ? Neighbour{index_, squared_} : Neighbour{}; }
+
+ private:
+  float squared_;
+  int index_ = -1;
+};
 
 // Equal distances are ordered by index, so that ties do not depend on the tree's layout.
 void order(std::vector<Neighbour>& found) {
@@ -44,17 +70,15 @@ KdTree::~KdTree() = default;
 KdTree::KdTree(KdTree&&) noexcept = default;
 KdTree& KdTree::operator=(KdTree&&) noexcept = default;
 
-std::size_t KdTree::size() const { return tree_->cloud.values.size(); }
+std::size_t KdTree::size() const {
+  return tree_->cloud.values.size();
+}
 
 Neighbour KdTree::nearest(const Eigen::Vector3f& query, float max_distance_mm) const {
   if (size() == 0) return {};
-  Neighbour best;
-  nanoflann::KNNResultSet<float, int> result(1);
-  result.init(&best.index, &best.squared_distance);
-  if (!tree_->index.findNeighbors(result, query.data(), nanoflann::SearchParams()) ||
-      best.squared_distance > max_distance_mm * max_distance_mm)
-    return {};
-  return best;
+  NearestWithin result(max_distance_mm * max_distance_mm);
+  tree_->index.findNeighbors(result, query.data(), nanoflann::SearchParams());
+  return result.found();
 }
 
 void KdTree::nearest(const Eigen::Vector3f& query, int k, std::vector<Neighbour>& found) const {

@@ -76,6 +76,33 @@ Outline madeByTheMoving(const Outline& mask, const Coverage& still, double margi
   return free;
 }
 
+// Pixels within `near` of the outline. The ends that leaving out the others makes lie farther away
+// than any match reaches.
+std::vector<std::size_t> nearOutline(const Outline& outline, std::span<const Vector2f> pixels,
+                                     double near) {
+  std::vector<std::size_t> kept;
+  if (outline.points.empty()) return kept;
+  Vector2d low = outline.points[0], high = low;
+  for (const Vector2d& p : outline.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const int radius = static_cast<int>(std::ceil(near)) + 1;
+  low.array() -= radius + 1;
+  const Eigen::Vector2i size = ((high - low).array() + radius + 3).cast<int>();
+  cv::Mat1b band(size.y(), size.x(), uchar{0});
+  const auto place = [&low](const Vector2d& p) {
+    return cv::Point(cvRound(p.x() - low.x()), cvRound(p.y() - low.y()));
+  };
+  for (const Vector2d& p : outline.points)
+    cv::circle(band, place(p), radius, cv::Scalar(1), cv::FILLED);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const cv::Point c = place(pixels[i].cast<double>());
+    if (c.inside(cv::Rect(0, 0, band.cols, band.rows)) && band(c) != 0) kept.push_back(i);
+  }
+  return kept;
+}
+
 // One fatness for all views of a side (a fat strip, a soft mask), unknown and marginalised. It must
 // not be one per view: what moves in a low view is mostly the lower edge, and taking out each
 // view's own mean would take out the height.
@@ -120,6 +147,7 @@ struct SilhouetteWitness::View {
   Coverage still;  // the side that made this shot's scan
   Outline mask;
   KdTree mask_tree{{}};
+  std::vector<Vector3f> moving;  // the points of the other side that may come near the mask's end
 };
 
 SilhouetteWitness::~SilhouetteWitness() = default;
@@ -149,12 +177,16 @@ SilhouetteWitness::SilhouetteWitness(const Strip& front, const Strip& back,
     view.still = coverageOf(project(given.camera, still.all, same), view.cell, view.blur);
     const Eigen::Isometry3d plate_from_moving =
         of_front ? front_from_back : front_from_back.inverse();
-    const Coverage around =
-        coverageOf(project(given.camera, moving.all, plate_from_moving), view.cell, view.blur);
+    const std::vector<Vector2f> pixels = project(given.camera, moving.all, plate_from_moving);
+    const Coverage around = coverageOf(pixels, view.cell, view.blur);
     if (view.still.picture.empty() || around.picture.empty()) return;
     view.mask = madeByTheMoving(outlineOf(cutOut(given.mask, around, view.blur)), view.still,
                                 options.margin_px);
     view.mask_tree = KdTree(flatPoints(view.mask.points));
+    // A millimetre that the pose may still move, the reach, and what the blur looks at.
+    const double near = px_per_mm + options.reach_px + 4 * view.blur;
+    for (const std::size_t k : nearOutline(view.mask, pixels, near))
+      view.moving.push_back(moving.all[k]);
   });
 }
 
@@ -164,10 +196,9 @@ OutlineFit SilhouetteWitness::evidence(const Eigen::Isometry3d& front_from_back,
   parallelFor(views_.size(), threads_, [&](std::size_t i) {
     const View& view = views_[i];
     if (view.mask.points.empty()) return;
-    const Strip& moving = view.back_moves ? back_ : front_;
     const Eigen::Isometry3d plate_from_moving =
         view.back_moves ? front_from_back : front_from_back.inverse();
-    const std::vector<Vector2f> pixels = project(*view.camera, moving.all, plate_from_moving);
+    const std::vector<Vector2f> pixels = project(*view.camera, view.moving, plate_from_moving);
     const Outline outline = outlineOf(coverageOf(pixels, view.cell, view.blur));
     std::vector<Vector3f> flat;
     for (const Vector2f& p : pixels) flat.emplace_back(p.x(), p.y(), 0.0f);
@@ -180,7 +211,7 @@ OutlineFit SilhouetteWitness::evidence(const Eigen::Isometry3d& front_from_back,
       const auto m = static_cast<std::size_t>(near.index);
       if (view.mask.normals[m].dot(outline.normals[k]) < 0.7071) continue;
       const int q = points.nearest(flatPoint(u)).index;
-      const Vector3d p_moving = moving.all[static_cast<std::size_t>(q)].cast<double>();
+      const Vector3d p_moving = view.moving[static_cast<std::size_t>(q)].cast<double>();
       const Vector3d p_plate = plate_from_moving * p_moving;
       const Vector2d n2 = view.mask.normals[m];
       const Vector3d slope = derivative(*view.camera, p_plate).transpose() * n2;  // px per mm

@@ -10,8 +10,10 @@ cmake --preset release -D BUILD_TESTING=OFF
 cmake --build --preset release
 ostraka=build/release/app/ostraka
 
-if [ ! -e "$folder/batch/plate.json" ]; then
-  "$ostraka" rig simulate --output "$folder/batch" --seed 7 --sherds 4
+if [ ! -e "$folder/batch" ]; then
+  # Small: some two minutes on two cores for both. Named only when whole, so that a stop does no harm.
+  "$ostraka" rig simulate --output "$folder/batch.part" --seed 7 --sherds 3 --width 1000
+  mv "$folder/batch.part" "$folder/batch"
 fi
 status=0
 "$ostraka" process "$folder/batch" --output "$folder/sherds" || status=$?

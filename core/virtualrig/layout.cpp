@@ -112,15 +112,22 @@ std::optional<Eigen::Isometry2d> against(const VirtualSherd& moving, const Piece
   const Eigen::Vector2d direction(std::cos(direction_rad), std::sin(direction_rad));
   const Eigen::Vector2d target = other_pose.translation().head<2>();
   double distance = 0.5 * (moving.width_mm + other.width_mm) + 30;
+  bool coarse = true;  // every fifth vertex, until the gap is a few of their distances
   while (distance > 5) {
     const Eigen::Isometry2d pose = planar(turn_rad, target + distance * direction);
     const Eigen::Isometry3d full = lifted(pose) * piece.rest;
     float nearest = 900;
-    for (std::size_t i = 0; i < moving.mesh.vertices.size(); i += 3) {
+    const std::size_t step = coarse ? 5 : 1;
+    for (std::size_t i = 0; i < moving.mesh.vertices.size(); i += step) {
       const Eigen::Vector3f p = (full * moving.mesh.vertices[i].cast<double>()).cast<float>();
-      nearest = std::min(nearest, tree.nearest(p, 60).squared_distance);
+      const Neighbour found = tree.nearest(p, std::sqrt(nearest));
+      if (found.index >= 0) nearest = std::min(nearest, found.squared_distance);
     }
     const double gap = std::sqrt(nearest);
+    if (coarse && gap < 3) {
+      coarse = false;
+      continue;
+    }
     if (gap < 0.35) return pose;  // vertices are half a millimetre apart: the surfaces touch
     distance -= std::max(0.05, 0.9 * (gap - 0.3));
   }

@@ -33,7 +33,8 @@ struct Staged {
 
 struct Poses {
   std::vector<rig::PosedImage> images;  ///< both sides, plate frame
-  rig::Rig rig;
+  rig::Rig rig;                         ///< empty without a plate
+  bool has_scale = true;  ///< false: each side has a size of its own, no length is known
   std::vector<rig::PosedImage> of(batch::Side side) const;
 };
 
@@ -63,6 +64,10 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
                                       const Staged<Masks>& masks);
 Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
                                                   const Staged<PointCloud>& cloud);
+/// Front size / back size where the poses have no scale, else 1 without a stage.
+Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
+                                  const Staged<std::vector<scan::Scan>>& fronts,
+                                  const Staged<std::vector<scan::Scan>>& backs);
 Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses,
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Staged<std::vector<scan::Scan>>& fronts,

@@ -9,6 +9,8 @@
 #include "base/json.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
+#include "pairing/common_scale.h"
+#include "pipeline/no_plate.h"
 #include "pipeline/report.h"
 
 namespace ostraka::pipeline {
@@ -109,6 +111,18 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   return Sides{std::move(*masks), std::move(*scans)};
 }
 
+// Without a known length the backs are brought to the fronts' size: from here on there is one unit.
+Result<void> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& front, Sides& back,
+                        std::vector<ReportStage>& stages) {
+  if (poses.value.has_scale) return {};
+  const Result<Staged<double>> scale = scaleStage(run, poses, front.scans, back.scans);
+  if (!scale) return scale.error();
+  stages.push_back({"sizes of the sides", scale->record});
+  for (scan::Scan& scan : back.scans.value) scan = pairing::scaled(scan, scale->value);
+  resizeSide(poses.value.images, batch::Side::Back, scale->value);
+  return {};
+}
+
 // Copies what a model stage left to OUT/sherds/<number>; without a model only the scans.
 Result<void> publish(const Run& run, const std::string& number) {
   const fs::path from = run.work / ("model_" + number), to = run.options.output / "sherds" / number;
@@ -179,14 +193,16 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
 Result<ProcessSummary> runChain(const Run& run) {
   std::vector<ReportStage> stages;
   run.progress.begin("cameras", 0.05);
-  const Result<Staged<Poses>> poses = poseStage(run);
+  Result<Staged<Poses>> poses = poseStage(run);
   if (!poses) return poses.error();
   stages.push_back({"cameras", poses->record});
   const Result<Sides> front = processSide(run, batch::Side::Front, *poses, stages);
   if (!front) return front.error();
-  const Result<Sides> back = processSide(run, batch::Side::Back, *poses, stages);
+  Result<Sides> back = processSide(run, batch::Side::Back, *poses, stages);
   if (!back) return back.error();
   run.progress.begin("pairs", 0.07);
+  if (const Result<void> sized = matchSizes(run, *poses, *front, *back, stages); !sized)
+    return sized.error();
   const Result<Staged<Pairs>> pairs =
       pairStage(run, *poses, front->masks, back->masks, front->scans, back->scans);
   if (!pairs) return pairs.error();

@@ -28,6 +28,7 @@ ordered_json reportJson(const ReportInput& input) {
   }
   return {{"format", "ostraka-report/1"},
           {"unit", "mm"},
+          {"has_scale", input.poses == nullptr || input.poses->has_scale},
           {"batch", input.batch_name},
           {"stages", stages},
           {"sherds", sherds},

@@ -7,6 +7,7 @@
 #include "cloud/glb.h"
 #include "cloud/ply.h"
 #include "model/preview.h"
+#include "pairing/common_scale.h"
 #include "pipeline/chain.h"
 
 namespace ostraka::pipeline {
@@ -115,6 +116,27 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
 
 }  // namespace
 
+Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
+                                  const Staged<std::vector<scan::Scan>>& fronts,
+                                  const Staged<std::vector<scan::Scan>>& backs) {
+  if (poses.value.has_scale) return Staged<double>{1.0, {}};
+  const auto work = [&](const fs::path&) -> Result<StageNotes> {
+    pairing::CandidateOptions options;
+    options.threads = run.options.threads;
+    const Result<double> scale =
+        pairing::commonScale(fronts.value, backs.value, options, run.progress, run.stop);
+    if (!scale && scale.error().code != ErrorCode::NotEnough) return scale.error();
+    if (scale) return StageNotes{{{"front_over_back", *scale}}, {}};
+    return StageNotes{{{"front_over_back", 1.0}}, {scale.error().sentence()}};
+  };
+  const Result<StageRecord> record =
+      runStage(run.work, "scale",
+               {{"fronts", fronts.record.outputs_hash}, {"backs", backs.record.outputs_hash}}, work,
+               run.progress);
+  if (!record) return record.error();
+  return Staged<double>{record->notes.figures.value("front_over_back", 1.0), *record};
+}
+
 Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses,
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Staged<std::vector<scan::Scan>>& fronts,
@@ -134,8 +156,9 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses,
     const Result<PairTable> table =
         pairSides(fronts.value, backs.value, witnesses, options, run.progress, run.stop);
     if (!table) return table.error();
-    const Result<void> written =
-        writeJson(folder / "pairs.json", pipeline::toJson(*table, fronts.value, backs.value));
+    ordered_json json = pipeline::toJson(*table, fronts.value, backs.value);
+    if (!poses.value.has_scale) json["has_scale"] = false;
+    const Result<void> written = writeJson(folder / "pairs.json", json);
     if (!written) return written.error();
     return StageNotes{{{"candidates", table->candidates}, {"pairs", table->pairs.size()}}, {}};
   };

@@ -1,4 +1,5 @@
 // Poses, masks, dense reconstruction and scans: each side on its own.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -11,9 +12,13 @@
 #include "mask/network_mask.h"
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
+#include "pipeline/no_plate.h"
 #include "rig/calibrate.h"
+#include "rig/colmap_program.h"
 #include "scan/rim.h"
 #include "scan/split.h"
+#include "stereo/colmap_door.h"
+#include "stereo/openmvs_door.h"
 #include "stereo/stereo.h"
 
 namespace ostraka::pipeline {
@@ -68,9 +73,11 @@ Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::Posed
     for (const batch::Shot& shot : run.batch.shots) {
       if (shot.file != image.file) continue;
       if (shot.mask_file.empty())
-        return Error{ErrorCode::UnusableInput,
-                     "There is no mask beside this photograph, but --masks given asks for one.",
-                     image.file};
+        return Error{
+            ErrorCode::UnusableInput,
+            "This photograph has no mask; give one for each photograph that is to be used, "
+            "or leave this one out.",
+            image.file};
       Result<cv::Mat1b> mask = mask::readGivenMask(shot.mask_file, shot.width, shot.height);
       if (!mask) return mask.error();
       result.masks.push_back(std::move(*mask));
@@ -92,20 +99,52 @@ Result<mask::MaskResult> networkMasks(const Run& run, const std::vector<cv::Mat>
 }
 
 Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedImage>& images) {
-  if (run.options.masks == "given") return givenMasks(run, images);
+  const Result<MaskSource> source = maskSource(run.options.masks, run.batch);
+  if (!source) return source.error();
+  if (*source == MaskSource::Given) return givenMasks(run, images);
   const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.options.threads);
   if (!photographs) return photographs.error();
-  if (run.options.masks != "auto") return networkMasks(run, *photographs);
-  if (!run.batch.plate)
-    return Error{
-        ErrorCode::UnusableInput,
-        "Without plate.json the masks cannot be found; give masks (--masks given) or a network "
-        "(--masks MODEL.onnx).",
-        run.batch.folder.string()};
+  if (*source == MaskSource::Network) return networkMasks(run, *photographs);
   mask::PlateMaskOptions options;
   options.threads = run.options.threads;
   return mask::maskByPlate(images, *photographs, *run.batch.plate, emptyPlates(run.batch), options,
                            run.progress, run.stop);
+}
+
+// Each side by itself, in the nominal size; their true sizes are compared when both have scans.
+Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
+  std::vector<rig::PosedImage> images;
+  StageNotes notes;
+  double reprojection_px = 0;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    std::vector<batch::Shot> shots;
+    for (const batch::Shot& shot : run.batch.shots)
+      if (shot.side == side) shots.push_back(shot);
+    const fs::path workspace = run.work / (std::string("colmap_") + batch::name(side));
+    rig::ColmapPoseOptions options;
+    options.threads = run.options.threads;
+    const Result<rig::ColmapPoses> found =
+        rig::poseWithColmap(shots, workspace, options, run.progress, run.stop);
+    if (!found) return found.error();
+    const rig::ColmapPoses poses = rig::scaledTo(*found, nominalScale(*found));
+    images.insert(images.end(), poses.images.begin(), poses.images.end());
+    reprojection_px = std::max(reprojection_px, poses.reprojection_px);
+    if (poses.images.size() < shots.size())
+      notes.warnings.push_back(std::to_string(shots.size() - poses.images.size()) + " of the " +
+                               batch::name(side) +
+                               " side's photographs got no pose from COLMAP and are left out.");
+    std::error_code ignored;
+    fs::remove_all(workspace, ignored);
+  }
+  if (run.options.rig)
+    notes.warnings.push_back(
+        "The rig was not used: without plate.json the poses come from COLMAP.");
+  notes.warnings.push_back(noScaleWarning());
+  notes.figures = {
+      {"images", images.size()}, {"reprojection_rms_px", reprojection_px}, {"has_scale", false}};
+  if (const Result<void> written = rig::writeCameras(folder / "cameras.json", images); !written)
+    return written.error();
+  return notes;
 }
 
 // The share of all photographs' pixels that the masks cover: a figure for the report.
@@ -137,6 +176,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     rig_hash = sha256(*bytes);
   }
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    if (!run.batch.plate) return poseWithoutPlate(run, folder);
     rig::PoseOptions options;
     options.threads = run.options.threads;
     const Result<rig::BatchPoses> poses =
@@ -160,6 +200,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
   if (!record) return record.error();
   Result<std::vector<rig::PosedImage>> images = rig::readCameras(run.work / "rig" / "cameras.json");
   if (!images) return images.error();
+  if (!run.batch.plate) return Staged<Poses>{{std::move(*images), {}, false}, *record};
   Result<rig::Rig> rig = rig::readRig(run.work / "rig" / "rig.json");
   if (!rig) return rig.error();
   return Staged<Poses>{{std::move(*images), std::move(*rig)}, *record};
@@ -197,6 +238,26 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
   return Staged<Masks>{std::move(masks), *record};
 }
 
+namespace {
+
+// Another program works in a folder beside the stage's, which stays for its log when it fails.
+Result<PointCloud> denseCloud(const Run& run, const std::string& name,
+                              const std::vector<stereo::View>& views,
+                              const stereo::DenseOptions& options) {
+  if (run.options.dense == DenseMethod::Builtin)
+    return stereo::reconstruct(views, options, run.progress, run.stop);
+  const bool colmap = run.options.dense == DenseMethod::Colmap;
+  const fs::path workspace = run.work / (name + (colmap ? "_colmap" : "_openmvs"));
+  Result<PointCloud> cloud =
+      colmap ? stereo::reconstructWithColmap(views, options, workspace, run.progress, run.stop)
+             : stereo::reconstructWithOpenMvs(views, options, workspace, run.progress, run.stop);
+  std::error_code ignored;
+  if (cloud) fs::remove_all(workspace, ignored);
+  return cloud;
+}
+
+}  // namespace
+
 Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
                                       const Staged<Masks>& masks) {
   const std::vector<rig::PosedImage> images = poses.value.of(side);
@@ -210,7 +271,7 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     stereo::DenseOptions options;
     options.threads = run.options.threads;
     if (run.batch.plate) options.floor_z_mm = 0.0;
-    const Result<PointCloud> cloud = stereo::reconstruct(views, options, run.progress, run.stop);
+    const Result<PointCloud> cloud = denseCloud(run, name, views, options);
     if (!cloud) return cloud.error();
     const Result<void> written =
         writePly(folder / "cloud.ply", *cloud, std::string("plate_") + batch::name(side));

@@ -1,0 +1,36 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "batch/batch.h"
+#include "rig/camera.h"
+#include "rig/colmap_program.h"
+
+namespace ostraka::pipeline {
+
+/// What is different for a batch without plate.json (the paper's layout): poses from COLMAP with a
+/// size of their own for each side, and masks that came with the photographs.
+
+enum class MaskSource { Plate, Given, Network };
+
+/// Where the masks come from: as `masks` ("auto", "given", or a network's path) asks; "auto" means
+/// the plate, or without one the masks that came along. Errors: UnusableInput without any of both.
+Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batch);
+
+/// Lengths that are stated in mm in this program follow from a pixel's size on the object. Without
+/// a known length a side is scaled so that a pixel is this long there: between the paper's
+/// photographs (0.15 mm) and twelve megapixels less (0.24 mm).
+constexpr double kNominalPixel_mm = 0.2;
+
+/// Factor to that size: the median pixel at the points, over the images that look at them; 1 when
+/// there is none.
+double nominalScale(const rig::ColmapPoses& poses);
+
+/// All lengths of one side's poses times `factor`.
+void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double factor);
+
+/// The sentence that report and terminal must show for such a batch.
+std::string noScaleWarning();
+
+}  // namespace ostraka::pipeline

@@ -11,7 +11,8 @@ cmake --build --preset release
 ostraka=build/release/app/ostraka
 
 if [ ! -e "$folder/batch" ]; then
-  # Small: some two minutes on two cores for both. Named only when whole, so that a stop does no harm.
+  # Small: two minutes or so on two cores for both. It gets its name only when it is whole.
+  rm -rf "$folder/batch.part"
   "$ostraka" rig simulate --output "$folder/batch.part" --seed 7 --sherds 3 --width 1000
   mv "$folder/batch.part" "$folder/batch"
 fi

@@ -180,13 +180,21 @@ class Studio {
   std::vector<LensRays> lenses_;
 };
 
-// A push of the first sherd by 4 mm and 6 degrees about its own middle.
+// A push of the first sherd by 4 mm and 6 degrees about its own middle, away from its neighbour.
 std::vector<Eigen::Isometry3d> pushed(std::vector<Eigen::Isometry3d> poses) {
   Eigen::Isometry3d& pose = poses.front();
-  const Eigen::Vector3d at = pose.translation();
+  Eigen::Vector3d away = -pose.translation();
+  double nearest = 1e9;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Eigen::Vector3d from = pose.translation() - poses[i].translation();
+    if (from.head<2>().norm() >= nearest) continue;
+    nearest = from.head<2>().norm();
+    away = from;
+  }
+  away.z() = 0;
   pose.linear() =
       Eigen::AngleAxisd(0.105, Eigen::Vector3d::UnitZ()).toRotationMatrix() * pose.linear();
-  pose.translation() = at - 4 * Eigen::Vector3d(at.x(), at.y(), 0).normalized();
+  pose.translation() += 4 * away.normalized();
   return poses;
 }
 
@@ -225,6 +233,11 @@ Result<void> SimulateOptions::check() const {
 Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
                            std::stop_token stop) {
   if (Result<void> r = options.check(); !r) return r;
+  std::error_code unread;  // a folder that is not there yet
+  if (!std::filesystem::is_empty(options.output, unread) && !unread)
+    return Error{ErrorCode::UnusableInput,
+                 "The folder holds files already; name a new or empty one for the batch.",
+                 options.output.string()};
   const Result<std::vector<VirtualSherd>> sherds = makeSherds(options);
   if (!sherds) return sherds.error();
   Random layout_random(mixed(options.seed, 2)), rig_random(mixed(options.seed, 3)),

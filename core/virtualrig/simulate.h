@@ -46,7 +46,8 @@ struct SimulateOptions {
 
 /// Writes a batch folder with truth/, as ../shared/batches/README.md tells, or with scans_only one
 /// as ../shared/scans. Millimetres, OpenCV cameras, the plate's frame of that side.
-/// Errors: UnusableInput (an option, or more sherds than fit), CannotWrite, Cancelled.
+/// Errors: UnusableInput (an option, files in the folder, more sherds than fit), CannotWrite,
+/// Cancelled. With Fault::Moved the poses in truth/ are those before the push, the masks as shot.
 Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
                            std::stop_token stop);
 

@@ -155,10 +155,17 @@ TEST(SimulateOptions, NameTheFieldThatCannotBe) {
   EXPECT_NE(options.check().error().what.find("lookalikes"), std::string::npos);
 }
 
-TEST(SimulateOptions, TooManySherdsAreRefusedInWords) {
-  SimulateOptions options = tiny("");
+TEST_F(SimulatedBatch, IsNotWrittenIntoAFolderThatHoldsFiles) {
   QuietProgress quiet;
-  EXPECT_EQ(simulateBatch(options, quiet, {}).error().code, ErrorCode::UnusableInput);
+  const Result<void> again = simulateBatch(tiny(root / "one"), quiet, {});
+  ASSERT_FALSE(again);
+  EXPECT_EQ(again.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(again.error().where, (root / "one").string());
+}
+
+TEST(SimulateOptions, AreCheckedBeforeAnythingIsMade) {
+  QuietProgress quiet;
+  EXPECT_EQ(simulateBatch(tiny(""), quiet, {}).error().code, ErrorCode::UnusableInput);
 }
 
 TEST(SimulatedScans, ComeWithTheirTruthAndSitOnTheMesh) {

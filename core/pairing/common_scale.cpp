@@ -53,7 +53,8 @@ scan::Scan scaled(const scan::Scan& scan, double factor) {
 Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
                            const CandidateOptions& options, Progress& progress,
                            std::stop_token stop) {
-  constexpr double kLikely = 5;  // logarithm of odds of 150: a single such pair may give the scale
+  constexpr double kLikely = 5;    // logarithm of odds of 150, for pairs that confirm each other
+  constexpr double kCertain = 20;  // for a pair alone: with size free, strangers can reach 10
   const double front_factor = toUsualSize(fronts), back_factor = toUsualSize(backs);
   CandidateOptions free = options;
   free.scale = Scale::Free;
@@ -72,12 +73,16 @@ Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const s
       assignPairs(evidence, static_cast<int>(fronts.size()), static_cast<int>(backs.size()), {});
   if (!assignment) return assignment.error();
   std::vector<double> scales;
+  double best = -1e9;
   for (const Decision& decision : assignment->pairs) {
     for (const PairCandidate& c : *candidates) {
       const bool own = c.front == decision.front && c.back == decision.back;
-      if (own && c.log_likelihood > kLikely) scales.push_back(c.starts[0].scale);
+      if (!own || c.log_likelihood <= kLikely) continue;
+      scales.push_back(c.starts[0].scale);
+      best = std::max(best, c.log_likelihood);
     }
   }
+  if (scales.size() == 1 && best < kCertain) scales.clear();
   if (scales.empty()) {
     return Error{ErrorCode::NotEnough,
                  "No two outlines are alike, so the sides' sizes cannot be compared; give a known "

@@ -16,13 +16,17 @@ namespace ostraka::pipeline {
 namespace {
 
 constexpr const char* kStyle = R"(
-body{font:16px/1.45 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:1180px;margin:24px auto;padding:0 16px}
+body{font:16px/1.45 system-ui,sans-serif;color:#1a1a1a;background:#fff;
+  max-width:1180px;margin:24px auto;padding:0 16px}
 h1{font-size:26px}h2{font-size:20px;margin-top:32px;border-bottom:2px solid #ddd}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums}td,th{padding:4px 10px;border-bottom:1px solid #ddd;text-align:right}
+table{border-collapse:collapse;font-variant-numeric:tabular-nums}
+td,th{padding:4px 10px;border-bottom:1px solid #ddd;text-align:right}
 td.words,th.words{text-align:left}img{max-width:100%;border:1px solid #ccc}
 .sides{display:flex;gap:12px;flex-wrap:wrap}.sides figure{margin:0;flex:1 1 480px}
-.sherd{display:flex;gap:16px;flex-wrap:wrap;align-items:flex-start;margin:12px 0;padding:12px;border:1px solid #ddd}
-.doubt{border-left:8px solid #b35900}.ask{color:#8a4300;font-weight:600}figcaption{color:#555;font-size:14px}
+.sherd{display:flex;gap:16px;flex-wrap:wrap;align-items:flex-start;
+  margin:12px 0;padding:12px;border:1px solid #ddd}
+.doubt{border-left:8px solid #b35900}.ask{color:#8a4300;font-weight:600}
+figcaption{color:#555;font-size:14px}
 )";
 
 std::string escaped(const std::string& text) {

@@ -99,7 +99,8 @@ TEST_F(CommandLine, BadInputGetsOneSentenceWithTheFilesName) {
 TEST_F(CommandLine, DenseSaysWhichPhotographIsMissing) {
   write("cameras.json",
         R"({"unit":"mm","images":[{"file":"gone.jpg","width":64,"height":48,
-        "K":[[100,0,32],[0,100,24],[0,0,1]],"dist":[],"R":[[1,0,0],[0,1,0],[0,0,1]],"t":[0,0,100]}]})");
+        "K":[[100,0,32],[0,100,24],[0,0,1]],"dist":[],
+        "R":[[1,0,0],[0,1,0],[0,0,1]],"t":[0,0,100]}]})");
   const Outcome dense = run("dense " + folder_.string() + " --cameras " + path("cameras.json") +
                             " -o " + path("c.ply"));
   EXPECT_EQ(dense.status, 2);

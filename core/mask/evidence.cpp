@@ -65,7 +65,10 @@ cv::Mat3f residualAgainst(const cv::Mat3f& bare, const cv::Mat3f& log_colours) {
 
 ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
                            const cv::Mat1b& on_plate) {
-  const cv::Mat1f energy = calmestTexture(residual);
+  // The plate's own texture, not only what the prediction misses of it: close to a sherd the plate
+  // is seldom seen bare and its texture not predicted.
+  const cv::Mat3f plate = bare + residual;
+  const cv::Mat1f energy = calmestTexture(plate);
   std::vector<float> texture;
   std::vector<float> brightness, colour, level;
   for (int y = 0; y < residual.rows; y += 5)
@@ -127,13 +130,20 @@ Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const R
       const float lit = std::exp(-0.5F * g * g / var_g) / std::sqrt(kTwoPi * var_g);
       const float bounce = std::exp(-0.5F * g * g / 0.01F) / 0.25F;  // light off a bright sherd
       const float shadow = g < 0 && g > -3 ? 1 / 3.F : 0.F;
-      const float plate_density = colour_density * (0.7F * lit + 0.05F * bounce + 0.25F * shadow);
+      // In a shadow the sherds' own light counts: beside them some tenth of the lamps' light comes
+      // off their clay, with its colour. On what is left of exp(g) that tints by up to
+      // 0.12 (exp(-g) - 1).
+      const float tint = 0.12F * (std::exp(-std::min(g, 0.F)) - 1);
+      const float var_t = var_c + tint * tint;
+      const float tinted = std::exp(-0.5F * c.dot(c) / var_t) / (kTwoPi * var_t);
+      const float plate_density =
+          colour_density * (0.4F * lit + 0.05F * bounce + 0.2F * shadow) + 0.35F * shadow * tinted;
       float odds = std::log(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
       // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
       // ratio of two variances over the window's eight independent samples). Smooth clay leaves
       // none, so a lack of texture says nothing.
       const float ratio = texture(y, x) / (noise.texture * (gain + edge * edge / var_noise));
-      const float grain = std::clamp(0.5F * 8 * (ratio * (1 - 1 / 6.F) - std::log(6.F)), 0.F, 4.F);
+      const float grain = std::clamp(0.5F * 8 * (ratio * (1 - 1 / 6.F) - std::log(6.F)), 0.F, 7.F);
       // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
       // own.
       odds += grain * std::clamp(2 - darker / 3, 0.F, 1.F);

@@ -11,6 +11,7 @@
 #include "mask/evidence.h"
 #include "mask/hull.h"
 #include "mask/outline.h"
+#include "mask/plate_agreement.h"
 #include "mask/plate_picture.h"
 
 namespace ostraka::mask {
@@ -201,10 +202,32 @@ class PlateMasker {
     const double mm = millimetresPerPixel(images_[index]);
     const double sine = std::abs(images_[index].centre().normalized().z());
     cut_options.min_area_px = options_.min_sherd_area_mm2 * sine / (mm * mm);
+    const std::vector<PlateView> others = beside(index);
+    const auto bare_at = [this](double x, double y) { return bareAt(x, y); };
+    weighAgreement({&images_[index], &view.residual}, others, bare_at, wide, view.log_odds);
     sharpenByColours(logColours(photographs_[index]), wide, view.log_odds);
     const cv::Mat1b cut = cutOutline(view.log_odds, wide, view.residual, cut_options);
     result_.masks[index] = softenOutline(cut, photographs_[index]);
-    view = {};
+    view.log_odds.release();
+  }
+
+  // Whether the hull leaves the plate bare here: its lowest layer is empty.
+  bool bareAt(double x, double y) const {
+    const int column = static_cast<int>(std::lround((x - space_.low.x()) / space_.pitch));
+    const int row = static_cast<int>(std::lround((y - space_.low.y()) / space_.pitch));
+    if (column < 0 || row < 0 || column >= space_.count.x() || row >= space_.count.y())
+      return false;
+    return voxels_[static_cast<std::size_t>(row) * space_.count.x() + column] == 0;
+  }
+
+  // The other cameras' views of the same stop.
+  std::vector<PlateView> beside(std::size_t index) const {
+    std::vector<PlateView> others;
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      if (i != index && images_[i].stop == images_[index].stop &&
+          images_[i].camera != images_[index].camera)
+        others.push_back({&images_[i], &views_[i].residual});
+    return others;
   }
 
   std::span<const rig::PosedImage> images_;

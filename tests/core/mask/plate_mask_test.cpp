@@ -125,7 +125,7 @@ TEST_P(PlateMask, FindsTheBoxDespiteShadowAndFalloff) {
     EXPECT_GT(intersectionOverUnion(result->masks[i], scene.truth[i]), 0.94) << "stop " << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(DarkAndLight, PlateMask, testing::Values(45.0, 150.0));
+INSTANTIATE_TEST_SUITE_P(DarkAndLight, PlateMask, testing::Values(45.0, 90.0, 150.0));
 
 TEST(PlateMasks, AreTheSameForAnyNumberOfThreads) {
   const Scene scene(45);

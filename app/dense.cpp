@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "base/json.h"
@@ -11,6 +13,7 @@
 #include "cloud/ply.h"
 #include "command.h"
 #include "mask/given_mask.h"
+#include "mask/hull_mask.h"
 #include "rig/camera.h"
 #include "stereo/background.h"
 #include "stereo/stereo.h"
@@ -96,6 +99,63 @@ Result<std::vector<stereo::View>> readViews(const DenseArguments& arguments, Ses
   return views;
 }
 
+// One body without holes: spots elsewhere are surroundings of its colours, and holes are places on
+// it of its surroundings' colours. Too wide a mask costs time, one with holes costs surface.
+void keepOneBody(cv::Mat1b& mask) {
+  const cv::Mat1b inside = mask >= 128;
+  cv::Mat1i labels, measures;
+  cv::Mat1d centres;
+  const int count = cv::connectedComponentsWithStats(inside, labels, measures, centres, 4);
+  int largest = 0, area_px = 0;
+  for (int k = 1; k < count; ++k)
+    if (measures(k, cv::CC_STAT_AREA) > area_px) {
+      largest = k;
+      area_px = measures(k, cv::CC_STAT_AREA);
+    }
+  const cv::Mat1b body = labels == largest;
+  cv::Mat1b near, outer;
+  cv::dilate(body, near, cv::Mat());  // its edge is soft
+  mask.setTo(0, largest == 0 ? cv::Mat1b(mask.size(), uchar{255}) : cv::Mat1b(near == 0));
+  cv::copyMakeBorder(body, outer, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::floodFill(outer, {0, 0}, 255);
+  const cv::Mat1b holes =
+      cv::Mat1b(outer == 0)(cv::Rect(1, 1, mask.cols, mask.rows));  // enclosed by the body
+  mask.setTo(255, holes);
+}
+
+// Where the background is not dark, the photographs themselves say nothing about the object: the
+// body that they agree on is taken.
+Result<void> maskCluttered(std::vector<stereo::View>& views, int threads, Session& session) {
+  const auto unmasked = std::count_if(views.begin(), views.end(), [](const stereo::View& view) {
+    return cv::countNonZero(view.mask) == static_cast<int>(view.mask.total());
+  });
+  if (2 * static_cast<std::size_t>(unmasked) < views.size()) return {};
+  session.progress.begin("masks", 0.05);
+  session.progress.note(NoteLevel::Info,
+                        "dense: the background is not dark; masks are found from the body that "
+                        "all photographs show");
+  std::vector<rig::PosedImage> cameras;
+  std::vector<cv::Mat> photographs;
+  for (const stereo::View& view : views) {
+    cameras.push_back(view.camera);
+    photographs.push_back(view.photograph);
+  }
+  mask::HullMaskOptions options;
+  options.threads = threads;
+  Result<mask::MaskResult> masks =
+      mask::maskByHull(cameras, photographs, options, session.progress, session.stop);
+  if (!masks && masks.error().code == ErrorCode::NotEnough) {
+    session.progress.note(NoteLevel::Warning, masks.error().sentence() + " All pixels are used.");
+    return {};
+  }
+  if (!masks) return masks.error();
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    keepOneBody(masks->masks[i]);
+    views[i].mask = masks->masks[i];
+  }
+  return {};
+}
+
 // "bounding_box_mm": {"min": [x, y, z], "max": [x, y, z]} beside the images, where the file has it.
 Result<std::optional<Eigen::AlignedBox3d>> readBounds(const fs::path& file) {
   const Result<nlohmann::json> json = readJson(file);
@@ -126,11 +186,14 @@ int runDense(const DenseArguments& arguments, Session& session) {
   if (!arguments.output.has_filename() || fs::is_directory(arguments.output))
     return fail(session, {ErrorCode::UnusableInput, "The output must be a PLY file.",
                           arguments.output.string()});
-  const Result<std::vector<stereo::View>> views = readViews(arguments, session);
+  Result<std::vector<stereo::View>> views = readViews(arguments, session);
   if (!views) return fail(session, views.error());
+  if (!arguments.masks)
+    if (const Result<void> masked = maskCluttered(*views, arguments.threads, session); !masked)
+      return fail(session, masked.error());
   Result<std::optional<Eigen::AlignedBox3d>> bounds = readBounds(arguments.cameras);
   if (!bounds) return fail(session, bounds.error());
-  session.progress.begin("stereo", 0.98);
+  session.progress.begin("stereo", 0.93);
   stereo::DenseOptions options;
   options.bounds = *bounds;
   options.threads = arguments.threads;
@@ -165,7 +228,9 @@ void addDense(CLI::App& root, Command& chosen) {
       "x_cam = R X + t, OpenCV's axes, a pixel's centre has integer coordinates. Its\n"
       "\"bounding_box_mm\" {\"min\",\"max\"} bounds what is reconstructed. Without --masks "
       "everything\n"
-      "that is lit before a dark background counts as the object.");
+      "that is lit before a dark background counts as the object; where the background is not "
+      "dark,\n"
+      "the body in the middle of all views that the photographs agree on.");
   auto arguments = std::make_shared<DenseArguments>();
   command->add_option("IMAGES", arguments->images, "Folder of the photographs")
       ->required()

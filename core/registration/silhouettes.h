@@ -14,7 +14,8 @@ namespace ostraka::registration {
 struct SilhouetteOptions {
   double blur_px = 1.5;        ///< picture and points alike, so that corners shrink alike
   double reach_px = 6;         ///< start poses from the strips hold to a millimetre
-  double margin_px = 3;        ///< the side that moves counts where the other ends so far inside
+  double margin_px = 0.5;      ///< the side that moves counts where the other ends this far inside:
+                               ///< a mask holds to half a pixel
   double min_sigma_px = 0.25;  ///< masks' edges hold to a quarter of a pixel
   double correlation_px = 12;  ///< a bump of the scan's end shows in several pixels ...
   double views_alike = 8;      ///< ... and in as many of 24 views

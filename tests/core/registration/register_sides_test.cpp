@@ -117,5 +117,20 @@ TEST(RegisterSides, StopsOnRequest) {
   EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
 }
 
+TEST(RegisterSides, ASmoothRoundSherdThatSlidIsCalledSlipped) {
+  const SimulatedSherd sherd = simulatedSherd({.relief = 0});
+  for (const double slid_mm : {1.0, 3.0, 8.0}) {
+    Isometry3d start = sherd.truth;
+    start.prerotate(Eigen::AngleAxisd(slid_mm / 20, Eigen::Vector3d::UnitZ()));
+    QuietProgress progress;
+    const auto found =
+        registerSides(sherd.front, sherd.back, std::vector<Isometry3d>{start},
+                      {.front_on_plate = true, .back_on_plate = true}, {}, progress, {});
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->slipped) << slid_mm << " mm: uncertain by " << found->uncertainty_mm
+                                << ", rival " << found->runner_up_gap << " below";
+  }
+}
+
 }  // namespace
 }  // namespace ostraka::registration

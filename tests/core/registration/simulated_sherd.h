@@ -17,14 +17,16 @@ struct SimulatedSherd {
 struct SimulatedSherdOptions {
   unsigned seed = 1;  ///< of noise; the shape depends on `shape` alone
   double shape = 0;   ///< turns the phases of the relief: another break of the same outline
+  double relief = 1;  ///< 0: a smooth round disc
   double noise_mm = 0.03;
   double hidden_mm = 1.2;  ///< the lowest part of the wall is not seen
 };
 
-inline double outlineRadius(double phi, double z, double shape) {
-  return 20 * (1 + 0.15 * std::cos(2 * phi) + 0.08 * std::sin(3 * phi) + 0.03 * std::cos(5 * phi)) +
-         0.25 * z * std::sin(phi) + 0.25 * std::sin(23 * phi + 3 * shape + 0.4 * z) +
-         0.2 * std::cos(41 * phi + 0.9 * z - 5 * shape);
+inline double outlineRadius(double phi, double z, double shape, double relief) {
+  return 20 * (1 + relief * (0.15 * std::cos(2 * phi) + 0.08 * std::sin(3 * phi) +
+                             0.03 * std::cos(5 * phi))) +
+         relief * (0.25 * z * std::sin(phi) + 0.25 * std::sin(23 * phi + 3 * shape + 0.4 * z) +
+                   0.2 * std::cos(41 * phi + 0.9 * z - 5 * shape));
 }
 
 inline SimulatedSherd simulatedSherd(const SimulatedSherdOptions& options) {
@@ -52,13 +54,13 @@ inline SimulatedSherd simulatedSherd(const SimulatedSherdOptions& options) {
   for (double x = -30; x <= 30; x += kStep)
     for (double y = -30; y <= 30; y += kStep) {
       const double phi = std::atan2(y, x), r = std::hypot(x, y);
-      if (r < outlineRadius(phi, kThick, options.shape))
+      if (r < outlineRadius(phi, kThick, options.shape, options.relief))
         add(sherd.front, {x, y, kThick}, Eigen::Vector3d::UnitZ());
-      if (r < outlineRadius(phi, 0, options.shape))
+      if (r < outlineRadius(phi, 0, options.shape, options.relief))
         add(sherd.back, {x, y, 0}, -Eigen::Vector3d::UnitZ());
     }
   const auto wall = [&](double phi, double z) {
-    const double r = outlineRadius(phi, z, options.shape);
+    const double r = outlineRadius(phi, z, options.shape, options.relief);
     return Eigen::Vector3d(r * std::cos(phi), r * std::sin(phi), z);
   };
   for (double z = 0; z <= kThick; z += kStep)

@@ -41,7 +41,9 @@ TEST_P(EveryFormat, SurvivesChangedBytes) {
     for (int k = 0; k < 4; ++k)
       damaged[random() % std::min<std::size_t>(damaged.size(), 400)] = static_cast<char>(random());
     const auto size = imageSize(damaged, "x");
-    if (size) EXPECT_LE(static_cast<std::int64_t>(size->width) * size->height, 1LL << 30);
+    if (size) {
+      EXPECT_LE(static_cast<std::int64_t>(size->width) * size->height, 1LL << 30);
+    }
   }
 }
 

@@ -123,9 +123,10 @@ TEST(RegisterSides, ASmoothRoundSherdThatSlidIsCalledSlipped) {
     Isometry3d start = sherd.truth;
     start.prerotate(Eigen::AngleAxisd(slid_mm / 20, Eigen::Vector3d::UnitZ()));
     QuietProgress progress;
-    const auto found =
-        registerSides(sherd.front, sherd.back, std::vector<Isometry3d>{start},
-                      {.front_on_plate = true, .back_on_plate = true}, {}, progress, {});
+    Witnesses witnesses;
+    witnesses.front_on_plate = witnesses.back_on_plate = true;
+    const auto found = registerSides(sherd.front, sherd.back, std::vector<Isometry3d>{start},
+                                     witnesses, {}, progress, {});
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->slipped) << slid_mm << " mm: uncertain by " << found->uncertainty_mm
                                 << ", rival " << found->runner_up_gap << " below";

@@ -16,8 +16,12 @@ TEST(FindRim, MarksTheWallsAndNotTheFace) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& p = cloud.points[i];
     const float inside = std::min({p.x(), p.y(), 30 - p.x(), 30 - p.y()});
-    if (std::abs(cloud.normals[i].z()) < 0.5f) EXPECT_EQ(rim[i], 1);
-    if (inside > 2.5f) EXPECT_EQ(rim[i], 0);
+    if (std::abs(cloud.normals[i].z()) < 0.5f) {
+      EXPECT_EQ(rim[i], 1);
+    }
+    if (inside > 2.5f) {
+      EXPECT_EQ(rim[i], 0);
+    }
   }
 }
 

@@ -47,7 +47,7 @@ struct DepthMap {
 
 /// Oriented, coloured points of everything inside the masks, plate frame, mm; quality is the
 /// confidence. PatchMatch stereo with slanted windows (Bleyer et al., BMVC 2011; Galliani et al.,
-/// ICCV 2015) from coarse to fine, fused, and each point moved onto a quadric fitted to its neighbours.
+/// ICCV 2015) from coarse to fine, fused; each point is moved onto a quadric fitted around it.
 /// Errors: NotEnough for fewer than 3 views or nothing found, UnusableInput for sizes that differ,
 /// Cancelled. Memory is about 90 bytes per pixel of all photographs.
 Result<PointCloud> reconstruct(std::span<const View> views, const DenseOptions& options,

@@ -153,7 +153,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
     return ra != rb ? ra < rb : ma.x() < mb.x();
   });
   for (std::size_t i = 0; i < result.scans.size(); ++i) {
-    char number[16];
+    char number[32];
     std::snprintf(number, sizeof number, "%c%03zu", side == batch::Side::Front ? 'f' : 'b', i + 1);
     result.scans[i].id = number;
     result.scans[i].rim = findRim(result.scans[i].cloud, {.up = result.scans[i].up});

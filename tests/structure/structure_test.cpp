@@ -13,10 +13,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // In the order of the work: a folder may use only those before it.
-const std::vector<std::string> kOrder = {"base",         "cloud",      "batch",     "rig",
-                                         "mask",         "stereo",     "scan",      "pairing",
-                                         "registration", "model",      "pipeline",  "evaluate",
-                                         "capture",      "virtualrig", "catalogue", "exchange"};
+const std::vector<std::string> kOrder = {
+    "base",     "cloud",   "batch",        "rig",       "mask",    "stereo",
+    "scan",     "pairing", "registration", "model",     "drawing", "pipeline",
+    "evaluate", "capture", "virtualrig",   "catalogue", "exchange"};
 constexpr int kMostLines = 500, kMostHeaderLines = 150;
 
 fs::path root() {

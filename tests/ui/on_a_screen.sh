@@ -1,0 +1,10 @@
+#!/bin/sh
+# Runs a test of the window on a virtual screen with a window manager, as a person's desktop has one:
+# without a manager no window ever becomes active. Software rendering, so that no graphics card counts.
+set -eu
+export XDG_RUNTIME_DIR="${XDG_RUNTIME_DIR:-$(mktemp -d)}"
+export LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
+exec xvfb-run -a -s "-screen 0 1280x800x24 +extension GLX" sh -c 'openbox & manager=$!
+  "$@"; status=$?
+  kill $manager 2>/dev/null
+  exit $status' sh "$@"

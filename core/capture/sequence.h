@@ -1,0 +1,96 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "batch/batch.h"
+#include "capture/camera.h"
+#include "capture/clock.h"
+#include "capture/shot_checks.h"
+#include "capture/turntable.h"
+
+namespace ostraka::capture {
+
+/// The opened devices of a rig, real or virtual.
+struct RigDevices {
+  std::unique_ptr<Turntable> turntable;
+  std::vector<std::unique_ptr<Camera>> cameras;  ///< by place; a shot's camera number is its index
+  batch::Plate plate;                            ///< what lies on the table
+  double settle_s = 1.5;                         ///< from standstill to a still picture
+  std::shared_ptr<Clock> clock = steadyClock();
+  /// Tells the rig that a person turned the sherds over: the virtual one does it then.
+  std::function<void(batch::Side)> side_placed;
+};
+
+enum class CaptureEventKind {
+  Turning,       ///< to `stop`
+  Settling,      ///< at `stop`
+  PressShutter,  ///< a person has to press the button of `camera`
+  Shooting,      ///< all cameras, at `stop`
+  ShotKept,      ///< `file` is safely on disk; `check` may still hold problems
+  ShotRefused,   ///< `camera` at `stop` is taken again; `check` or `trouble` says why
+  Trouble,       ///< a device failed and is tried again; `trouble` says why
+  StopDone       ///< all photographs of `stop` are on disk
+};
+
+struct CaptureEvent {
+  CaptureEventKind kind{};
+  batch::Side side{};
+  int stop = -1;               ///< 0 .. stops - 1; -1: none in particular
+  int camera = -1;             ///< -1: none in particular
+  std::filesystem::path file;  ///< of ShotKept
+  ShotCheck check;             ///< of ShotKept and ShotRefused
+  std::string trouble;         ///< one sentence
+  int take = 0;                ///< from 1
+};
+
+/// Called on the sequence's own thread, one at a time.
+using OnCaptureEvent = std::function<void(const CaptureEvent&)>;
+
+struct ShotName {
+  int stop = 0, camera = 0;
+  bool operator==(const ShotName&) const = default;
+};
+
+struct SideOptions {
+  std::filesystem::path batch;  ///< folder; files become <side>/cam0_pos00.jpg
+  batch::Side side = batch::Side::Front;
+  int stops = 8;
+  int tries_per_shot = 3;        ///< of a shot that blurred or came from another stop
+  int tries_per_device = 3;      ///< reopened after it was gone or silent
+  double fetch_timeout_s = 30;   ///< from the trigger to the whole file
+  std::vector<ShotName> retake;  ///< kept shots that a person wants again
+  Result<void> check() const;
+};
+
+struct SideSummary {
+  int kept = 0;                   ///< photographs of the side on disk, all takes before included
+  std::vector<ShotName> flagged;  ///< kept, but with problems
+  SideCheck check;
+  double overhead_s = 0;  ///< beyond turning, settling, exposure and transfer, all stops
+};
+
+/// Turn, settle, shoot all cameras at once, fetch, check; stop after stop. Photographs that the
+/// batch's manifest names and that are whole are not taken again: calling it again after an error,
+/// a crash or Cancelled goes on where it ended. Every file is on disk, decoded and in the manifest
+/// with its SHA-256 before the table turns on; nothing is ever overwritten.
+/// Errors: Missing (a device is gone; the sentence says which and what is safe), CannotWrite,
+/// NotEnough (the table's position is not known), UnusableInput, Cancelled (within 5 s).
+Result<SideSummary> shootSide(RigDevices& devices, const SideOptions& options,
+                              const OnCaptureEvent& on_event, Progress& progress,
+                              std::stop_token stop);
+
+/// The shots of a side that are still to be taken, in their order: 'go on at stop 5, camera B'.
+Result<std::vector<ShotName>> missingShots(const SideOptions& options, int cameras);
+
+/// Before clearing the plate: is every sherd of the front there on the back? One sentence a
+/// complaint; none: the plate may be cleared.
+std::vector<std::string> compareSides(const SideCheck& front, const SideCheck& back);
+
+}  // namespace ostraka::capture

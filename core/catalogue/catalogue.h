@@ -1,0 +1,118 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/records.h"
+#include "catalogue/sherd.h"
+
+namespace ostraka::catalogue {
+
+class Database;
+struct Filter;
+
+/// One connection to a project's catalogue.sqlite. Use it in one thread; another thread opens its
+/// own (Project::connect). Everything that changes something is one transaction, is saved when the
+/// call returns, and leaves rows in the history. Errors are sentences for a person.
+class Catalogue {
+ public:
+  using Clock = std::function<std::int64_t()>;  ///< milliseconds UTC
+
+  Catalogue(Catalogue&&) noexcept;
+  Catalogue& operator=(Catalogue&&) noexcept;
+  ~Catalogue();
+
+  // the project
+  Result<ProjectRecord> project() const;
+  Result<void> setProject(const ProjectRecord&, const Act&);
+  Result<std::string> setting(const std::string& key) const;  ///< empty when never set
+  Result<void> setSetting(const std::string& key, const std::string& value);
+  Result<std::vector<Term>> vocabulary(const std::string& name) const;
+  Result<void> setVocabulary(const std::string& name, const std::vector<Term>&, const Act&);
+
+  // people and places; save: row none adds, else changes; the row is returned
+  Result<std::vector<PersonRecord>> persons() const;
+  Result<PersonRow> save(const PersonRecord&, const Act&);
+  Result<std::vector<SiteRecord>> sites() const;
+  Result<SiteRow> save(const SiteRecord&, const Act&);
+  Result<std::vector<TrenchRecord>> trenches() const;
+  Result<TrenchRow> save(const TrenchRecord&, const Act&);
+  Result<std::vector<ContextRecord>> contexts() const;
+  Result<ContextRow> save(const ContextRecord&, const Act&);
+  Result<std::vector<BagRecord>> bags(ContextRow) const;
+  Result<std::vector<BagRecord>> bags() const;
+  Result<BagRow> save(const BagRecord&, const Act&);
+
+  // batches; a new one gets the next number (B0031) in the saving transaction
+  Result<std::string> nextBatchNumber() const;
+  Result<BatchRow> addBatch(const BatchRecord&, const Act&);
+  Result<void> saveBatch(const BatchRecord&, const Act&);
+  Result<void> setBatchState(BatchRow, BatchState, const Act&);
+  Result<std::vector<BatchRecord>> batches() const;  ///< newest first
+  Result<BatchRecord> batch(BatchRow) const;
+  Result<BatchRecord> batchByNumber(const std::string&) const;
+  Result<PhotographRow> save(const PhotographRecord&, const Act&);  ///< row none: by its key
+  Result<std::vector<PhotographRecord>> photographs(BatchRow) const;
+  Result<ScanRow> save(const ScanRecord&, const Act&);  ///< row none: by batch, side, index
+  Result<std::vector<ScanRecord>> scans(BatchRow) const;
+
+  // pair decisions: only added. decide() also lets the sherds of the batch follow.
+  Result<DecisionRow> decide(const PairDecision&, const Act&);
+  Result<std::vector<PairDecision>> decisions(BatchRow) const;  ///< all, oldest first
+  /// What counts now, one per pair or lone scan: persons before the program, later before earlier.
+  Result<std::vector<PairDecision>> currentDecisions(BatchRow) const;
+
+  // sherds
+  Result<std::vector<SherdRow>> sherdRows(const Filter&, const SherdOrder&) const;
+  Result<std::vector<SherdRow>> sherdRows(BatchRow) const;
+  Result<std::vector<SherdRecord>> sherds(std::span<const SherdRow>) const;  ///< in this order
+  Result<SherdRecord> sherd(SherdRow) const;
+  Result<SherdRow> sherdByNumber(const std::string&) const;   ///< none when there is no such sherd
+  Result<SherdRow> addSherd(const SherdRecord&, const Act&);  ///< draft, or with its number
+  Result<std::vector<ChangePreview>> preview(std::span<const FieldChange>) const;
+  /// All or nothing. Returns the changes that undo it, in the order to apply them.
+  Result<std::vector<FieldChange>> change(std::span<const FieldChange>, const Act&);
+  /// The next free numbers of a context (and bag, batch) by the project's scheme; not reserved.
+  Result<std::vector<std::string>> proposeNumbers(std::span<const SherdRow>) const;
+  /// Gives drafts their numbers. Returns them in the order of the rows.
+  Result<std::vector<std::string>> assignNumbers(std::span<const SherdRow>, const Act&);
+  Result<void> voidSherd(SherdRow, const std::string& reason, const Act&);  ///< number stays taken
+  Result<std::vector<int>> numberGaps(ContextRow) const;  ///< numbers never given below the highest
+
+  // measurements: a new value is a new row that replaces the older one
+  Result<void> measure(const Measurement&, const Act&);
+  Result<std::vector<Measurement>> measurements(SherdRow) const;  ///< those that count now
+
+  // files and history
+  Result<FileRow> save(const FileRecord&, const Act&);  ///< row none: by its path
+  Result<std::vector<FileRecord>> files(SherdRow) const;
+  Result<std::vector<FileRecord>> files(BatchRow) const;
+  Result<std::vector<FileRecord>> files() const;
+  Result<std::vector<HistoryEntry>> history(SherdRow) const;  ///< newest first
+  Result<std::vector<HistoryEntry>> history(const std::string& table, std::int64_t row) const;
+
+  /// Whole and consistent: SQLite's own check, foreign keys, search index. Sentence when not.
+  Result<void> checkIntegrity() const;
+  /// A copy in a new file, read back and checked before it gets its name.
+  Result<void> backup(const std::filesystem::path& file) const;
+  int schemaVersion() const;
+
+  /// Several of the calls above as one transaction: work returns an error to undo them all.
+  Result<void> together(const std::function<Result<void>()>& work);
+
+  /// For the other files of this folder.
+  Database& database() const { return *database_; }
+  std::int64_t now() const { return clock_(); }
+  explicit Catalogue(std::unique_ptr<Database>, Clock);
+
+ private:
+  std::unique_ptr<Database> database_;
+  Clock clock_;
+};
+
+}  // namespace ostraka::catalogue

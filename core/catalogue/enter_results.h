@@ -1,0 +1,30 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::catalogue {
+
+struct EnteredResults {
+  int scans = 0, decisions = 0, new_sherds = 0, models = 0, measurements = 0, files = 0;
+  int kept_decisions = 0;  ///< pairs where the person's word stayed above the program's
+  int open = 0;            ///< pairs and scans that want a person
+};
+
+/// Reads OUT of `ostraka process` (pairs.json, report.json, the models) into the catalogue: scans,
+/// the program's pair decisions, draft sherds, measurements, files with their hashes. Doing it
+/// twice changes nothing; what a person decided is kept. `out` lies in the project's folder.
+/// The batch's state becomes Review when something wants a person, else Done.
+Result<EnteredResults> enterResults(Catalogue& catalogue, const std::filesystem::path& project,
+                                    BatchRow batch, const std::filesystem::path& out,
+                                    const Act& act, Progress& progress, std::stop_token stop);
+
+/// The photographs of a batch folder as rows, with their files and hashes; idempotent.
+Result<int> enterPhotographs(Catalogue& catalogue, const std::filesystem::path& project,
+                             BatchRow batch, const Act& act, Progress& progress,
+                             std::stop_token stop);
+
+}  // namespace ostraka::catalogue

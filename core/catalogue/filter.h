@@ -1,0 +1,31 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace ostraka::catalogue {
+
+/// One condition of the filter line; all of a filter must hold.
+struct Condition {
+  enum class Is { Word, Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual, Empty, NotEmpty };
+  Is is = Is::Word;
+  std::string field;  ///< of sherdFields() or a place (site, trench, context, bag, batch, state)
+  std::string value;
+  bool negated = false;  ///< -word, -part:lid
+  std::string text;      ///< as typed, for the chip
+};
+
+/// `rim T3 thickness>6 -burnt ware:grey surface_out:"" note:*`: words are looked for in all texts,
+/// short ones (below three letters) as whole place or term; name:value is equality, name:* any
+/// value, name:"" none; < <= > >= compare numbers (12,5 and 12.5 mean the same) and days.
+struct Filter {
+  std::vector<Condition> conditions;
+  std::string text() const;  ///< the line again
+};
+
+/// Errors: UnusableInput with a sentence that names the word that is not understood.
+Result<Filter> parseFilter(std::string_view line);
+
+}  // namespace ostraka::catalogue

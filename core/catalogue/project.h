@@ -1,0 +1,52 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::catalogue {
+
+/// A project is a folder:
+///   catalogue.sqlite
+///   batches/B0031/    photographs, a batch folder as `ostraka process` reads it
+///   results/B0031/    OUT of `ostraka process`
+///   backups/          copies of the catalogue, the newest last by name
+class Project {
+ public:
+  /// Makes the folder (new or empty). Errors: UnusableInput (not empty, code, numbering), a folder
+  /// on a network share, CannotWrite.
+  static Result<Project> create(const std::filesystem::path& folder, const ProjectRecord& record,
+                                const Catalogue::Clock& clock = {});
+  /// Opens it; an older schema is brought up to date after a backup, a newer one is refused.
+  static Result<Project> open(const std::filesystem::path& folder,
+                              const Catalogue::Clock& clock = {});
+  static bool isProject(const std::filesystem::path& folder);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  Catalogue& catalogue() { return catalogue_; }
+  const Catalogue& catalogue() const { return catalogue_; }
+  /// A connection of its own for another thread; callable from any thread.
+  Result<Catalogue> connect() const;
+  static Result<Catalogue> connect(const std::filesystem::path& folder);
+
+  std::filesystem::path batchFolder(const std::string& number) const;
+  std::filesystem::path resultsFolder(const std::string& number) const;
+  std::filesystem::path absolute(const std::string& relative) const;  ///< of paths in records
+  /// Relative with '/' as the records hold it; an error outside the project.
+  Result<std::string> relative(const std::filesystem::path& absolute) const;
+
+  /// Into backups/, checked by reading it back; the newest `keep` stay. Returns the file.
+  Result<std::filesystem::path> backUp(int keep = 20) const;
+  /// Newest first.
+  std::vector<std::filesystem::path> backups() const;
+
+ private:
+  Project(std::filesystem::path folder, Catalogue catalogue)
+      : folder_(std::move(folder)), catalogue_(std::move(catalogue)) {}
+  std::filesystem::path folder_;
+  Catalogue catalogue_;
+};
+
+}  // namespace ostraka::catalogue

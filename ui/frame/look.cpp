@@ -1,0 +1,145 @@
+#include "ui/frame/look.h"
+
+#include <QApplication>
+#include <QFontDatabase>
+#include <QPalette>
+#include <QProxyStyle>
+#include <QScreen>
+#include <QStyleFactory>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+
+namespace ostraka::ui {
+namespace {
+
+constexpr double kMillimetresPerInch = 25.4;
+constexpr double kTarget_mm = 12;
+constexpr const char* kSunlightProperty = "ostrakaSunlight";
+constexpr const char* kPlainPointSize = "ostrakaPlainPointSize";
+constexpr const char* kPlainPalette = "ostrakaPlainPalette";
+
+QPalette palette(const QColor& window, const QColor& base, const QColor& text, const QColor& button,
+                 const QColor& highlight, const QColor& faint) {
+  QPalette made(button, window);
+  made.setColor(QPalette::Window, window);
+  made.setColor(QPalette::Base, base);
+  made.setColor(QPalette::AlternateBase, window);
+  made.setColor(QPalette::Button, button);
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                                         QPalette::ToolTipText, QPalette::BrightText})
+    made.setColor(role, text);
+  made.setColor(QPalette::ToolTipBase, base);
+  made.setColor(QPalette::PlaceholderText, faint);
+  made.setColor(QPalette::Highlight, highlight);
+  made.setColor(QPalette::HighlightedText,
+                highlight.lightnessF() > 0.55 ? QColor(Qt::black) : QColor(Qt::white));
+  made.setColor(QPalette::Link, highlight);
+  made.setColor(QPalette::LinkVisited, highlight);
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    made.setColor(QPalette::Disabled, role, faint);
+  return made;
+}
+
+// Fusion, with thick lines where the sun shines on the screen.
+class OstrakaStyle final : public QProxyStyle {
+ public:
+  OstrakaStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("fusion"))) {}
+
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override {
+    const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    if (!qApp->property(kSunlightProperty).toBool()) return usual;
+    if (metric == PM_DefaultFrameWidth) return usual + 1;
+    return usual;
+  }
+
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    // Menus and tool tips stay where the hand left them; nothing fades or slides.
+    if (hint == SH_Widget_Animate || hint == SH_Widget_Animation_Duration) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
+
+}  // namespace
+
+QString themeName(Theme theme) {
+  switch (theme) {
+    case Theme::Light:
+      return QStringLiteral("light");
+    case Theme::Dark:
+      return QStringLiteral("dark");
+    case Theme::Sunlight:
+      return QStringLiteral("sunlight");
+    case Theme::System:
+      break;
+  }
+  return QStringLiteral("system");
+}
+
+Theme themeFromName(const QString& name) {
+  for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight})
+    if (themeName(theme) == name) return theme;
+  return Theme::System;
+}
+
+QPalette paletteOf(Theme theme, const QPalette& system) {
+  switch (theme) {
+    case Theme::Light:
+      return palette(QColor(0xf3, 0xf1, 0xee), Qt::white, QColor(0x1d, 0x1b, 0x19),
+                     QColor(0xe7, 0xe3, 0xde), QColor(0x00, 0x5f, 0xa3), QColor(0x6b, 0x66, 0x60));
+    case Theme::Dark:
+      return palette(QColor(0x1c, 0x1b, 0x1a), QColor(0x12, 0x11, 0x10), QColor(0xe6, 0xe1, 0xda),
+                     QColor(0x2d, 0x2b, 0x29), QColor(0x62, 0xb8, 0xf5), QColor(0x98, 0x92, 0x8a));
+    case Theme::Sunlight:
+      return palette(Qt::white, Qt::white, Qt::black, Qt::white, Qt::black,
+                     QColor(0x40, 0x40, 0x40));
+    case Theme::System:
+      break;
+  }
+  return system;
+}
+
+void applyLook(QApplication& application, Theme theme, int text_percent) {
+  if (!application.property(kPlainPointSize).isValid()) {
+    application.setProperty(kPlainPointSize, application.font().pointSizeF());
+    application.setStyle(new OstrakaStyle);  // the application owns it
+    application.setProperty(kPlainPalette, QVariant::fromValue(application.palette()));
+  }
+  application.setProperty(kSunlightProperty, theme == Theme::Sunlight);
+  application.setPalette(paletteOf(theme, application.property(kPlainPalette).value<QPalette>()));
+  QFont font = application.font();
+  const double plain = std::max(9.0, application.property(kPlainPointSize).toDouble());
+  font.setPointSizeF(plain * std::clamp(text_percent, 90, 200) / 100.0);
+  font.setBold(theme == Theme::Sunlight);
+  application.setFont(font);
+}
+
+int targetSize(const QWidget& widget) {
+  const double per_mm = widget.screen()->logicalDotsPerInch() / kMillimetresPerInch;
+  return std::max(static_cast<int>(std::lround(kTarget_mm * per_mm)),
+                  static_cast<int>(2.4 * widget.fontMetrics().height()));
+}
+
+QFont scaledFont(const QWidget& widget, double factor) {
+  QFont font = widget.font();
+  font.setPointSizeF(QApplication::font().pointSizeF() * factor);
+  return font;
+}
+
+QFont tabularFont(const QFont& font) {
+  // Qt 6.4 cannot ask a font for its tabular figures; DejaVu's and Noto's are tabular as they are.
+  QFont figures = font;
+  figures.setKerning(false);
+  return figures;
+}
+
+double lineWidth(const QWidget& widget, double weight) {
+  const bool sunlight = qApp->property(kSunlightProperty).toBool();
+  const double base = std::max(1.0, widget.fontMetrics().height() / 16.0);
+  return base * weight * (sunlight ? 2 : 1);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,55 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <filesystem>
+#include <memory>
+
+namespace ostraka::catalogue {
+class Project;
+}
+
+namespace ostraka::ui {
+
+class JobRunner;
+
+/// The project that is open: its catalogue, what can be undone, who works on it, and the way to
+/// long work. Stations get it handed in; what they change they tell here, so that the others see
+/// it.
+class ProjectSession final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// folder: PROJECT, which holds catalogue.sqlite, batches/Bnnnn, results/Bnnnn, backups/.
+  ProjectSession(std::shared_ptr<catalogue::Project> project, std::filesystem::path folder,
+                 JobRunner& runner, QObject* parent = nullptr);
+  ~ProjectSession() override;
+
+  /// The open project; for the thread of the window only. Jobs open their own with folder().
+  catalogue::Project& project() { return *project_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  JobRunner& jobs() { return runner_; }
+  QUndoStack& undo() { return undo_; }
+
+  /// Who decides and edits, as in the history: "AP". Empty until the person said so.
+  const QString& initials() const { return initials_; }
+  void setInitials(const QString& initials);
+
+  /// To be called by who changed a batch or sherds; they emit the signals below.
+  void tellBatchChanged(const QString& number) { emit batchChanged(number); }
+  void tellSherdsChanged() { emit sherdsChanged(); }
+
+ signals:
+  void batchChanged(const QString& number);  ///< "B0031": new, or its state or pairs changed
+  void sherdsChanged();                      ///< rows of the catalogue are new or changed
+  void initialsChanged(const QString& initials);
+
+ private:
+  std::shared_ptr<catalogue::Project> project_;
+  std::filesystem::path folder_;
+  JobRunner& runner_;
+  QUndoStack undo_;
+  QString initials_;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,3 @@
+#include "ui/frame/station.h"
+
+// The signals of Station are compiled here.

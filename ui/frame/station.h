@@ -1,0 +1,46 @@
+#pragma once
+#include <QString>
+#include <QWidget>
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+/// One screen of the rail: Capture, Queue, Review, Map, Catalogue, Export. The frame makes each
+/// once, shows it, and hands it the project that was opened.
+class Station : public QWidget {
+  Q_OBJECT
+
+ public:
+  using QWidget::QWidget;
+
+  virtual QString title() const = 0;       ///< one word in the rail, translated
+  virtual QString iconName() const = 0;    ///< a picture of resources/icons: "capture"
+  virtual QString manualPage() const = 0;  ///< what F1 opens: "capture"
+
+  /// A project was opened or another one took its place. The session outlives what is shown of it
+  /// until the next call.
+  virtual void openProject(ProjectSession& session) = 0;
+  /// The project closes: let go of the session. Called before openProject of another one, too.
+  virtual void closeProject() = 0;
+
+  /// How many things on this station want a person; the rail shows it when above 0.
+  virtual int waiting() const { return 0; }
+  /// The same in words for screen readers: "5 pairs need your eye".
+  virtual QString waitingText() const { return {}; }
+  /// The station comes to the front (true) or leaves it: a live picture may rest.
+  virtual void setInFront(bool /*in_front*/) {}
+
+ signals:
+  void waitingChanged();
+  /// One sentence for the line at the foot, e.g. what was just done.
+  void said(const QString& sentence);
+  /// Another station should show this: "review", batch number. The frame switches and passes it on.
+  void wantsStation(const QString& icon_name, const QString& what);
+
+ public slots:
+  /// What wantsStation of another station asked for: a batch number or a sherd's.
+  virtual void showItem(const QString& /*what*/) {}
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,190 @@
+#include "ui/jobs/job.h"
+
+#include <QCoreApplication>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+
+#include "ui/jobs/pace.h"
+
+namespace ostraka::ui {
+
+/// What the job's thread and its handle both know. The handle is reached under the lock only, so
+/// that it can be deleted at any time.
+struct JobHandle::Shared {
+  std::mutex lock;
+  std::condition_variable_any wake;
+  JobHandle* handle = nullptr;
+  std::stop_source stop;
+  bool paused = false;
+  bool running = true;
+};
+
+/// Carries what the work says over to the window's thread.
+class JobMessenger final : public Progress {
+ public:
+  explicit JobMessenger(std::shared_ptr<JobHandle::Shared> shared) : shared_(std::move(shared)) {}
+
+  void begin(std::string_view stage, double share) override {
+    standStillWhilePaused();
+    stage_ = QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size()));
+    pace_.begin(share, Pace::Clock::now());
+    tell();
+  }
+
+  void report(std::int64_t done, std::int64_t total) override {
+    standStillWhilePaused();
+    if (total <= 0) return;
+    const Pace::Clock::time_point now = Pace::Clock::now();
+    pace_.report(static_cast<double>(done) / static_cast<double>(total), now);
+    if (now - told_ >= kBetween) tell();
+  }
+
+  void note(NoteLevel level, std::string_view text) override {
+    QString words = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    post([level, words](JobHandle* handle) { emit handle->noted(level, words); });
+  }
+
+  void end(const JobOutcome& outcome) {
+    post([outcome](JobHandle* handle) { handle->settle(outcome); });
+  }
+
+ private:
+  // Ten times a second is as fast as figures can be read.
+  static constexpr std::chrono::milliseconds kBetween{100};
+
+  template <class Act>
+  void post(Act act) {
+    const std::lock_guard guard(shared_->lock);
+    JobHandle* handle = shared_->handle;
+    if (handle == nullptr) return;
+    QMetaObject::invokeMethod(
+        handle, [handle, act] { act(handle); }, Qt::QueuedConnection);
+  }
+
+  void tell() {
+    const Pace::Clock::time_point now = Pace::Clock::now();
+    told_ = now;
+    const JobProgress progress{stage_, pace_.fraction(), pace_.secondsLeft(now).value_or(-1)};
+    post([progress](JobHandle* handle) {
+      handle->progress_ = progress;
+      emit handle->progressed(progress);
+    });
+  }
+
+  void standStillWhilePaused() {
+    std::unique_lock guard(shared_->lock);
+    if (!shared_->paused) return;
+    const Pace::Clock::time_point since = Pace::Clock::now();
+    shared_->wake.wait(guard, shared_->stop.get_token(), [this] { return !shared_->paused; });
+    pace_.skip(Pace::Clock::now() - since);
+  }
+
+  std::shared_ptr<JobHandle::Shared> shared_;
+  QString stage_;
+  Pace pace_;
+  Pace::Clock::time_point told_{};
+};
+
+namespace {
+
+// The one place around a job where exceptions, which are bugs or a lack of memory, are caught.
+JobOutcome outcomeOf(const JobWork& work, Progress& progress, const std::stop_token& stop) {
+  if (stop.stop_requested()) return Error::cancelled();
+  try {
+    return work(progress, stop);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::Failed,
+                 QCoreApplication::translate(
+                     "Job", "The memory does not suffice; close other programs and try again.")
+                     .toStdString(),
+                 {}};
+  } catch (const std::exception& error) {
+    return Error{ErrorCode::Failed,
+                 QCoreApplication::translate(
+                     "Job", "This is a defect of the program; please report it with the log (%1).")
+                     .arg(QString::fromUtf8(error.what()))
+                     .toStdString(),
+                 {}};
+  }
+}
+
+}  // namespace
+
+JobHandle::JobHandle(Job job, QObject* parent)
+    : QObject(parent), title_(std::move(job.title)), shared_(std::make_shared<Shared>()) {
+  shared_->handle = this;
+}
+
+JobHandle::~JobHandle() {
+  {
+    const std::lock_guard guard(shared_->lock);
+    shared_->handle = nullptr;
+  }
+  shared_->stop.request_stop();
+}
+
+QString JobHandle::title() const {
+  return title_;
+}
+
+bool JobHandle::isRunning() const {
+  const std::lock_guard guard(shared_->lock);
+  return shared_->running;
+}
+
+bool JobHandle::isPaused() const {
+  const std::lock_guard guard(shared_->lock);
+  return shared_->paused;
+}
+
+const JobProgress& JobHandle::progress() const {
+  return progress_;
+}
+
+void JobHandle::cancel() {
+  shared_->stop.request_stop();
+}
+
+void JobHandle::pause() {
+  const std::lock_guard guard(shared_->lock);
+  shared_->paused = shared_->running;
+}
+
+void JobHandle::resume() {
+  {
+    const std::lock_guard guard(shared_->lock);
+    shared_->paused = false;
+  }
+  shared_->wake.notify_all();
+}
+
+void JobHandle::settle(const JobOutcome& outcome) {
+  {
+    const std::lock_guard guard(shared_->lock);
+    shared_->running = false;
+    shared_->paused = false;
+  }
+  emit finished(outcome);
+}
+
+JobHandle* JobRunner::start(Job job, QObject* parent) {
+  JobWork work = std::move(job.work);
+  const JobPriority priority = job.priority;
+  auto* handle = new JobHandle(std::move(job), parent);
+  run(
+      priority,
+      [shared = handle->shared_, work = std::move(work)] {
+        JobMessenger messenger(shared);
+        messenger.end(outcomeOf(work, messenger, shared->stop.get_token()));
+      },
+      handle->shared_->stop, handle);
+  return handle;
+}
+
+void InlineJobRunner::run(JobPriority, std::function<void()> body, std::stop_source,
+                          JobHandle* handle) {
+  QMetaObject::invokeMethod(handle, std::move(body), Qt::QueuedConnection);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,31 @@
+#pragma once
+#include <chrono>
+#include <optional>
+
+namespace ostraka::ui {
+
+/// Fraction and time left of a job that goes through stages of expected shares.
+class Pace {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  void begin(double share, Clock::time_point now);
+  void report(double done, Clock::time_point now);  ///< 0..1 of the present stage
+  /// A pause does not count as work.
+  void skip(Clock::duration idle);
+
+  double fraction() const;
+  /// Empty as long as the pace would be a guess.
+  std::optional<double> secondsLeft(Clock::time_point now) const;
+
+ private:
+  void endStage(Clock::time_point now);
+
+  bool started_ = false;
+  double stage_share_ = 1, share_before_ = 0, stage_done_ = 0;
+  // Stages found whole from an earlier run take no time: the pace comes from the others.
+  double worked_share_ = 0, worked_seconds_ = 0;
+  Clock::time_point stage_begin_;
+};
+
+}  // namespace ostraka::ui

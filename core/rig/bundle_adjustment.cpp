@@ -167,6 +167,8 @@ class Adjustment {
     fixGauge();
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    // Not SuiteSparse: its BLAS rounds by where the memory happens to lie.
+    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
     options.max_num_iterations = options_.max_rounds;
     options.num_threads = 1;
     options.function_tolerance = 1e-10;
@@ -268,6 +270,7 @@ class Adjustment {
   void storeFocalSd() {
     ceres::Covariance::Options options;
     options.algorithm_type = ceres::SPARSE_QR;
+    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
     options.num_threads = 1;
     ceres::Covariance covariance(options);
     std::vector<std::pair<const double*, const double*>> blocks;

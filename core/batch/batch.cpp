@@ -264,6 +264,11 @@ class Reader {
       if (!board) return board.error();
       batch_.board = std::move(*board);
     }
+    if (const fs::path file = batch_.folder / "scale.json"; fs::exists(file, ignored)) {
+      Result<std::vector<KnownLength>> lengths = readKnownLengths(file);
+      if (!lengths) return lengths.error();
+      batch_.known_lengths = std::move(*lengths);
+    }
     return {};
   }
 

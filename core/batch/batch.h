@@ -41,6 +41,18 @@ struct Board {
   double square_mm = 0, marker_mm = 0;
 };
 
+/// A stretch whose length is known, its two ends marked by hand on photographs of one side; each
+/// end on two photographs at least.
+struct KnownLength {
+  struct Mark {
+    std::string file;       ///< the photograph's name, without a folder
+    Eigen::Vector2d pixel;  ///< integer = pixel centre
+  };
+  Side side = Side::Front;
+  double length_mm = 0;
+  std::array<std::vector<Mark>, 2> ends;
+};
+
 struct CalibrationShot {
   int camera = 0;
   std::filesystem::path file;
@@ -54,6 +66,7 @@ struct Batch {
   std::vector<CalibrationShot> empty_plates;  ///< the bare plate at stop 0; may be empty
   std::optional<Plate> plate;                 ///< absent in the paper's layout
   std::optional<Board> board;
+  std::vector<KnownLength> known_lengths;  ///< of scale.json; only asked for without a plate
 };
 
 struct ReadBatchOptions {
@@ -67,5 +80,7 @@ Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOpti
 
 Result<Plate> readPlate(const std::filesystem::path& file);
 Result<Board> readBoard(const std::filesystem::path& file);
+/// {"unit":"mm","lengths":[{"side":"front","length":50,"ends":[[{"file","pixel":[x,y]},...],[...]]}]}
+Result<std::vector<KnownLength>> readKnownLengths(const std::filesystem::path& file);
 
 }  // namespace ostraka::batch

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
+#include "batch/photograph.h"
+
 namespace ostraka::pipeline {
 
 Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batch) {
@@ -31,6 +34,36 @@ double nominalScale(const rig::ColmapPoses& poses) {
   return *middle > 0 ? kNominalPixel_mm / *middle : 1;
 }
 
+Result<std::optional<rig::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
+                                                  const rig::ColmapPoses& poses, int threads,
+                                                  std::stop_token stop) {
+  std::vector<batch::KnownLength> lengths;
+  for (const batch::KnownLength& known : batch.known_lengths)
+    if (known.side == side) lengths.push_back(known);
+  if (const std::optional<rig::KnownScale> marked = rig::scaleFromLengths(poses.images, lengths))
+    return marked;
+  if (!batch.board) return std::optional<rig::KnownScale>();
+  std::vector<rig::TargetView> views(poses.images.size());
+  std::vector<std::optional<Error>> errors(poses.images.size());
+  parallelFor(poses.images.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
+    const Result<cv::Mat> photograph = batch::readPhotograph(poses.images[i].file);
+    if (!photograph) {
+      errors[i] = photograph.error();
+      return;
+    }
+    Result<rig::TargetView> view = rig::findBoard(*photograph, *batch.board);
+    if (view)
+      views[i] = std::move(*view);
+    else
+      errors[i] = view.error();
+  });
+  if (stop.stop_requested()) return Error::cancelled();
+  for (const std::optional<Error>& error : errors)
+    if (error) return *error;
+  return rig::scaleFromBoard(poses.images, views);
+}
+
 void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double factor) {
   for (rig::PosedImage& image : images)
     if (image.side == side) image.camera_from_plate.translation() *= factor;
@@ -38,7 +71,9 @@ void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double f
 
 std::string noScaleWarning() {
   return "The result has no scale: without plate.json no length is known, and what is given in mm "
-         "is a guess of the size of a pixel; photograph on a marker plate to measure.";
+         "is a guess of the size of a pixel; photograph on a marker plate, lay the board of "
+         "board.json "
+         "beside the sherds on both sides, or mark a known length on both in scale.json.";
 }
 
 }  // namespace ostraka::pipeline

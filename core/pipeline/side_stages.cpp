@@ -111,11 +111,13 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
                            run.progress, run.stop);
 }
 
-// Each side by itself, in the nominal size; their true sizes are compared when both have scans.
+// Each side by itself: in its true size where a length is known, else in the nominal one; then
+// their sizes are compared when both have scans.
 Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   std::vector<rig::PosedImage> images;
   StageNotes notes;
   double reprojection_px = 0;
+  bool has_scale = true;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     std::vector<batch::Shot> shots;
     for (const batch::Shot& shot : run.batch.shots)
@@ -126,7 +128,14 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
     const Result<rig::ColmapPoses> found =
         rig::poseWithColmap(shots, workspace, options, run.progress, run.stop);
     if (!found) return found.error();
-    const rig::ColmapPoses poses = rig::scaledTo(*found, nominalScale(*found));
+    const Result<std::optional<rig::KnownScale>> known =
+        knownScale(run.batch, side, *found, run.options.threads, run.stop);
+    if (!known) return known.error();
+    has_scale = has_scale && known->has_value();
+    if (*known)
+      notes.figures[std::string("scale_spread_") + batch::name(side)] = (*known)->relative_spread;
+    const rig::ColmapPoses poses =
+        rig::scaledTo(*found, *known ? (*known)->mm_per_unit : nominalScale(*found));
     images.insert(images.end(), poses.images.begin(), poses.images.end());
     reprojection_px = std::max(reprojection_px, poses.reprojection_px);
     if (poses.images.size() < shots.size())
@@ -139,9 +148,10 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   if (run.options.rig)
     notes.warnings.push_back(
         "The rig was not used: without plate.json the poses come from COLMAP.");
-  notes.warnings.push_back(noScaleWarning());
-  notes.figures = {
-      {"images", images.size()}, {"reprojection_rms_px", reprojection_px}, {"has_scale", false}};
+  if (!has_scale) notes.warnings.push_back(noScaleWarning());
+  notes.figures["images"] = images.size();
+  notes.figures["reprojection_rms_px"] = reprojection_px;
+  notes.figures["has_scale"] = has_scale;
   if (const Result<void> written = rig::writeCameras(folder / "cameras.json", images); !written)
     return written.error();
   return notes;
@@ -200,7 +210,10 @@ Result<Staged<Poses>> poseStage(const Run& run) {
   if (!record) return record.error();
   Result<std::vector<rig::PosedImage>> images = rig::readCameras(run.work / "rig" / "cameras.json");
   if (!images) return images.error();
-  if (!run.batch.plate) return Staged<Poses>{{std::move(*images), {}, false}, *record};
+  if (!run.batch.plate) {
+    const bool has_scale = record->notes.figures.value("has_scale", false);
+    return Staged<Poses>{{std::move(*images), {}, has_scale}, *record};
+  }
   Result<rig::Rig> rig = rig::readRig(run.work / "rig" / "rig.json");
   if (!rig) return rig.error();
   return Staged<Poses>{{std::move(*images), std::move(*rig)}, *record};

@@ -265,8 +265,8 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
   }
   moveTo(poses, turntableOrIdentity(poses));
   progress.report(3, 3);
-  progress.note(NoteLevel::Warning,
-                "The poses come from COLMAP and have no scale; measures need a known length.");
+  progress.note(NoteLevel::Info, "rig: COLMAP posed " + std::to_string(poses.images.size()) +
+                                     " of " + std::to_string(shots.size()) + " photographs");
   return poses;
 }
 

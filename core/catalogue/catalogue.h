@@ -44,6 +44,10 @@ class Catalogue {
   Result<TrenchRow> save(const TrenchRecord&, const Act&);
   Result<std::vector<ContextRecord>> contexts() const;
   Result<ContextRow> save(const ContextRecord&, const Act&);
+  Result<ContextRecord> context(ContextRow) const;
+  /// None when there is no such place. Capitals make no difference; an empty trench is none.
+  Result<ContextRow> contextByPlace(const std::string& site, const std::string& trench,
+                                    const std::string& number) const;
   Result<std::vector<BagRecord>> bags(ContextRow) const;
   Result<std::vector<BagRecord>> bags() const;
   Result<BagRow> save(const BagRecord&, const Act&);
@@ -73,6 +77,7 @@ class Catalogue {
   Result<std::vector<SherdRecord>> sherds(std::span<const SherdRow>) const;  ///< in this order
   Result<SherdRecord> sherd(SherdRow) const;
   Result<SherdRow> sherdByNumber(const std::string&) const;   ///< none when there is no such sherd
+  Result<SherdRow> sherdById(const std::string& uuid) const;  ///< likewise
   Result<SherdRow> addSherd(const SherdRecord&, const Act&);  ///< draft, or with its number
   Result<std::vector<ChangePreview>> preview(std::span<const FieldChange>) const;
   /// All or nothing. Returns the changes that undo it, in the order to apply them.
@@ -81,6 +86,8 @@ class Catalogue {
   Result<std::vector<std::string>> proposeNumbers(std::span<const SherdRow>) const;
   /// Gives drafts their numbers. Returns them in the order of the rows.
   Result<std::vector<std::string>> assignNumbers(std::span<const SherdRow>, const Act&);
+  /// Which model and picture show it; relative paths.
+  Result<void> setModel(SherdRow, const std::string& model_path, const std::string& preview_path);
   Result<void> voidSherd(SherdRow, const std::string& reason, const Act&);  ///< number stays taken
   Result<std::vector<int>> numberGaps(ContextRow) const;  ///< numbers never given below the highest
 
@@ -95,6 +102,8 @@ class Catalogue {
   Result<std::vector<FileRecord>> files() const;
   Result<std::vector<HistoryEntry>> history(SherdRow) const;  ///< newest first
   Result<std::vector<HistoryEntry>> history(const std::string& table, std::int64_t row) const;
+
+  std::int64_t historyLength() const;  ///< rows of the history: grows with every change
 
   /// Whole and consistent: SQLite's own check, foreign keys, search index. Sentence when not.
   Result<void> checkIntegrity() const;

@@ -28,6 +28,7 @@ struct SherdRecord {
   std::int64_t created_ms = 0, updated_ms = 0;
   int revision = 0;
   // read only, from the tables beside it
+  std::vector<std::string> join_numbers;  ///< of joins; the id of a sherd without a number
   std::string site, trench, context_number, bag_number, batch_number;
   std::string preview_path, model_path;    ///< relative to the project; empty when there is none
   std::map<std::string, double> measures;  ///< kind -> the value that counts now

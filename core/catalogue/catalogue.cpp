@@ -1,0 +1,266 @@
+#include "catalogue/catalogue.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "catalogue/database.h"
+#include "catalogue/history.h"
+#include "catalogue/migrations.h"
+#include "catalogue/names.h"
+#include "catalogue/numbering.h"
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StartingVocabulary {
+  const char* name;
+  std::vector<const char*> terms;
+};
+
+// formats.md, section 3
+const std::vector<StartingVocabulary>& startingVocabularies() {
+  static const std::vector<StartingVocabulary> all = {
+      {"part",
+       {"rim", "neck", "shoulder", "body", "base", "handle", "spout", "lid", "profile", "whole",
+        "unknown"}},
+      {"surface", {"plain", "smoothed", "burnished", "slipped", "washed", "glazed", "painted"}},
+      {"decoration", {"none", "incised", "impressed", "stamped", "applied", "painted", "combed"}},
+      {"manufacture", {"hand", "coil", "mould", "wheel", "unknown"}},
+      {"firing", {"oxidised", "reduced", "mixed"}},
+      {"condition", {"fresh", "worn", "encrusted", "burnt", "flaked", "repaired"}}};
+  return all;
+}
+
+bool isProjectCode(const std::string& code) {
+  if (code.size() < 2 || code.size() > 8) return false;
+  for (const char c : code)
+    if (!((c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'))) return false;
+  return true;
+}
+
+std::string firstText(Database& database, const char* sql) {
+  std::string text;
+  Statement rows = database.sql(sql);
+  if (rows.next()) rows >> text;
+  return text;
+}
+
+int historyRows(Database& database) {
+  return std::stoi(firstText(database, "SELECT count(*) FROM history"));
+}
+
+}  // namespace
+
+Catalogue::Catalogue(std::unique_ptr<Database> database, Clock clock)
+    : database_(std::move(database)), clock_(std::move(clock)) {}
+Catalogue::Catalogue(Catalogue&&) noexcept = default;
+Catalogue& Catalogue::operator=(Catalogue&&) noexcept = default;
+Catalogue::~Catalogue() = default;
+
+Result<ProjectRecord> Catalogue::project() const {
+  return database_->door([&] {
+    ProjectRecord p;
+    Statement row = database_->sql(
+        "SELECT id, code, title, institution, licence, rights_holder, numbering, word_for_context "
+        "FROM project");
+    if (row.next())
+      row >> p.id >> p.code >> p.title >> p.institution >> p.licence >> p.rights_holder >>
+          p.numbering >> p.word_for_context;
+    return p;
+  });
+}
+
+Result<void> Catalogue::setProject(const ProjectRecord& p, const Act& act) {
+  if (!isProjectCode(p.code))
+    return Error{ErrorCode::UnusableInput,
+                 "The project's code must be 2 to 8 capital letters or digits, as ARM.", p.code};
+  if (const Result<Numbering> scheme = Numbering::parse(p.numbering); !scheme)
+    return scheme.error();
+  return database_->inTransaction([&] {
+    const bool first = firstText(*database_, "SELECT id FROM project").empty();
+    if (first) {
+      database_
+          ->sql(
+              "INSERT INTO project (row, id, created_at, created_by, updated_at, updated_by, "
+              "code, title, institution, licence, rights_holder, numbering, word_for_context) "
+              "VALUES (1, ?, ?, ?, ?, ?, ?, '', '', '', '', ?, '')")
+          .with(newId(now()), now(), act.person, now(), act.person, p.code, p.numbering)
+          .run();
+      for (const StartingVocabulary& vocabulary : startingVocabularies())
+        for (std::size_t i = 0; i < vocabulary.terms.size(); ++i)
+          database_->sql("INSERT INTO vocabulary (name, term, position) VALUES (?, ?, ?)")
+              .with(vocabulary.name, vocabulary.terms[i], static_cast<std::int64_t>(i))
+              .run();
+    }
+    rememberDifferences(*this, act, "project", 1,
+                        {{"code", p.code},
+                         {"title", p.title},
+                         {"institution", p.institution},
+                         {"licence", p.licence},
+                         {"rights_holder", p.rights_holder},
+                         {"numbering", p.numbering},
+                         {"word_for_context", p.word_for_context}});
+    database_
+        ->sql(
+            "UPDATE project SET code = ?, title = ?, institution = ?, licence = ?, "
+            "rights_holder = ?, numbering = ?, word_for_context = ?, updated_at = ?, "
+            "updated_by = ?, revision = revision + 1")
+        .with(p.code, p.title, p.institution, p.licence, p.rights_holder, p.numbering,
+              p.word_for_context, now(), act.person)
+        .run();
+  });
+}
+
+Result<std::string> Catalogue::setting(const std::string& key) const {
+  return database_->door([&] {
+    std::string value;
+    Statement row = database_->sql("SELECT value FROM setting WHERE key = ?");
+    row.with(key);
+    if (row.next()) row >> value;
+    return value;
+  });
+}
+
+Result<void> Catalogue::setSetting(const std::string& key, const std::string& value) {
+  return database_->inTransaction([&] {
+    database_->sql("INSERT OR REPLACE INTO setting VALUES (?, ?)").with(key, value).run();
+  });
+}
+
+Result<std::vector<Term>> Catalogue::vocabulary(const std::string& name) const {
+  return database_->door([&] {
+    std::vector<Term> terms;
+    Statement rows =
+        database_->sql("SELECT term, labels, uri FROM vocabulary WHERE name = ? ORDER BY position");
+    rows.with(name);
+    while (rows.next()) {
+      Term term;
+      std::string labels;
+      rows >> term.term >> labels >> term.uri;
+      const nlohmann::json json = nlohmann::json::parse(labels, nullptr, false);
+      for (const auto& [language, label] : json.items())
+        if (label.is_string()) term.labels[language] = label.get<std::string>();
+      terms.push_back(std::move(term));
+    }
+    return terms;
+  });
+}
+
+Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector<Term>& terms,
+                                      const Act& act) {
+  return database_->inTransaction([&] {
+    std::vector<std::string> older, newer;
+    {
+      Statement rows =
+          database_->sql("SELECT term FROM vocabulary WHERE name = ? ORDER BY position");
+      rows.with(name);
+      for (std::string term; rows.next();) {
+        rows >> term;
+        older.push_back(term);
+      }
+    }
+    std::set<std::string> seen;
+    for (const Term& term : terms) {
+      if (trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
+        refuse("A term of a vocabulary must have letters and no ';'.", name);
+      if (!seen.insert(term.term).second)
+        refuse("The term '" + term.term + "' stands twice in the vocabulary.", name);
+      newer.push_back(term.term);
+    }
+    for (const std::string& term : older) {
+      if (seen.contains(term)) continue;
+      Statement used = database_->sql(
+          "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = 'surface' AND "
+          "field IN ('surface_out', 'surface_in')))");
+      used.with(term, name);
+      std::int64_t count = 0;
+      if (used.next()) used >> count;
+      if (count > 0)
+        refuse("The term '" + term + "' is used by " + std::to_string(count) +
+                   " sherds; change those first.",
+               name);
+    }
+    database_->sql("DELETE FROM vocabulary WHERE name = ?").with(name).run();
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      database_->sql("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)")
+          .with(name, terms[i].term, static_cast<std::int64_t>(i),
+                nlohmann::json(terms[i].labels).dump(), terms[i].uri)
+          .run();
+    remember(*this, act, "vocabulary", 0, name, joinTerms(older), joinTerms(newer));
+  });
+}
+
+Result<void> Catalogue::checkIntegrity() const {
+  const auto damaged = [&](const std::string& why) {
+    return Error{
+        ErrorCode::UnusableInput,
+        "The catalogue is damaged (" + why + "); put back the newest file from the folder backups.",
+        database_->file().string()};
+  };
+  Result<std::string> found = database_->door([&]() -> std::string {
+    const std::string check = firstText(*database_, "PRAGMA integrity_check(1)");
+    if (check != "ok") return check;
+    const std::string foreign = firstText(*database_, "PRAGMA foreign_key_check");
+    if (!foreign.empty()) return "a row of " + foreign + " points at nothing";
+    if (firstText(*database_,
+                  "SELECT count(*) FROM sherd WHERE row NOT IN (SELECT sherd FROM sherd_measure) "
+                  "OR (number <> '' AND row NOT IN (SELECT sherd FROM given_number))") != "0")
+      return "the tables of the sherds do not fit together";
+    if (firstText(*database_,
+                  "SELECT count(*) FROM sherd WHERE row NOT IN (SELECT id FROM "
+                  "sherd_text_content)") != "0")
+      return "the search does not know all sherds";
+    return {};
+  });
+  if (!found) return found.error();
+  if (!found->empty()) return damaged(*found);
+  return {};
+}
+
+Result<void> Catalogue::backup(const fs::path& file) const {
+  const fs::path partial = file.string() + ".partial";
+  std::error_code ignored;
+  fs::remove(partial, ignored);
+  const auto failed = [&](const Error& error) {
+    fs::remove(partial, ignored);
+    return error;
+  };
+  const Result<int> written = database_->door([&] {
+    const int rows = historyRows(*database_);
+    database_->copyTo(partial);
+    return rows;
+  });
+  if (!written) return failed(written.error());
+  {
+    Result<std::unique_ptr<Database>> copy = Database::open(partial, Database::Mode::ReadOnly);
+    if (!copy) return failed(copy.error());
+    const Catalogue read_back(std::move(*copy), clock_);
+    if (const Result<void> good = read_back.checkIntegrity(); !good) return failed(good.error());
+    const Result<int> found =
+        read_back.database().door([&] { return historyRows(read_back.database()); });
+    if (!found) return failed(found.error());
+    if (*found < *written)  // others may have written meanwhile, so more is all right
+      return failed({ErrorCode::CannotWrite, "The backup does not hold what was saved; try again.",
+                     file.string()});
+  }
+  fs::rename(partial, file, ignored);
+  if (ignored)
+    return failed({ErrorCode::CannotWrite, "The backup cannot be given its name; check the folder.",
+                   file.string()});
+  return {};
+}
+
+int Catalogue::schemaVersion() const {
+  return catalogue::schemaVersion(*database_);
+}
+
+Result<void> Catalogue::together(const std::function<Result<void>()>& work) {
+  return database_->inTransaction([&] {
+    if (const Result<void> done = work(); !done) throw Refused(done.error());
+  });
+}
+
+}  // namespace ostraka::catalogue

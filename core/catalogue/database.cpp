@@ -1,0 +1,254 @@
+#include "catalogue/database.h"
+
+#include <sqlite3.h>
+
+#include <list>
+
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+
+namespace fs = std::filesystem;
+
+void refuse(std::string what, std::string where) {
+  throw Refused(Error{ErrorCode::UnusableInput, std::move(what), std::move(where)});
+}
+
+// A text may be asked for again while it is still being read; then it is prepared once more.
+struct Database::Prepared {
+  struct One {
+    sqlite3_stmt* handle = nullptr;
+    bool busy = false;
+  };
+  std::list<One> all;
+  ~Prepared() {
+    for (One& one : all) sqlite3_finalize(one.handle);
+  }
+};
+
+Statement::Statement(Statement&& other) noexcept
+    : handle_(std::exchange(other.handle_, nullptr)),
+      busy_(other.busy_),
+      bound_(other.bound_),
+      column_(other.column_) {}
+
+Statement::~Statement() {
+  if (!handle_) return;
+  sqlite3_reset(handle_);
+  sqlite3_clear_bindings(handle_);
+  *busy_ = false;
+}
+
+void Statement::check(int code) const {
+  if (code == SQLITE_OK) return;
+  sqlite3* database = sqlite3_db_handle(handle_);
+  throw SqlFailure(sqlite3_extended_errcode(database), sqlite3_errmsg(database));
+}
+
+bool Statement::next() {
+  column_ = 0;
+  const int code = sqlite3_step(handle_);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  check(code);
+  return false;
+}
+
+bool Statement::columnIsNull() const {
+  return sqlite3_column_type(handle_, column_) == SQLITE_NULL;
+}
+
+Statement& Statement::operator>>(std::string& value) {
+  const unsigned char* text = sqlite3_column_text(handle_, column_);
+  value.assign(text ? reinterpret_cast<const char*>(text) : "",
+               text ? static_cast<std::size_t>(sqlite3_column_bytes(handle_, column_)) : 0);
+  ++column_;
+  return *this;
+}
+Statement& Statement::operator>>(std::int64_t& value) {
+  value = sqlite3_column_int64(handle_, column_++);
+  return *this;
+}
+Statement& Statement::operator>>(int& value) {
+  value = static_cast<int>(sqlite3_column_int64(handle_, column_++));
+  return *this;
+}
+Statement& Statement::operator>>(bool& value) {
+  value = sqlite3_column_int64(handle_, column_++) != 0;
+  return *this;
+}
+Statement& Statement::operator>>(double& value) {
+  value = sqlite3_column_double(handle_, column_++);
+  return *this;
+}
+
+void Statement::readText(std::string& value) {
+  if (sqlite3_column_type(handle_, column_) == SQLITE_FLOAT) {
+    double number = 0;
+    *this >> number;
+    value = numberText(number);
+  } else {
+    *this >> value;
+  }
+}
+
+void Statement::bind(int index, std::string_view value) {
+  check(sqlite3_bind_text64(handle_, index, value.data() ? value.data() : "", value.size(),
+                            SQLITE_TRANSIENT, SQLITE_UTF8));
+}
+void Statement::bind(int index, std::int64_t value) {
+  check(sqlite3_bind_int64(handle_, index, value));
+}
+void Statement::bind(int index, double value) {
+  check(sqlite3_bind_double(handle_, index, value));
+}
+void Statement::bind(int index, std::nullptr_t) {
+  check(sqlite3_bind_null(handle_, index));
+}
+
+Database::Database(sqlite3* handle, fs::path file) : handle_(handle), file_(std::move(file)) {}
+
+Database::~Database() {
+  prepared_.clear();
+  sqlite3_close(handle_);
+}
+
+Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode) {
+  int flags = SQLITE_OPEN_READWRITE;
+  if (mode == Mode::Create) flags |= SQLITE_OPEN_CREATE;
+  if (mode == Mode::ReadOnly) flags = SQLITE_OPEN_READONLY;
+  sqlite3* handle = nullptr;
+  const int code = sqlite3_open_v2(file.c_str(), &handle, flags | SQLITE_OPEN_EXRESCODE, nullptr);
+  if (code != SQLITE_OK) {
+    sqlite3_close(handle);
+    return Error{ErrorCode::UnusableInput,
+                 "The catalogue cannot be opened; check that the folder is there and may be "
+                 "written to.",
+                 file.string()};
+  }
+  std::unique_ptr<Database> database(new Database(handle, file));
+  sqlite3_busy_timeout(handle, 10'000);
+  const Result<void> prepared = database->door([&] {
+    database->exec("PRAGMA foreign_keys = ON");
+    // A file may be made by a stranger: what it defines must not reach outside the database.
+    database->exec("PRAGMA trusted_schema = OFF");
+    database->exec("PRAGMA recursive_triggers = ON");
+    database->exec("PRAGMA cache_size = -64000");
+    database->exec("PRAGMA temp_store = MEMORY");
+    if (mode != Mode::ReadOnly) {
+      database->exec("PRAGMA journal_mode = WAL");
+      // After a power cut the newest decision must still be there.
+      database->exec("PRAGMA synchronous = FULL");
+    }
+  });
+  if (!prepared) return prepared.error();
+  return database;
+}
+
+void Database::exec(const char* text) const {
+  if (sqlite3_exec(handle_, text, nullptr, nullptr, nullptr) != SQLITE_OK)
+    throw SqlFailure(sqlite3_extended_errcode(handle_), sqlite3_errmsg(handle_));
+}
+
+void Database::script(const std::string& text) {
+  exec(text.c_str());
+}
+
+Statement Database::sql(std::string_view text) {
+  std::unique_ptr<Prepared>& prepared = prepared_[std::string(text)];
+  if (!prepared) prepared = std::make_unique<Prepared>();
+  for (Prepared::One& one : prepared->all)
+    if (!one.busy) return {one.handle, &one.busy};
+  Prepared::One one;
+  if (sqlite3_prepare_v3(handle_, text.data(), static_cast<int>(text.size()),
+                         SQLITE_PREPARE_PERSISTENT, &one.handle, nullptr) != SQLITE_OK)
+    throw SqlFailure(sqlite3_extended_errcode(handle_), sqlite3_errmsg(handle_));
+  prepared->all.push_back(one);
+  return {prepared->all.back().handle, &prepared->all.back().busy};
+}
+
+std::int64_t Database::lastRow() const {
+  return sqlite3_last_insert_rowid(handle_);
+}
+int Database::changes() const {
+  return sqlite3_changes(handle_);
+}
+
+Database::Scope::Scope(Database& database) : database_(database) {
+  // Taking the right to write at once: a transaction that reads first and writes later can fail
+  // between the two.
+  database_.exec(database_.depth_ == 0 ? "BEGIN IMMEDIATE" : "SAVEPOINT part");
+  ++database_.depth_;
+}
+
+void Database::Scope::commit() {
+  database_.exec(database_.depth_ == 1 ? "COMMIT" : "RELEASE part");
+  --database_.depth_;
+  open_ = false;
+}
+
+Database::Scope::~Scope() {
+  if (!open_) return;
+  --database_.depth_;
+  try {
+    if (database_.depth_ > 0)
+      database_.exec("ROLLBACK TO part; RELEASE part");
+    else if (sqlite3_get_autocommit(database_.handle_) == 0)
+      database_.exec("ROLLBACK");
+  } catch (const SqlFailure&) {
+    // SQLite has rolled it back by itself (a full disk does that).
+  }
+}
+
+void Database::copyTo(const fs::path& file) const {
+  sqlite3* target = nullptr;
+  int code =
+      sqlite3_open_v2(file.c_str(), &target, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  if (code == SQLITE_OK) {
+    if (sqlite3_backup* backup = sqlite3_backup_init(target, "main", handle_, "main")) {
+      sqlite3_backup_step(backup, -1);
+      sqlite3_backup_finish(backup);
+    }
+    code = sqlite3_extended_errcode(target);
+  }
+  // The copy is one file: without a WAL beside it.
+  if (code == SQLITE_OK || code == SQLITE_DONE)
+    code = sqlite3_exec(target, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+  const std::string text = sqlite3_errmsg(target);
+  sqlite3_close(target);
+  if (code != SQLITE_OK) throw SqlFailure(code, text);
+}
+
+Error Database::errorOf(const SqlFailure& failure) const {
+  switch (failure.code & 0xFF) {
+    case SQLITE_FULL:
+      return {ErrorCode::CannotWrite,
+              "The disk is full; make room, then try again. Nothing was lost.", file_.string()};
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {ErrorCode::Failed,
+              "Another program keeps the catalogue busy; close it, then try again.",
+              file_.string()};
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+      return {ErrorCode::CannotWrite,
+              "The catalogue cannot be written to; check the permissions of the folder.",
+              file_.string()};
+    case SQLITE_IOERR:
+      return {ErrorCode::CannotWrite,
+              "The disk does not answer properly; check it, then open the project again.",
+              file_.string()};
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return {ErrorCode::UnusableInput,
+              "The catalogue is damaged; put back the newest file from the folder backups.",
+              file_.string()};
+    default:
+      return {ErrorCode::UnusableInput,
+              std::string("The catalogue does not take this (") + failure.what() + ").",
+              file_.string()};
+  }
+}
+
+}  // namespace ostraka::catalogue

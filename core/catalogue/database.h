@@ -1,0 +1,90 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "base/result.h"
+#include "catalogue/statement.h"
+
+struct sqlite3;
+
+namespace ostraka::catalogue {
+
+/// One connection. Foreign keys are on, the journal is a WAL, others are waited for 10 s.
+class Database {
+ public:
+  enum class Mode { Create, ReadWrite, ReadOnly };
+  static Result<std::unique_ptr<Database>> open(const std::filesystem::path& file, Mode mode);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  /// Prepared once, kept for the next call.
+  Statement sql(std::string_view text);
+  void script(const std::string& text);  ///< several statements
+  std::int64_t lastRow() const;
+  int changes() const;
+
+  /// One transaction, or a part of the one around it; an exception or an Error undoes it.
+  template <class Work>
+  auto inTransaction(Work work) -> Result<std::invoke_result_t<Work>> {
+    return door([&] {
+      Scope scope(*this);
+      if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
+        work();
+        scope.commit();
+      } else {
+        auto value = work();
+        scope.commit();
+        return value;
+      }
+    });
+  }
+  /// Where failures become Errors.
+  template <class Work>
+  auto door(Work work) const -> Result<std::invoke_result_t<Work>> {
+    try {
+      if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
+        work();
+        return {};
+      } else {
+        return work();
+      }
+    } catch (const Refused& refused) {
+      return refused.error;
+    } catch (const SqlFailure& failure) {
+      return errorOf(failure);
+    }
+  }
+  /// This whole database into another file (SQLite's backup), page by page.
+  void copyTo(const std::filesystem::path& file) const;
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  class Scope {
+   public:
+    explicit Scope(Database& database);
+    ~Scope();
+    void commit();
+
+   private:
+    Database& database_;
+    bool open_ = true;
+  };
+  Database(sqlite3* handle, std::filesystem::path file);
+  Error errorOf(const SqlFailure& failure) const;
+  void exec(const char* text) const;
+
+  struct Prepared;
+  sqlite3* handle_;
+  std::filesystem::path file_;
+  std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
+  int depth_ = 0;
+};
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,379 @@
+// What `ostraka process` left, into the catalogue.
+#include "catalogue/enter_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "batch/batch.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/values.h"
+#include "cloud/ply.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string relativeTo(const fs::path& project, const fs::path& file) {
+  const std::string text = fs::absolute(file)
+                               .lexically_normal()
+                               .lexically_relative(fs::absolute(project).lexically_normal())
+                               .generic_string();
+  const Result<std::string> path = checkedPath(text);
+  if (!path) refuse("This file does not lie in the project's folder.", file.string());
+  return *path;
+}
+
+std::string mediaTypeOf(const fs::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".jpg" || ending == ".jpeg") return "image/jpeg";
+  if (ending == ".png") return "image/png";
+  if (ending == ".glb") return "model/gltf-binary";
+  if (ending == ".html") return "text/html";
+  if (ending == ".json") return "application/json";
+  return "application/octet-stream";
+}
+
+std::optional<double> numberIn(const json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number()) return std::nullopt;
+  const double value = found->get<double>();
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+// Everything that is read and hashed before the transaction begins, which must be short.
+struct ReadFile {
+  FileRecord record;
+  std::string sherd_front;  ///< the scan that its sherd is known by; empty: of the batch
+  std::string sherd_back;
+};
+struct ReadSherd {
+  std::string front, back, model_path, preview_path, model_sha256;
+  std::map<std::string, double> measures;
+};
+struct ReadResults {
+  std::vector<ScanRecord> scans;
+  std::vector<PairDecision> pairs;
+  std::vector<std::pair<std::string, std::string>> pair_names;
+  std::vector<ReadSherd> sherds;
+  std::vector<ReadFile> files;
+  std::optional<double> reprojection_px;
+};
+
+class Reading {
+ public:
+  Reading(const fs::path& project, BatchRow batch, const fs::path& out, Progress& progress,
+          std::stop_token stop)
+      : project_(project), batch_(batch), out_(out), progress_(progress), stop_(std::move(stop)) {}
+
+  ReadResults all() {
+    const json pairs = orRefuse(readJson(out_ / "pairs.json"));
+    const json report = orRefuse(readJson(out_ / "report.json"));
+    try {
+      // Two scans and three files of the model a pair, and the reports: about that many files.
+      total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
+      pairsOf(pairs);
+      scansOf("front");
+      scansOf("back");
+      for (const json& sherd : report.at("sherds")) sherdOf(sherd, report.value("has_scale", true));
+      for (const json& stage : report.at("stages"))
+        if (stage.at("stage") == "cameras")
+          results_.reprojection_px = numberIn(stage.at("figures"), "reprojection_rms_px");
+    } catch (const json::exception&) {
+      refuse("These are no whole results of 'ostraka process'; run it again.", out_.string());
+    }
+    for (const char* name : {"report.json", "report.html", "pairs.json"})
+      file(out_ / name, "report", {}, {});
+    return std::move(results_);
+  }
+
+ private:
+  void pairsOf(const json& pairs) {
+    for (const json& p : pairs.at("pairs")) {
+      PairDecision d;
+      d.batch = batch_;
+      const auto& pose = p.at("T_front_from_back");
+      d.front_from_back = orRefuse(isometryFromJson(pose, (out_ / "pairs.json").string()));
+      d.score = numberIn(p, "score");
+      d.margin = numberIn(p, "margin");
+      d.rim_rms_mm = numberIn(p, "rim_rms_mm");
+      d.rim_overlap = numberIn(p, "rim_overlap");
+      d.ambiguous = p.at("ambiguous").get<bool>();
+      d.note = p.value("reason", "");
+      results_.pairs.push_back(std::move(d));
+      results_.pair_names.emplace_back(p.at("front").get<std::string>(),
+                                       p.at("back").get<std::string>());
+    }
+  }
+
+  void scansOf(const std::string& side) {
+    std::error_code code;
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(out_ / "work" / ("scans_" + side), code))
+      if (entry.path().extension() == ".ply") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& path : files) {
+      stopIfAsked();
+      ScanRecord scan;
+      scan.batch = batch_;
+      scan.side = side == "front" ? batch::Side::Front : batch::Side::Back;
+      scan.name = path.stem().string();
+      scan.index = std::atoi(scan.name.c_str() + 1);
+      scan.path = relativeTo(project_, path);
+      const PointCloud cloud = orRefuse(readPlyCloud(path));
+      scan.points = static_cast<int>(cloud.size());
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const Eigen::Vector3f& point : cloud.points) sum += point.cast<double>();
+      scan.plate_x_mm = sum.x() / static_cast<double>(cloud.size());
+      scan.plate_y_mm = sum.y() / static_cast<double>(cloud.size());
+      file(path, "scan", {}, {});
+      results_.scans.push_back(std::move(scan));
+    }
+  }
+
+  void sherdOf(const json& s, bool has_scale) {
+    const fs::path folder = out_ / "sherds" / s.at("number").get<std::string>();
+    ReadSherd sherd;
+    sherd.front = s.at("front").get<std::string>();
+    sherd.back = s.at("back").get<std::string>();
+    const json& figures = s.at("figures");
+    if (figures.value("model", false)) {
+      sherd.model_path = relativeTo(project_, folder / "model.ply");
+      sherd.preview_path = relativeTo(project_, folder / "preview.png");
+      sherd.model_sha256 = file(folder / "model.ply", "model", sherd.front, sherd.back);
+      file(folder / "model.glb", "model", sherd.front, sherd.back);
+      file(folder / "preview.png", "preview", sherd.front, sherd.back);
+      if (has_scale) {  // without a scale no length is known
+        for (const auto& [name, value] : figures.at("measures").items()) {
+          const SherdColumn* column = sherdColumn(name);
+          if (column && column->measure && value.is_number() && value.get<double>() > 0)
+            sherd.measures[column->measure] = value.get<double>();
+        }
+        sherd.measures["filled_pct"] = 100 * figures.at("filled_share").get<double>();
+      }
+    }
+    results_.sherds.push_back(std::move(sherd));
+  }
+
+  std::string file(const fs::path& path, const char* role, const std::string& front,
+                   const std::string& back) {
+    stopIfAsked();
+    std::error_code code;
+    if (!fs::is_regular_file(path, code)) return {};
+    const std::string bytes = orRefuse(readFile(path));
+    ReadFile read;
+    read.record.path = relativeTo(project_, path);
+    read.record.sha256 = sha256(bytes);
+    read.record.bytes = static_cast<std::int64_t>(bytes.size());
+    read.record.media_type = mediaTypeOf(path);
+    read.record.role = role;
+    read.record.batch = batch_;
+    read.sherd_front = front;
+    read.sherd_back = back;
+    std::string hash = read.record.sha256;
+    results_.files.push_back(std::move(read));
+    const auto done = static_cast<std::int64_t>(results_.files.size());
+    progress_.report(done, std::max(done, total_));
+    return hash;
+  }
+
+  void stopIfAsked() const {
+    if (stop_.stop_requested()) throw Refused(Error::cancelled());
+  }
+
+  const fs::path& project_;
+  BatchRow batch_;
+  const fs::path& out_;
+  Progress& progress_;
+  std::stop_token stop_;
+  ReadResults results_;
+  std::int64_t total_ = 1;
+};
+
+bool samePose(const std::optional<Eigen::Isometry3d>& a,
+              const std::optional<Eigen::Isometry3d>& b) {
+  if (!a || !b) return !a && !b;
+  return a->matrix().isApprox(b->matrix(), 1e-12);
+}
+
+bool sameWord(const PairDecision& a, const PairDecision& b) {
+  return a.front == b.front && a.back == b.back && a.score == b.score && a.margin == b.margin &&
+         a.ambiguous == b.ambiguous && a.rim_rms_mm == b.rim_rms_mm &&
+         a.rim_overlap == b.rim_overlap && a.note == b.note &&
+         samePose(a.front_from_back, b.front_from_back);
+}
+
+class Entering {
+ public:
+  Entering(Catalogue& catalogue, BatchRow batch, const Act& act)
+      : catalogue_(catalogue), batch_(batch), act_{{}, "process", act.why} {}
+
+  EnteredResults enter(const ReadResults& read) {
+    for (const ScanRecord& scan : read.scans) {
+      rows_[scan.name] = orRefuse(catalogue_.save(scan, act_));
+      ++entered_.scans;
+    }
+    decide(read);
+    for (const ReadSherd& sherd : read.sherds) model(sherd);
+    for (const ReadFile& file : read.files) {
+      FileRecord record = file.record;
+      if (!file.sherd_front.empty()) record.sherd = sherdOf(file.sherd_front, file.sherd_back);
+      orRefuse(catalogue_.save(record, act_));
+      ++entered_.files;
+    }
+    countOpen();
+    BatchRecord batch = orRefuse(catalogue_.batch(batch_));
+    batch.state = entered_.open > 0 ? BatchState::Review : BatchState::Done;
+    batch.reprojection_px = read.reprojection_px;
+    orRefuse(catalogue_.saveBatch(batch, act_));
+    return entered_;
+  }
+
+ private:
+  ScanRow scan(const std::string& name) const {
+    const auto found = rows_.find(name);
+    if (found == rows_.end())
+      refuse("The table of pairs names the scan " + name +
+             ", which is not there; run 'ostraka process' again.");
+    return found->second;
+  }
+
+  void decide(const ReadResults& read) {
+    std::vector<PairDecision> standing;  // the program's words that were not taken back
+    std::map<DecisionRow, bool> withdrawn;
+    const std::vector<PairDecision> all = orRefuse(catalogue_.decisions(batch_));
+    for (const PairDecision& d : all)
+      if (!d.by && d.verdict == Verdict::Withdraw) withdrawn[d.replaces] = true;
+    for (const PairDecision& d : all)
+      if (!d.by && d.verdict == Verdict::Accept && !withdrawn.contains(d.row))
+        standing.push_back(d);
+    std::vector<PairDecision> said = read.pairs;
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      said[i].front = scan(read.pair_names[i].first);
+      said[i].back = scan(read.pair_names[i].second);
+    }
+    const auto isIn = [](const std::vector<PairDecision>& list, const PairDecision& d) {
+      return std::any_of(list.begin(), list.end(),
+                         [&](const PairDecision& other) { return sameWord(other, d); });
+    };
+    for (const PairDecision& old : standing)
+      if (!isIn(said, old)) {
+        PairDecision back;
+        back.batch = batch_;
+        back.verdict = Verdict::Withdraw;
+        back.replaces = old.row;
+        orRefuse(catalogue_.decide(back, act_));
+      }
+    const std::size_t before = orRefuse(catalogue_.sherdRows(batch_)).size();
+    for (const PairDecision& d : said)
+      if (!isIn(standing, d)) {
+        orRefuse(catalogue_.decide(d, act_));
+        ++entered_.decisions;
+      }
+    const std::size_t after = orRefuse(catalogue_.sherdRows(batch_)).size();
+    entered_.new_sherds = after > before ? static_cast<int>(after - before) : 0;
+    current_ = orRefuse(catalogue_.currentDecisions(batch_));
+    for (const PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
+  }
+
+  // The sherd of this pair, if the pair is what counts now.
+  SherdRow sherdOf(const std::string& front, const std::string& back) {
+    const ScanRow f = scan(front), b = scan(back);
+    Statement row = catalogue_.database().sql("SELECT row FROM sherd WHERE front = ? AND back = ?");
+    SherdRow sherd;
+    if (row.with(f, b).next()) row >> sherd;
+    return sherd;
+  }
+
+  void model(const ReadSherd& read) {
+    const SherdRow sherd = sherdOf(read.front, read.back);
+    if (!sherd || read.model_path.empty()) return;
+    orRefuse(catalogue_.setModel(sherd, read.model_path, read.preview_path));
+    ++entered_.models;
+    for (const auto& [kind, value] : read.measures) {
+      setMeasure(catalogue_,
+                 {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256}, act_,
+                 MeasureRank::PersonFirst);
+      ++entered_.measurements;
+    }
+  }
+
+  // Doubtful pairs, and scans that nobody has paired or set aside.
+  void countOpen() {
+    for (const ScanRecord& scan : orRefuse(catalogue_.scans(batch_)))
+      entered_.open += scan.state == ScanState::Open ? 1 : 0;
+    for (const PairDecision& d : current_)  // a doubtful pair is two open scans, and one question
+      if (d.verdict == Verdict::Accept && !d.by && d.ambiguous) --entered_.open;
+  }
+
+  Catalogue& catalogue_;
+  BatchRow batch_;
+  Act act_;
+  std::map<std::string, ScanRow> rows_;
+  std::vector<PairDecision> current_;
+  EnteredResults entered_;
+};
+
+}  // namespace
+
+Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
+                                    const fs::path& out, const Act& act, Progress& progress,
+                                    std::stop_token stop) {
+  const Result<ReadResults> read =
+      catalogue.database().door([&] { return Reading(project, batch, out, progress, stop).all(); });
+  if (!read) return read.error();
+  return catalogue.database().inTransaction(
+      [&] { return Entering(catalogue, batch, act).enter(*read); });
+}
+
+Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, BatchRow batch,
+                             const Act& act, Progress& progress, std::stop_token stop) {
+  const Result<BatchRecord> record = catalogue.batch(batch);
+  if (!record) return record.error();
+  const Result<batch::Batch> folder =
+      batch::readBatch(project / "batches" / record->number, {}, progress);
+  if (!folder) return folder.error();
+  struct Photograph {
+    PhotographRecord shot;
+    FileRecord file;
+  };
+  const Result<std::vector<Photograph>> read = catalogue.database().door([&] {
+    std::vector<Photograph> all;
+    for (const batch::Shot& shot : folder->shots) {
+      if (stop.stop_requested()) throw Refused(Error::cancelled());
+      const std::string bytes = orRefuse(readFile(shot.file));
+      Photograph p;
+      p.shot.batch = batch;
+      p.shot.side = shot.side;
+      p.shot.camera = static_cast<char>('A' + shot.camera);
+      p.shot.stop = shot.stop;
+      p.shot.path = relativeTo(project, shot.file);
+      p.file.path = p.shot.path;
+      p.file.sha256 = sha256(bytes);
+      p.file.bytes = static_cast<std::int64_t>(bytes.size());
+      p.file.media_type = mediaTypeOf(shot.file);
+      p.file.role = "photo";
+      p.file.batch = batch;
+      all.push_back(std::move(p));
+      progress.report(static_cast<std::int64_t>(all.size()),
+                      static_cast<std::int64_t>(folder->shots.size()));
+    }
+    return all;
+  });
+  if (!read) return read.error();
+  return catalogue.database().inTransaction([&] {
+    for (const Photograph& p : *read) {
+      orRefuse(catalogue.save(p.shot, act));
+      orRefuse(catalogue.save(p.file, act));
+    }
+    return static_cast<int>(read->size());
+  });
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,173 @@
+// Files with their checksums, and the history.
+#include "catalogue/catalogue.h"
+#include "catalogue/database.h"
+#include "catalogue/history.h"
+#include "catalogue/names.h"
+#include "catalogue/values.h"
+#include "catalogue/words.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+constexpr const char* kFiles =
+    "SELECT row, id, path, sha256, media_type, role, bytes, state, sherd, batch FROM file ";
+constexpr const char* kHistory =
+    "SELECT at, person, table_name, field, old, new, why, source, row FROM history ";
+
+std::vector<FileRecord> readFiles(Statement& rows) {
+  std::vector<FileRecord> all;
+  while (rows.next()) {
+    FileRecord f;
+    std::string state;
+    rows >> f.row >> f.id >> f.path >> f.sha256 >> f.media_type >> f.role >> f.bytes >> state >>
+        f.sherd >> f.batch;
+    f.state = fromWord<FileState>(state);
+    all.push_back(std::move(f));
+  }
+  return all;
+}
+
+std::vector<HistoryEntry> readHistory(Statement& rows) {
+  std::vector<HistoryEntry> all;
+  while (rows.next()) {
+    HistoryEntry h;
+    rows >> h.at_ms >> h.by >> h.table >> h.field >> h.old_value >> h.new_value >> h.why >>
+        h.source >> h.row;
+    all.push_back(std::move(h));
+  }
+  return all;
+}
+
+std::string rowText(std::int64_t row) {
+  return row > 0 ? std::to_string(row) : std::string();
+}
+
+}  // namespace
+
+void remember(const Catalogue& catalogue, const Act& act, const char* table, std::int64_t row,
+              const std::string& field, const std::string& old_value,
+              const std::string& new_value) {
+  if (old_value == new_value) return;
+  catalogue.database()
+      .sql(
+          "INSERT INTO history (at, person, table_name, row, field, old, new, why, source) VALUES "
+          "(?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .with(catalogue.now(), act.person, table, row, field, old_value, new_value, act.why,
+            act.source)
+      .run();
+}
+
+bool rememberDifferences(const Catalogue& catalogue, const Act& act, const char* table,
+                         std::int64_t row, const std::vector<SavedField>& fields) {
+  std::string columns;
+  for (const SavedField& field : fields) {
+    if (!columns.empty()) columns += ", ";
+    columns += field.name;
+  }
+  // Numbers are read with all their digits, so that only a real difference counts.
+  std::vector<std::string> old_values(fields.size());
+  {
+    Statement rows =
+        catalogue.database().sql("SELECT " + columns + " FROM " + table + " WHERE row = ?");
+    if (!rows.with(row).next())
+      refuse("This " + std::string(table) + " is not in the catalogue any more.");
+    for (std::string& value : old_values) rows.readText(value);
+  }
+  bool any = false;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (old_values[i] == fields[i].value) continue;
+    remember(catalogue, act, table, row, fields[i].name, old_values[i], fields[i].value);
+    any = true;
+  }
+  return any;
+}
+
+Result<FileRow> Catalogue::save(const FileRecord& f, const Act& act) {
+  return database_->inTransaction([&] {
+    const Result<std::string> path = checkedPath(f.path);
+    if (!path) throw Refused(path.error());
+    std::int64_t row = f.row.value;
+    if (row == 0) {
+      Statement same = database_->sql("SELECT row FROM file WHERE path = ?");
+      if (same.with(*path).next()) same >> row;
+    }
+    if (row == 0) {
+      database_
+          ->sql(
+              "INSERT INTO file (id, created_at, created_by, updated_at, updated_by, path, "
+              "sha256, bytes, media_type, role, state, sherd, batch) VALUES (?, ?, ?, ?, ?, ?, "
+              "?, ?, ?, ?, ?, ?, ?)")
+          .with(f.id.empty() ? newId(now()) : f.id, now(), act.person, now(), act.person, *path,
+                f.sha256, f.bytes, f.media_type, f.role, wordOf(f.state), f.sherd, f.batch)
+          .run();
+      return FileRow{database_->lastRow()};
+    }
+    if (rememberDifferences(*this, act, "file", row,
+                            {{"path", *path},
+                             {"sha256", f.sha256},
+                             {"bytes", std::to_string(f.bytes)},
+                             {"media_type", f.media_type},
+                             {"role", f.role},
+                             {"state", wordOf(f.state)},
+                             {"sherd", rowText(f.sherd.value)},
+                             {"batch", rowText(f.batch.value)}}))
+      database_
+          ->sql(
+              "UPDATE file SET path = ?, sha256 = ?, bytes = ?, media_type = ?, role = ?, state "
+              "= ?, sherd = ?, batch = ?, updated_at = ?, updated_by = ?, revision = revision + "
+              "1 WHERE row = ?")
+          .with(*path, f.sha256, f.bytes, f.media_type, f.role, wordOf(f.state), f.sherd, f.batch,
+                now(), act.person, row)
+          .run();
+    return FileRow{row};
+  });
+}
+
+Result<std::vector<FileRecord>> Catalogue::files(SherdRow sherd) const {
+  return database_->door([&] {
+    Statement rows = database_->sql(std::string(kFiles) + "WHERE sherd = ? ORDER BY path");
+    rows.with(sherd);
+    return readFiles(rows);
+  });
+}
+
+Result<std::vector<FileRecord>> Catalogue::files(BatchRow batch) const {
+  return database_->door([&] {
+    Statement rows = database_->sql(std::string(kFiles) + "WHERE batch = ? ORDER BY path");
+    rows.with(batch);
+    return readFiles(rows);
+  });
+}
+
+Result<std::vector<FileRecord>> Catalogue::files() const {
+  return database_->door([&] {
+    Statement rows = database_->sql(std::string(kFiles) + "ORDER BY path");
+    return readFiles(rows);
+  });
+}
+
+std::int64_t Catalogue::historyLength() const {
+  const Result<std::int64_t> length = database_->door([&] {
+    std::int64_t rows = 0;
+    Statement last = database_->sql("SELECT ifnull(max(number), 0) FROM history");
+    if (last.next()) last >> rows;
+    return rows;
+  });
+  return length ? *length : 0;
+}
+
+Result<std::vector<HistoryEntry>> Catalogue::history(SherdRow sherd) const {
+  return history("sherd", sherd.value);
+}
+
+Result<std::vector<HistoryEntry>> Catalogue::history(const std::string& table,
+                                                     std::int64_t row) const {
+  return database_->door([&] {
+    Statement rows = database_->sql(std::string(kHistory) +
+                                    "WHERE table_name = ? AND row = ? ORDER BY number DESC");
+    rows.with(table, row);
+    return readHistory(rows);
+  });
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,173 @@
+// The ids of a table's rows: filter and order happen in SQL.
+#include "catalogue/filter.h"
+
+#include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+struct Query {
+  std::string where;
+  std::vector<std::string> texts;
+  std::string mark(std::string value) {
+    texts.push_back(std::move(value));
+    return "?" + std::to_string(texts.size());
+  }
+};
+
+std::size_t letters(const std::string& text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  return count;
+}
+
+// Site, trench and context are found through the context, which few rows share.
+std::string inContext(const std::string& condition) {
+  return "s.context IN (SELECT context.row FROM context JOIN site ON site.row = context.site LEFT "
+         "JOIN trench ON trench.row = context.trench WHERE " +
+         condition + ")";
+}
+
+std::string wordSql(Query& query, const std::string& word) {
+  if (letters(word) >= 3) {
+    std::string quoted = "\"";
+    for (const char c : word) {
+      quoted += c;
+      if (c == '"') quoted += '"';
+    }
+    return "s.row IN (SELECT rowid FROM sherd_text WHERE sherd_text MATCH " +
+           query.mark(quoted + "\"") + ")";
+  }
+  // Below three letters the search has no index: whole terms and whole places then.
+  const std::string key = query.mark(uniqueKey(word));
+  return "(s.row IN (SELECT sherd FROM sherd_term WHERE term = " + key + ") OR " +
+         inContext("site.code_key = " + key + " OR trench.code_key = " + key +
+                   " OR context.number_key = " + key) +
+         " OR s.bag IN (SELECT row FROM bag WHERE number_key = " + key + "))";
+}
+
+std::string emptySql(const SherdColumn& column) {
+  const std::string name = column.field.name;
+  if (column.measure)
+    return "s.row IN (SELECT sherd FROM sherd_measure WHERE " + std::string(column.measure) +
+           " IS NULL)";
+  if (column.terms) return std::string(column.sql) + " = '[]'";
+  if (name == "site" || name == "context") return "s.context IS NULL";
+  if (name == "trench")
+    return "(s.context IS NULL OR s.context IN (SELECT row FROM context WHERE trench IS NULL))";
+  if (name == "bag") return "s.bag IS NULL";
+  if (name == "batch") return "s.batch IS NULL";
+  if (name == "number") return "s.number = ''";
+  if (name == "joins") return "s.row NOT IN (SELECT sherd FROM sherd_join)";
+  return std::string(column.sql) + " = ''";
+}
+
+std::string equalSql(Query& query, const SherdColumn& column, const std::string& value) {
+  const std::string name = column.field.name;
+  const std::string key = uniqueKey(value);
+  if (name == "site") return inContext("site.code_key = " + query.mark(key));
+  if (name == "trench") return inContext("trench.code_key = " + query.mark(key));
+  if (name == "context") return inContext("context.number_key = " + query.mark(key));
+  if (name == "bag")
+    return "s.bag IN (SELECT row FROM bag WHERE number_key = " + query.mark(key) + ")";
+  if (name == "batch")
+    return "s.batch IN (SELECT row FROM batch WHERE number = " + query.mark(value) +
+           " COLLATE NOCASE)";
+  if (name == "number") return "s.number_sort = " + query.mark(sortKey(value));
+  if (name == "joins")
+    return "s.row IN (SELECT sherd FROM sherd_join WHERE other IN (SELECT sherd FROM given_number "
+           "WHERE number_key = " +
+           query.mark(key) + "))";
+  if (column.field.kind == FieldKind::Terms || column.field.kind == FieldKind::Term) {
+    const std::string term = query.mark(key);
+    return "s.row IN (SELECT sherd FROM sherd_term WHERE term = " + term +
+           " AND field = " + query.mark(name) + ")";
+  }
+  return std::string(column.sql) + " = " + query.mark(value) + " COLLATE NOCASE";
+}
+
+const char* signOf(Condition::Is is) {
+  switch (is) {
+    case Condition::Is::Less:
+      return " < ";
+    case Condition::Is::LessEqual:
+      return " <= ";
+    case Condition::Is::Greater:
+      return " > ";
+    case Condition::Is::GreaterEqual:
+      return " >= ";
+    default:
+      return " = ";
+  }
+}
+
+std::string conditionSql(Query& query, const Condition& condition) {
+  using Is = Condition::Is;
+  if (condition.is == Is::Word) return wordSql(query, condition.value);
+  const SherdColumn* column = sherdColumn(condition.field);
+  if (!column) refuse("There is no field '" + condition.field + "'.", condition.text);
+  if (condition.is == Is::Empty) return emptySql(*column);
+  if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";
+  if (column->measure) {
+    const std::string value = query.mark(numberText(orRefuse(parsedNumber(condition.value))));
+    return "s.row IN (SELECT sherd FROM sherd_measure WHERE " + std::string(column->measure) +
+           signOf(condition.is) + "CAST(" + value + " AS REAL))";
+  }
+  return equalSql(query, *column, condition.value);
+}
+
+std::string orderSql(const SherdOrder& order) {
+  const std::string ties = ", s.number_sort, s.row";
+  const std::string way = order.descending ? " DESC" : "";
+  if (order.field == "number") return "s.number_sort" + way + ", s.row";
+  if (order.field == "updated") return "s.updated_at" + way + ties;
+  const SherdColumn* column = sherdColumn(order.field);
+  if (!column || !column->sql) refuse("The table cannot be ordered by '" + order.field + "'.");
+  // What is not recorded comes last, whichever way the order goes.
+  if (column->measure || column->field.kind == FieldKind::Place)
+    return std::string(column->sql) + way + " NULLS LAST" + ties;
+  const std::string nothing = column->terms ? "'[]'" : "''";
+  return "nullif(" + std::string(column->sql) + ", " + nothing + ")" + way + " NULLS LAST" + ties;
+}
+
+std::string joinsFor(const std::string& order) {
+  std::string joins;
+  if (order.starts_with("m.")) joins += " JOIN sherd_measure m ON m.sherd = s.row";
+  const bool site = order.starts_with("site."), trench = order.starts_with("trench.");
+  if (site || trench || order.starts_with("context."))
+    joins += " LEFT JOIN context ON context.row = s.context";
+  if (site) joins += " LEFT JOIN site ON site.row = context.site";
+  if (trench) joins += " LEFT JOIN trench ON trench.row = context.trench";
+  if (order.starts_with("bag.")) joins += " LEFT JOIN bag ON bag.row = s.bag";
+  if (order.find("batch.") != std::string::npos) joins += " LEFT JOIN batch ON batch.row = s.batch";
+  return joins;
+}
+
+}  // namespace
+
+Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
+                                                   const SherdOrder& order) const {
+  return database_->door([&] {
+    Query query;
+    query.where = "NOT (s.state = 'void' AND s.number = '')";
+    for (const Condition& condition : filter.conditions) {
+      const std::string sql = conditionSql(query, condition);
+      query.where += condition.negated ? " AND NOT ifnull(" + sql + ", 0)" : " AND " + sql;
+    }
+    const std::string by = orderSql(order);
+    Statement statement = database_->sql("SELECT s.row FROM sherd s" + joinsFor(by) + " WHERE " +
+                                         query.where + " ORDER BY " + by);
+    for (const std::string& text : query.texts) statement.with(text);
+    std::vector<SherdRow> rows;
+    while (statement.next()) {
+      SherdRow row;
+      statement >> row;
+      rows.push_back(row);
+    }
+    return rows;
+  });
+}
+
+}  // namespace ostraka::catalogue

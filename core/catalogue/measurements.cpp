@@ -1,0 +1,116 @@
+#include "catalogue/history.h"
+#include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+struct Current {
+  std::int64_t row = 0;
+  double value = 0;
+  PersonRow by;
+  std::string model_sha256, method;
+  std::optional<double> uncertainty;
+};
+
+Current currentOf(Database& database, SherdRow sherd, const std::string& kind) {
+  Current current;
+  Statement rows = database.sql(
+      "SELECT row, value, person, model_sha256, method, uncertainty FROM measurement WHERE sherd = "
+      "? AND kind = ? AND current = 1");
+  if (rows.with(sherd, kind).next())
+    rows >> current.row >> current.value >> current.by >> current.model_sha256 >> current.method >>
+        current.uncertainty;
+  return current;
+}
+
+void show(Database& database, SherdRow sherd, const std::string& kind,
+          const std::optional<double>& value) {
+  database.sql("UPDATE sherd_measure SET " + kind + " = ? WHERE sherd = ?")
+      .with(value, sherd)
+      .run();
+}
+
+}  // namespace
+
+void setMeasure(Catalogue& catalogue, const Measurement& m, const Act& act, MeasureRank rank) {
+  const std::string unit = unitOf(m.kind);
+  if (unit.empty()) refuse("There is no measurement of this kind.", m.kind);
+  if (!(m.value >= 0)) refuse("A measurement is never below 0.", m.kind);
+  Database& database = catalogue.database();
+  const Current old = currentOf(database, m.sherd, m.kind);
+  if (old.row && old.value == m.value && old.by == m.by && old.method == m.method &&
+      old.model_sha256 == m.model_sha256 && old.uncertainty == m.uncertainty)
+    return;
+  // What a person measured stays above what the program computes.
+  const bool counts = rank == MeasureRank::Always || !(old.row && old.by && !m.by);
+  if (counts && old.row)
+    database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
+  if (!counts) {
+    Statement same = database.sql(
+        "SELECT 1 FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND value = ? "
+        "AND model_sha256 = ?");
+    if (same.with(m.sherd, m.kind, m.value, m.model_sha256).next()) return;
+  }
+  database
+      .sql(
+          "INSERT INTO measurement (id, at, person, sherd, kind, value, unit, uncertainty, "
+          "method, model_sha256, replaces, current) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .with(newId(catalogue.now()), catalogue.now(), m.by, m.sherd, m.kind, m.value, unit,
+            m.uncertainty, m.method, m.model_sha256,
+            old.row ? std::optional(old.row) : std::optional<std::int64_t>(), counts)
+      .run();
+  if (!counts) return;
+  show(database, m.sherd, m.kind, m.value);
+  remember(catalogue, act, "sherd", m.sherd.value, m.kind,
+           old.row ? numberText(old.value) : std::string(), numberText(m.value));
+}
+
+void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind, const Act& act) {
+  Database& database = catalogue.database();
+  const Current old = currentOf(database, sherd, kind);
+  if (!old.row) return;
+  database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
+  show(database, sherd, kind, std::nullopt);
+  remember(catalogue, act, "sherd", sherd.value, kind, numberText(old.value), "");
+}
+
+void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act) {
+  Measurement m = typed;
+  m.by = act.person;
+  // Who types what was there before (undo does) restores it with its method.
+  Statement rows = catalogue.database().sql(
+      "SELECT person, method, model_sha256, uncertainty FROM measurement WHERE sherd = ? AND kind "
+      "= ? AND value = ? ORDER BY row DESC LIMIT 1");
+  if (rows.with(m.sherd, m.kind, m.value).next())
+    rows >> m.by >> m.method >> m.model_sha256 >> m.uncertainty;
+  setMeasure(catalogue, m, act, MeasureRank::Always);
+}
+
+Result<void> Catalogue::measure(const Measurement& m, const Act& act) {
+  return database_->inTransaction([&] {
+    Measurement measured = m;
+    measured.by = act.person;
+    setMeasure(*this, measured, act, MeasureRank::PersonFirst);
+  });
+}
+
+Result<std::vector<Measurement>> Catalogue::measurements(SherdRow sherd) const {
+  return database_->door([&] {
+    std::vector<Measurement> all;
+    Statement rows = database_->sql(
+        "SELECT sherd, kind, unit, value, uncertainty, method, person, model_sha256 FROM "
+        "measurement WHERE sherd = ? AND current = 1 ORDER BY row");
+    rows.with(sherd);
+    while (rows.next()) {
+      Measurement m;
+      rows >> m.sherd >> m.kind >> m.unit >> m.value >> m.uncertainty >> m.method >> m.by >>
+          m.model_sha256;
+      all.push_back(std::move(m));
+    }
+    return all;
+  });
+}
+
+}  // namespace ostraka::catalogue

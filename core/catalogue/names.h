@@ -1,0 +1,25 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace ostraka::catalogue {
+
+/// UUID, version 7 (RFC 9562): 48 bits of time, then chance.
+std::string newId(std::int64_t now_ms);
+bool isUuid(std::string_view text);
+
+bool isUtf8(std::string_view text);  ///< well formed, and without NUL
+/// Composed (Unicode NFC), so that the same letters are the same bytes.
+std::string composed(std::string_view text);
+/// What must be unique: composed, then case-folded; É-1 and é-1 are the same.
+std::string uniqueKey(std::string_view text);
+/// Orders 9 before 10 and A2 before A10, capitals with small letters.
+std::string sortKey(std::string_view text);
+/// A file's name: letters, digits, '-', '.' and '_'; everything else becomes '_'. Never empty,
+/// never hidden, no '%', no line break.
+std::string slug(std::string_view text);
+/// Without white space at both ends.
+std::string trimmed(std::string_view text);
+
+}  // namespace ostraka::catalogue

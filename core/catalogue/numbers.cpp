@@ -1,0 +1,189 @@
+// The numbers of sherds: proposed, given, never given twice.
+#include <ctime>
+#include <map>
+
+#include "catalogue/history.h"
+#include "catalogue/names.h"
+#include "catalogue/numbering.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+std::map<std::string, std::string> tokensOf(const Catalogue& catalogue, const SherdRecord& sherd) {
+  std::int64_t at = catalogue.now();
+  if (sherd.batch) {
+    Statement row =
+        catalogue.database().sql("SELECT ifnull(started_ms, 0) FROM batch WHERE row = ?");
+    std::int64_t started = 0;
+    if (row.with(sherd.batch).next()) row >> started;
+    if (started > 0) at = started;
+  }
+  const std::time_t seconds = static_cast<std::time_t>(at / 1000);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  const std::string year = std::to_string(1900 + parts.tm_year);
+  return {{"site", sherd.site},
+          {"trench", sherd.trench},
+          {"context", sherd.context_number},
+          {"bag", sherd.bag_number},
+          {"batch", sherd.batch_number},
+          {"yyyy", year},
+          {"yy", year.substr(year.size() - 2)}};
+}
+
+struct Counted {
+  std::string counter;
+  std::optional<std::int64_t> n;
+};
+
+// Which n of the project's count a number is, when it has the scheme's form.
+Counted countedIn(const Catalogue& catalogue, const Numbering& scheme, const SherdRecord& sherd,
+                  const std::string& number) {
+  const Result<std::string> counter = scheme.counter(tokensOf(catalogue, sherd));
+  if (!counter) return {};
+  const std::size_t at = counter->find("{n}");
+  const std::string before = counter->substr(0, at), after = counter->substr(at + 3);
+  if (number.size() <= before.size() + after.size() || !number.starts_with(before) ||
+      !number.ends_with(after))
+    return {};
+  const std::string digits =
+      number.substr(before.size(), number.size() - before.size() - after.size());
+  if (digits.size() > 12 || digits.find_first_not_of("0123456789") != std::string::npos) return {};
+  return {*counter, std::stoll(digits)};
+}
+
+Numbering schemeOf(const Catalogue& catalogue) {
+  return orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
+}
+
+// The block of numbers of this computer (settings numbering.first and numbering.last), so that two
+// laptops in the field never give the same number.
+std::int64_t settingNumber(const Catalogue& catalogue, const char* key, std::int64_t otherwise) {
+  const std::string text = orRefuse(catalogue.setting(key));
+  if (text.empty()) return otherwise;
+  return static_cast<std::int64_t>(orRefuse(parsedNumber(text)));
+}
+
+}  // namespace
+
+Taken takenBy(Database& database, const std::string& number) {
+  Taken taken;
+  const std::string key = uniqueKey(number);
+  Statement rows = database.sql(
+      "SELECT sherd, number, number_key <> ?1 FROM given_number WHERE number_key = ?1 OR slug_key "
+      "= ?2 ORDER BY number_key <> ?1");
+  if (rows.with(key, uniqueKey(slug(number))).next())
+    rows >> taken.sherd >> taken.number >> taken.slug_only;
+  return taken;
+}
+
+void setNumber(Catalogue& catalogue, const SherdRecord& sherd, const std::string& number) {
+  Database& database = catalogue.database();
+  if (number.empty()) {
+    database.sql("UPDATE sherd SET number = '', number_sort = ?, state = 'draft' WHERE row = ?")
+        .with(kBehindAllNumbers, sherd.row)
+        .run();
+    return;
+  }
+  const Taken taken = takenBy(database, number);
+  if (taken.sherd && (taken.sherd != sherd.row || taken.slug_only))
+    refuse("The number " + number + " was given before; numbers are never used again.", number);
+  if (!taken.sherd) {
+    const Counted counted = countedIn(catalogue, schemeOf(catalogue), sherd, number);
+    database.sql("INSERT INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)")
+        .with(uniqueKey(number), uniqueKey(slug(number)), number, sherd.row, catalogue.now(),
+              counted.counter, counted.n)
+        .run();
+  }
+  database.sql("UPDATE sherd SET number = ?, number_sort = ?, state = 'numbered' WHERE row = ?")
+      .with(number, sortKey(number), sherd.row)
+      .run();
+}
+
+Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const SherdRow> rows) const {
+  return database_->door([&] {
+    const Numbering scheme = schemeOf(*this);
+    const std::int64_t first = settingNumber(*this, "numbering.first", 1);
+    const std::int64_t last = settingNumber(*this, "numbering.last", 999'999'999);
+    std::map<std::string, std::int64_t> next;
+    std::vector<std::string> numbers;
+    for (const SherdRecord& sherd : orRefuse(sherds(rows))) {
+      if (!sherd.number.empty()) {
+        numbers.push_back(sherd.number);
+        continue;
+      }
+      const auto tokens = tokensOf(*this, sherd);
+      const std::string counter = orRefuse(scheme.counter(tokens));
+      // A sherd that had a number of this count before gets it back: it is nobody else's.
+      Statement own = database_->sql(
+          "SELECT number FROM given_number WHERE sherd = ? AND counter = ? ORDER BY n DESC LIMIT "
+          "1");
+      if (own.with(sherd.row, counter).next()) {
+        numbers.emplace_back();
+        own >> numbers.back();
+        continue;
+      }
+      if (!next.contains(counter)) {
+        Statement highest = database_->sql(
+            "SELECT ifnull(max(n) + 1, ?2) FROM given_number WHERE counter = ?1 AND n BETWEEN ?2 "
+            "AND ?3");
+        highest.with(counter, first, last);
+        next[counter] = first;
+        if (highest.next()) highest >> next[counter];
+      }
+      std::string number;
+      do {
+        const std::int64_t n = next[counter]++;
+        if (n > last)
+          refuse("The block of numbers up to " + std::to_string(last) +
+                     " is used up; give this computer a new block in the settings.",
+                 counter);
+        number = orRefuse(scheme.number(tokens, static_cast<int>(n)));
+      } while (takenBy(*database_, number).sherd);  // typed by hand in another form
+      numbers.push_back(number);
+    }
+    return numbers;
+  });
+}
+
+Result<std::vector<std::string>> Catalogue::assignNumbers(std::span<const SherdRow> rows,
+                                                          const Act& act) {
+  return database_->inTransaction([&] {
+    std::vector<std::string> numbers = orRefuse(proposeNumbers(rows));
+    std::vector<FieldChange> changes;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      changes.push_back({rows[i], "number", numbers[i]});
+    orRefuse(change(changes, act));
+    return numbers;
+  });
+}
+
+Result<std::vector<int>> Catalogue::numberGaps(ContextRow context) const {
+  return database_->door([&] {
+    std::vector<int> gaps;
+    Statement rows = database_->sql(
+        "SELECT counter, n FROM given_number WHERE n IS NOT NULL AND counter IN (SELECT g.counter "
+        "FROM given_number g JOIN sherd s ON s.row = g.sherd WHERE s.context = ? AND g.counter <> "
+        "'') ORDER BY counter, n");
+    rows.with(context);
+    std::string last_counter;
+    std::int64_t expected = 1;
+    while (rows.next()) {
+      std::string counter;
+      std::int64_t n = 0;
+      rows >> counter >> n;
+      if (counter != last_counter) {
+        last_counter = counter;
+        expected = settingNumber(*this, "numbering.first", 1);
+      }
+      for (; expected < n && gaps.size() < 10'000; ++expected)
+        gaps.push_back(static_cast<int>(expected));
+      expected = n + 1;
+    }
+    return gaps;
+  });
+}
+
+}  // namespace ostraka::catalogue

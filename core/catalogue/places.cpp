@@ -1,0 +1,339 @@
+// Persons, sites, trenches, contexts and bags.
+#include <nlohmann/json.hpp>
+
+#include "catalogue/catalogue.h"
+#include "catalogue/database.h"
+#include "catalogue/history.h"
+#include "catalogue/names.h"
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+// A code or number that people read: composed, without blanks at its ends, not empty.
+std::string needed(const std::string& text, const char* what) {
+  const Result<std::string> checked = checkedText(text);
+  if (!checked) throw Refused(checked.error());
+  if (checked->empty()) refuse(std::string("The ") + what + " must not be empty.");
+  if (checked->size() > 200) refuse(std::string("The ") + what + " is too long.", *checked);
+  return *checked;
+}
+
+std::string checked(const Result<std::string>& value, const char* where) {
+  if (!value) throw Refused({value.error().code, value.error().what, where});
+  return *value;
+}
+
+std::string optionalText(const std::optional<double>& value) {
+  return value ? numberText(*value) : std::string();
+}
+
+// The row that holds this key already, other than the one being saved.
+void refuseDouble(Statement rows, std::int64_t own, const std::string& what) {
+  std::int64_t row = 0;
+  while (rows.next()) {
+    rows >> row;
+    if (row != own) refuse(what);
+  }
+}
+
+// Adds an empty row with what every table has, or changes the stamp of the row that is there.
+class Saving {
+ public:
+  Saving(const Catalogue& catalogue, const Act& act, const char* table, std::int64_t row,
+         const std::string& id)
+      : catalogue_(catalogue), act_(act), table_(table), row_(row), id_(id) {
+    if (!id.empty() && !isUuid(id)) refuse("The uuid is not well formed.", id);
+  }
+
+  template <class... Values>
+  std::int64_t done(const std::string& columns, const std::string& label,
+                    const std::vector<SavedField>& fields, const Values&... values) {
+    Database& database = catalogue_.database();
+    const std::int64_t now = catalogue_.now();
+    std::string marks, pairs, name;
+    for (std::size_t i = 0; i <= columns.size(); ++i) {
+      if (i < columns.size() && columns[i] != ' ') {
+        name += columns[i];
+        continue;
+      }
+      marks += ", ?";
+      pairs += name + " = ?, ";
+      name.clear();
+    }
+    if (row_ == 0) {
+      std::string list = columns;
+      for (std::size_t at = 0; (at = list.find(' ', at)) != std::string::npos; at += 2)
+        list.replace(at, 1, ", ");
+      database
+          .sql("INSERT INTO " + table_ + " (id, created_at, created_by, updated_at, updated_by, " +
+               list + ") VALUES (?, ?, ?, ?, ?" + marks + ")")
+          .with(id_.empty() ? newId(now) : id_, now, act_.person, now, act_.person, values...)
+          .run();
+      row_ = database.lastRow();
+      remember(catalogue_, act_, table_.c_str(), row_, "", "", label);
+      return row_;
+    }
+    if (!rememberDifferences(catalogue_, act_, table_.c_str(), row_, fields)) return row_;
+    database
+        .sql("UPDATE " + table_ + " SET " + pairs +
+             "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?")
+        .with(values..., now, act_.person, row_)
+        .run();
+    if (database.changes() != 1) refuse("The " + table_ + " is not in the catalogue any more.");
+    return row_;
+  }
+
+ private:
+  const Catalogue& catalogue_;
+  const Act& act_;
+  std::string table_;
+  std::int64_t row_;
+  std::string id_;
+};
+
+std::string rowText(std::int64_t row) {
+  return row > 0 ? std::to_string(row) : std::string();
+}
+
+constexpr const char* kContexts =
+    "SELECT context.row, context.site, context.trench, context.id, context.number, kind, "
+    "excavated_on, period, date_edtf, note, closed, site.code, trench.code FROM context "
+    "JOIN site ON site.row = context.site LEFT JOIN trench ON trench.row = context.trench";
+
+ContextRecord readContext(Statement& row) {
+  ContextRecord c;
+  row >> c.row >> c.site >> c.trench >> c.id >> c.number >> c.kind >> c.excavated_on >> c.period >>
+      c.date_edtf >> c.note >> c.closed >> c.site_code >> c.trench_code;
+  return c;
+}
+
+// After a place was renamed, the sherds in it are found by the new name.
+void searchAnew(Database& database, const char* which, std::int64_t row) {
+  database
+      .sql(std::string("UPDATE sherd_text SET words = (SELECT words FROM sherd_words WHERE sherd = "
+                       "sherd_text.rowid) WHERE rowid IN (SELECT sherd.row FROM sherd JOIN context "
+                       "ON context.row = sherd.context WHERE context.") +
+           which + " = ?)")
+      .with(row)
+      .run();
+}
+
+}  // namespace
+
+Result<std::vector<PersonRecord>> Catalogue::persons() const {
+  return database_->door([&] {
+    std::vector<PersonRecord> all;
+    Statement rows =
+        database_->sql("SELECT row, id, name, initials, orcid FROM person ORDER BY initials_key");
+    while (rows.next()) {
+      PersonRecord p;
+      rows >> p.row >> p.id >> p.name >> p.initials >> p.orcid;
+      all.push_back(std::move(p));
+    }
+    return all;
+  });
+}
+
+Result<PersonRow> Catalogue::save(const PersonRecord& p, const Act& act) {
+  return database_->inTransaction([&] {
+    const std::string name = needed(p.name, "name of a person");
+    const std::string initials = needed(p.initials, "person's initials");
+    const std::string key = uniqueKey(initials);
+    Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
+    refuseDouble(std::move(same.with(key)), p.row.value,
+                 "The initials " + initials + " belong to another person already.");
+    return PersonRow{Saving(*this, act, "person", p.row.value, p.id)
+                         .done("name initials initials_key orcid", initials,
+                               {{"name", name}, {"initials", initials}, {"orcid", p.orcid}}, name,
+                               initials, key, p.orcid)};
+  });
+}
+
+Result<std::vector<SiteRecord>> Catalogue::sites() const {
+  return database_->door([&] {
+    std::vector<SiteRecord> all;
+    Statement rows = database_->sql(
+        "SELECT row, id, code, name, gazetteer, latitude_deg, longitude_deg, location_public FROM "
+        "site ORDER BY code_key");
+    while (rows.next()) {
+      SiteRecord s;
+      rows >> s.row >> s.id >> s.code >> s.name >> s.gazetteer >> s.latitude_deg >>
+          s.longitude_deg >> s.location_public;
+      all.push_back(std::move(s));
+    }
+    return all;
+  });
+}
+
+Result<SiteRow> Catalogue::save(const SiteRecord& s, const Act& act) {
+  return database_->inTransaction([&] {
+    const std::string code = needed(s.code, "code of a site"), key = uniqueKey(code);
+    if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
+      refuse("The latitude lies between -90 and 90 degrees.", code);
+    if (s.longitude_deg && !(*s.longitude_deg >= -180 && *s.longitude_deg <= 180))
+      refuse("The longitude lies between -180 and 180 degrees.", code);
+    refuseDouble(std::move(database_->sql("SELECT row FROM site WHERE code_key = ?").with(key)),
+                 s.row.value, "There is a site " + code + " already.");
+    const SiteRow row{
+        Saving(*this, act, "site", s.row.value, s.id)
+            .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
+                  {{"code", code},
+                   {"name", s.name},
+                   {"latitude_deg", optionalText(s.latitude_deg)},
+                   {"longitude_deg", optionalText(s.longitude_deg)},
+                   {"location_public", s.location_public ? "1" : "0"},
+                   {"gazetteer", s.gazetteer}},
+                  code, key, s.name, s.latitude_deg, s.longitude_deg, s.location_public,
+                  s.gazetteer)};
+    if (s.row) searchAnew(*database_, "site", row.value);
+    return row;
+  });
+}
+
+Result<std::vector<TrenchRecord>> Catalogue::trenches() const {
+  return database_->door([&] {
+    std::vector<TrenchRecord> all;
+    Statement rows = database_->sql(
+        "SELECT row, site, id, code, name, parent FROM trench ORDER BY site, code_key");
+    while (rows.next()) {
+      TrenchRecord t;
+      rows >> t.row >> t.site >> t.id >> t.code >> t.name >> t.parent;
+      all.push_back(std::move(t));
+    }
+    return all;
+  });
+}
+
+Result<TrenchRow> Catalogue::save(const TrenchRecord& t, const Act& act) {
+  return database_->inTransaction([&] {
+    const std::string code = needed(t.code, "code of a trench"), key = uniqueKey(code);
+    if (!t.site) refuse("A trench belongs to a site.", code);
+    if (t.parent && t.parent == t.row) refuse("A trench cannot lie in itself.", code);
+    refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
+                               .with(t.site, key)),
+                 t.row.value, "There is a trench " + code + " in this site already.");
+    const TrenchRow row{Saving(*this, act, "trench", t.row.value, t.id)
+                            .done("site code code_key name parent", code,
+                                  {{"site", rowText(t.site.value)},
+                                   {"code", code},
+                                   {"name", t.name},
+                                   {"parent", rowText(t.parent.value)}},
+                                  t.site, code, key, t.name, t.parent)};
+    if (t.row) searchAnew(*database_, "trench", row.value);
+    return row;
+  });
+}
+
+Result<std::vector<ContextRecord>> Catalogue::contexts() const {
+  return database_->door([&] {
+    std::vector<ContextRecord> all;
+    Statement rows = database_->sql(std::string(kContexts) +
+                                    " ORDER BY site.code_key, trench.code_key, context.number_key");
+    while (rows.next()) all.push_back(readContext(rows));
+    return all;
+  });
+}
+
+Result<ContextRecord> Catalogue::context(ContextRow row) const {
+  return database_->door([&] {
+    Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?");
+    if (!rows.with(row).next()) refuse("This context is not in the catalogue any more.");
+    return readContext(rows);
+  });
+}
+
+Result<ContextRow> Catalogue::contextByPlace(const std::string& site, const std::string& trench,
+                                             const std::string& number) const {
+  return database_->door([&] {
+    ContextRow row;
+    Statement rows = database_->sql(
+        "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench ON "
+        "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
+        "ifnull(trench.code_key, '') = ?");
+    if (rows.with(uniqueKey(number), uniqueKey(site), uniqueKey(trench)).next()) rows >> row;
+    return row;
+  });
+}
+
+Result<ContextRow> Catalogue::save(const ContextRecord& c, const Act& act) {
+  return database_->inTransaction([&] {
+    const std::string number = needed(c.number, "number of a context"), key = uniqueKey(number);
+    if (!c.site) refuse("A context belongs to a site.", number);
+    const std::string day = checked(checkedDay(c.excavated_on), "excavated_on");
+    const std::string edtf = checked(checkedEdtf(c.date_edtf), "date_edtf");
+    if (c.trench) {
+      Statement inside = database_->sql("SELECT 1 FROM trench WHERE row = ? AND site = ?");
+      if (!inside.with(c.trench, c.site).next())
+        refuse("The trench belongs to another site than the context.", number);
+    }
+    refuseDouble(std::move(database_
+                               ->sql("SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) "
+                                     "= ifnull(?, 0) AND number_key = ?")
+                               .with(c.site, c.trench, key)),
+                 c.row.value, "There is a context " + number + " in this place already.");
+    const ContextRow row{
+        Saving(*this, act, "context", c.row.value, c.id)
+            .done("site trench number number_key kind excavated_on period date_edtf closed note",
+                  number,
+                  {{"site", rowText(c.site.value)},
+                   {"trench", rowText(c.trench.value)},
+                   {"number", number},
+                   {"kind", c.kind},
+                   {"excavated_on", day},
+                   {"period", c.period},
+                   {"date_edtf", edtf},
+                   {"closed", c.closed ? "1" : "0"},
+                   {"note", c.note}},
+                  c.site, c.trench, number, key, c.kind, day, c.period, edtf, c.closed, c.note)};
+    if (c.row) searchAnew(*database_, "row", row.value);
+    return row;
+  });
+}
+
+Result<std::vector<BagRecord>> Catalogue::bags() const {
+  return bags(ContextRow{});
+}
+
+Result<std::vector<BagRecord>> Catalogue::bags(ContextRow context) const {
+  return database_->door([&] {
+    std::vector<BagRecord> all;
+    Statement rows = database_->sql(
+        "SELECT row, context, id, number, collected_on, storage, count_written, weight_g FROM bag "
+        "WHERE ?1 IS NULL OR context = ?1 ORDER BY context, number_key");
+    rows.with(context);
+    while (rows.next()) {
+      BagRecord b;
+      rows >> b.row >> b.context >> b.id >> b.number >> b.collected_on >> b.storage >>
+          b.count_written >> b.weight_g;
+      all.push_back(std::move(b));
+    }
+    return all;
+  });
+}
+
+Result<BagRow> Catalogue::save(const BagRecord& b, const Act& act) {
+  return database_->inTransaction([&] {
+    const std::string number = needed(b.number, "number of a bag"), key = uniqueKey(number);
+    if (!b.context) refuse("A bag belongs to a context.", number);
+    const std::string day = checked(checkedDay(b.collected_on), "collected_on");
+    if (b.weight_g && !(*b.weight_g > 0)) refuse("The weight of a bag is above 0 g.", number);
+    if (b.count_written && *b.count_written < 0) refuse("A count is never below 0.", number);
+    refuseDouble(
+        std::move(database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?")
+                      .with(b.context, key)),
+        b.row.value, "There is a bag " + number + " in this context already.");
+    return BagRow{
+        Saving(*this, act, "bag", b.row.value, b.id)
+            .done("context number number_key collected_on storage count_written weight_g", number,
+                  {{"context", rowText(b.context.value)},
+                   {"number", number},
+                   {"collected_on", day},
+                   {"storage", b.storage},
+                   {"count_written", b.count_written ? std::to_string(*b.count_written) : ""},
+                   {"weight_g", optionalText(b.weight_g)}},
+                  b.context, number, key, day, b.storage, b.count_written, b.weight_g)};
+  });
+}
+
+}  // namespace ostraka::catalogue

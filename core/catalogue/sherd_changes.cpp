@@ -1,0 +1,395 @@
+// Changing the fields of sherds: examined first, then all of them or none.
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "catalogue/history.h"
+#include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/values.h"
+#include "catalogue/words.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+constexpr double kMostMillimetres = 1000, kMostGrams = 20'000;
+
+// A change that was looked at: what the preview shows, and what is needed to do it.
+struct Examined {
+  ChangePreview shown;
+  const SherdColumn* column = nullptr;  ///< null for the user's own fields
+  double number = 0;
+  ContextRow context;  ///< of a place, once for all its parts
+  BagRow bag;
+  std::vector<SherdRow> joins;
+  bool changes() const { return shown.old_value != shown.new_value; }
+};
+
+class Examination {
+ public:
+  explicit Examination(const Catalogue& catalogue) : catalogue_(catalogue) {}
+
+  /// All changes of one sherd, which are looked at together: the parts of a place belong together.
+  void sherd(const SherdRecord& sherd, std::vector<Examined*> changes) {
+    bool place = false;
+    for (Examined* change : changes) {
+      try {
+        one(sherd, *change);
+      } catch (const Refused& refused) {
+        change->shown.refusal = refused.error.what;
+      }
+      place |= change->column && change->column->field.kind == FieldKind::Place;
+    }
+    if (!place) return;
+    try {
+      placeOf(sherd, changes);
+    } catch (const Refused& refused) {
+      for (Examined* change : changes)
+        if (change->column && change->column->field.kind == FieldKind::Place)
+          change->shown.refusal = refused.error.what;
+    }
+  }
+
+ private:
+  void one(const SherdRecord& sherd, Examined& change) {
+    const std::string& field = change.shown.change.field;
+    const std::string& typed = change.shown.change.value;
+    change.shown.old_value = textOf(sherd, field);
+    std::string& value = change.shown.new_value;
+    value = orRefuse(checkedText(typed));
+    if (field.starts_with("extra.") && field.size() > 6) return;
+    change.column = sherdColumn(field);
+    if (!change.column) refuse("There is no field '" + field + "'.");
+    const SherdField& known = change.column->field;
+    if (!known.editable) refuse("The field " + field + " comes from the program.");
+    switch (known.kind) {
+      case FieldKind::Text:
+        if (field == "number") number(sherd, change);
+        break;
+      case FieldKind::Term:
+        if (!value.empty()) value = term(known.vocabulary, value);
+        break;
+      case FieldKind::Terms:
+        terms(known.vocabulary, value);
+        break;
+      case FieldKind::Munsell:
+        value = orRefuse(checkedMunsell(value));
+        break;
+      case FieldKind::Edtf:
+        value = orRefuse(checkedEdtf(value));
+        break;
+      case FieldKind::Day:
+        value = orRefuse(checkedDay(value));
+        break;
+      case FieldKind::Number:
+        if (!value.empty()) measure(change);
+        break;
+      case FieldKind::Place:
+        break;  // together with the sherd's other changes
+      case FieldKind::Joins:
+        joins(sherd, change);
+        break;
+    }
+  }
+
+  void number(const SherdRecord& sherd, Examined& change) {
+    const std::string& value = change.shown.new_value;
+    if (sherd.state == SherdState::Void && value != sherd.number)
+      refuse("A void sherd keeps its number.");
+    if (value.empty() || value == sherd.number) return;
+    if (value.find_first_of("\r\n\t%") != std::string::npos)
+      refuse("A number holds no line break, no tabulator and no '%'.");
+    if (value.size() > 120) refuse("A number has 120 letters at most.");
+    const Taken taken = takenBy(catalogue_.database(), value);
+    const std::string key = uniqueKey(value);
+    const auto [earlier, first] = numbers_.emplace(key, sherd.row);
+    if (!first && earlier->second != sherd.row)
+      refuse("The number " + value + " would be given twice.");
+    if (!taken.sherd || (taken.sherd == sherd.row && !taken.slug_only)) return;
+    change.shown.in_the_way = taken.sherd;
+    const Result<SherdRecord> other = catalogue_.sherd(taken.sherd);
+    if (taken.slug_only)
+      refuse("The files of " + value + " would have the same names as those of " + taken.number +
+             ".");
+    if (other && other->number != taken.number)
+      refuse("The number " + value + " was given before and is never used again.");
+    refuse("The number " + value + " belongs to another sherd.");
+  }
+
+  // The term itself, also when a label of another language or capitals were typed.
+  std::string term(const std::string& vocabulary, const std::string& typed) {
+    auto& known = vocabularies_[vocabulary];
+    if (known.empty())
+      for (const Term& entry : orRefuse(catalogue_.vocabulary(vocabulary))) {
+        known.emplace(uniqueKey(entry.term), entry.term);
+        for (const auto& [language, label] : entry.labels)
+          known.emplace(uniqueKey(label), entry.term);
+      }
+    const auto found = known.find(uniqueKey(typed));
+    if (found != known.end()) return found->second;
+    refuse("'" + typed + "' is no term of the vocabulary '" + vocabulary +
+           "'; choose another, or add it in the settings.");
+  }
+
+  void terms(const std::string& vocabulary, std::string& value) {
+    std::vector<std::string> canonical;
+    for (const std::string& typed : splitTerms(value)) {
+      std::string known = term(vocabulary, typed);
+      if (std::find(canonical.begin(), canonical.end(), known) == canonical.end())
+        canonical.push_back(std::move(known));
+    }
+    value = joinTerms(canonical);
+  }
+
+  void measure(Examined& change) {
+    const std::string unit = unitOf(change.column->measure);
+    change.number = orRefuse(parsedNumber(change.shown.new_value));
+    if (!(change.number > 0)) refuse("A measurement is above 0.");
+    if (unit == "mm" && change.number > kMostMillimetres)
+      refuse("No sherd is larger than 1000 mm; is this in millimetres?");
+    if (unit == "g" && change.number > kMostGrams)
+      refuse("No sherd is heavier than 20 kg; is this in grams?");
+    if (unit == "pct" && change.number > 100) refuse("A share is 100 % at most.");
+    change.shown.new_value = numberText(change.number);
+  }
+
+  void joins(const SherdRecord& sherd, Examined& change) {
+    std::vector<std::string> numbers;
+    for (const std::string& typed : splitTerms(change.shown.new_value)) {
+      SherdRow other = orRefuse(catalogue_.sherdByNumber(typed));
+      if (!other) other = orRefuse(catalogue_.sherdById(typed));
+      if (!other) refuse("There is no sherd " + typed + " that it could join.");
+      if (other == sherd.row) refuse("A sherd does not join itself.");
+      change.joins.push_back(other);
+    }
+    std::sort(change.joins.begin(), change.joins.end());
+    change.joins.erase(std::unique(change.joins.begin(), change.joins.end()), change.joins.end());
+    std::vector<std::pair<std::string, std::string>> sorted;
+    for (const SherdRecord& other : orRefuse(catalogue_.sherds(change.joins))) {
+      const std::string& name = other.number.empty() ? other.id : other.number;
+      sorted.emplace_back(sortKey(name), name);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (auto& [key, name] : sorted) numbers.push_back(name);
+    change.shown.new_value = joinTerms(numbers);
+  }
+
+  // Site, trench, context and bag as they would be, found in the catalogue.
+  void placeOf(const SherdRecord& sherd, const std::vector<Examined*>& changes) {
+    std::map<std::string, std::string> wanted = {{"site", sherd.site},
+                                                 {"trench", sherd.trench},
+                                                 {"context", sherd.context_number},
+                                                 {"bag", sherd.bag_number}};
+    for (const Examined* change : changes)
+      if (change->column && change->column->field.kind == FieldKind::Place)
+        wanted[change->shown.change.field] = change->shown.new_value;
+    ContextRow context;
+    BagRow bag;
+    if (!wanted["context"].empty()) {
+      context =
+          orRefuse(catalogue_.contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
+      if (!context)
+        refuse("There is no context " + wanted["context"] + " in " + wanted["site"] + " " +
+               wanted["trench"] + "; add it first.");
+    } else if (sherd.state == SherdState::Numbered && !losesNumber(changes)) {
+      refuse("A numbered sherd needs its context.");
+    }
+    if (!wanted["bag"].empty()) {
+      Statement rows =
+          catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?");
+      if (!rows.with(context, uniqueKey(wanted["bag"])).next())
+        refuse("There is no bag " + wanted["bag"] +
+               " in this context; add it, or change the bag "
+               "too.");
+      rows >> bag;
+    }
+    for (Examined* change : changes)
+      if (change->column && change->column->field.kind == FieldKind::Place) {
+        change->context = context;
+        change->bag = bag;
+        if (context && !change->shown.new_value.empty()) canonical(*change);
+      }
+  }
+
+  // The codes as the catalogue writes them, so that arm1 for ARM1 is no change.
+  void canonical(Examined& change) {
+    const ContextRecord place = orRefuse(catalogue_.context(change.context));
+    std::string& value = change.shown.new_value;
+    const std::string& field = change.shown.change.field;
+    if (field == "site") value = place.site_code;
+    if (field == "trench") value = place.trench_code;
+    if (field == "context") value = place.number;
+    if (field != "bag") return;
+    Statement number = catalogue_.database().sql("SELECT number FROM bag WHERE row = ?");
+    if (number.with(change.bag).next()) number >> value;
+  }
+
+  static bool losesNumber(const std::vector<Examined*>& changes) {
+    return std::any_of(changes.begin(), changes.end(), [](const Examined* change) {
+      return change->shown.change.field == "number" && change->shown.new_value.empty();
+    });
+  }
+
+  const Catalogue& catalogue_;
+  std::map<std::string, std::map<std::string, std::string>> vocabularies_;
+  std::map<std::string, SherdRow> numbers_;
+};
+
+struct Batch {
+  std::vector<Examined> changes;
+  std::map<std::int64_t, SherdRecord> sherds;
+};
+
+Batch examine(const Catalogue& catalogue, std::span<const FieldChange> wanted) {
+  Batch all;
+  std::vector<SherdRow> rows;
+  std::map<std::int64_t, std::vector<std::size_t>> by_sherd;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    all.changes.push_back({{wanted[i], {}, {}, {}, {}}, nullptr, 0, {}, {}, {}});
+    auto& of_sherd = by_sherd[wanted[i].sherd.value];
+    if (of_sherd.empty()) rows.push_back(wanted[i].sherd);
+    of_sherd.push_back(i);
+  }
+  Examination examination(catalogue);
+  for (SherdRecord& sherd : orRefuse(catalogue.sherds(rows))) {
+    std::vector<Examined*> of_sherd;
+    for (const std::size_t i : by_sherd[sherd.row.value]) of_sherd.push_back(&all.changes[i]);
+    examination.sherd(sherd, of_sherd);
+    all.sherds.emplace(sherd.row.value, std::move(sherd));
+  }
+  return all;
+}
+
+void setJoins(Catalogue& catalogue, SherdRow sherd, const std::vector<SherdRow>& joins) {
+  Database& database = catalogue.database();
+  database.sql("DELETE FROM sherd_join WHERE sherd = ?1 OR other = ?1").with(sherd).run();
+  for (const SherdRow& other : joins) {
+    database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(sherd, other).run();
+    database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(other, sherd).run();
+  }
+}
+
+std::string methodOf(const std::string& kind) {
+  if (kind == "weight") return "scale";
+  return kind.starts_with("rim_") ? "estimate" : "calliper";
+}
+
+void setExtra(Catalogue& catalogue, SherdRow sherd, const std::string& name,
+              const std::string& value) {
+  Database& database = catalogue.database();
+  std::string text;
+  {
+    Statement row = database.sql("SELECT extra FROM sherd WHERE row = ?");
+    if (row.with(sherd).next()) row >> text;
+  }
+  nlohmann::ordered_json extra = nlohmann::ordered_json::parse(text, nullptr, false);
+  if (!extra.is_object()) extra = nlohmann::ordered_json::object();
+  if (value.empty())
+    extra.erase(name);
+  else
+    extra[name] = value;
+  database.sql("UPDATE sherd SET extra = ? WHERE row = ?").with(extra.dump(), sherd).run();
+}
+
+// Numbers are taken away before places change and given afterwards: a numbered sherd always has its
+// context.
+int turnOf(const Examined& change) {
+  if (!change.column) return 2;
+  if (change.column->field.kind == FieldKind::Place) return 1;
+  return std::string_view(change.column->field.name) == "number" && change.shown.new_value.empty()
+             ? 0
+             : 2;
+}
+
+// Columns that are set together, in one statement for each sherd.
+using Plain = std::vector<std::pair<std::string, std::string>>;
+
+void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Plain& plain,
+           const Act& act) {
+  Database& database = catalogue.database();
+  const SherdRow row = sherd.row;
+  const std::string& field = change.shown.change.field;
+  const std::string& value = change.shown.new_value;
+  if (!change.column) {
+    setExtra(catalogue, row, field.substr(6), value);
+  } else if (change.column->measure) {
+    const std::string kind = change.column->measure;
+    if (value.empty())
+      clearMeasure(catalogue, row, kind, act);
+    else
+      typeMeasure(catalogue,
+                  {row, kind, {}, change.number, std::nullopt, methodOf(kind), act.person, {}},
+                  act);
+    return;  // its history is written with the measurement
+  } else if (change.column->field.kind == FieldKind::Joins) {
+    setJoins(catalogue, row, change.joins);
+  } else if (change.column->field.kind == FieldKind::Place) {
+    if (sherd.context != change.context || sherd.bag != change.bag)
+      database.sql("UPDATE sherd SET context = ?, bag = ? WHERE row = ?")
+          .with(change.context, change.bag, row)
+          .run();
+    sherd.context = change.context;
+    sherd.bag = change.bag;
+  } else if (field == "number") {
+    if (!value.empty() && !sherd.context)
+      refuse("A sherd gets a number when its context is known.", value);
+    setNumber(catalogue, orRefuse(catalogue.sherd(row)), value);
+    sherd.number = value;
+  } else if (field == "void_reason") {
+    const char* state = !value.empty() ? "void" : sherd.number.empty() ? "draft" : "numbered";
+    database.sql("UPDATE sherd SET void_reason = ?, state = ? WHERE row = ?")
+        .with(value, state, row)
+        .run();
+  } else {
+    plain.emplace_back(field, change.column->terms ? termsJson(splitTerms(value)) : value);
+  }
+  remember(catalogue, act, "sherd", row.value, field, change.shown.old_value, value);
+}
+
+void finish(Catalogue& catalogue, SherdRow sherd, const Plain& plain, const Act& act) {
+  std::string pairs;
+  for (const auto& [column, value] : plain) pairs += column + " = ?, ";
+  Statement update = catalogue.database().sql(
+      "UPDATE sherd SET " + pairs +
+      "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?");
+  for (const auto& [column, value] : plain) update.with(value);
+  update.with(catalogue.now(), act.person, sherd).run();
+  searchAnew(catalogue.database(), sherd);
+}
+
+}  // namespace
+
+Result<std::vector<ChangePreview>> Catalogue::preview(std::span<const FieldChange> wanted) const {
+  return database_->door([&] {
+    std::vector<ChangePreview> shown;
+    for (Examined& change : examine(*this, wanted).changes)
+      shown.push_back(std::move(change.shown));
+    return shown;
+  });
+}
+
+Result<std::vector<FieldChange>> Catalogue::change(std::span<const FieldChange> wanted,
+                                                   const Act& act) {
+  return database_->inTransaction([&] {
+    Batch all = examine(*this, wanted);
+    for (const Examined& change : all.changes)
+      if (!change.shown.refusal.empty()) {
+        const SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
+        refuse(change.shown.refusal, sherd.number.empty() ? std::string() : sherd.number);
+      }
+    std::vector<FieldChange> undo;
+    std::map<std::int64_t, Plain> touched;
+    for (const int turn : {0, 1, 2})
+      for (const Examined& change : all.changes) {
+        if (!change.changes() || turnOf(change) != turn) continue;
+        const FieldChange& asked = change.shown.change;
+        apply(*this, change, all.sherds.at(asked.sherd.value), touched[asked.sherd.value], act);
+        undo.push_back({asked.sherd, asked.field, change.shown.old_value});
+      }
+    for (const auto& [row, plain] : touched) finish(*this, SherdRow{row}, plain, act);
+    std::reverse(undo.begin(), undo.end());
+    return undo;
+  });
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,64 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "catalogue/database.h"
+#include "catalogue/sherd.h"
+
+namespace ostraka::catalogue {
+
+/// For the files of this folder: where a field of a sherd lives.
+struct SherdColumn {
+  SherdField field;
+  std::string SherdRecord::*text = nullptr;
+  std::vector<std::string> SherdRecord::*terms = nullptr;
+  const char* measure = nullptr;  ///< its kind, and its column in sherd_measure
+  const char* sql = nullptr;      ///< what it is compared and ordered by
+};
+const std::vector<SherdColumn>& sherdColumns();
+/// By its name, or its name without the unit (length, thickness); null when there is none.
+const SherdColumn* sherdColumn(const std::string& name);
+
+/// Sorts drafts, which have no number, behind all numbers.
+inline constexpr const char* kBehindAllNumbers = "\xF4\x8F\xBF\xBF";
+
+/// The sherd that this number was ever given to; none when it is free. `slug_only`: the number
+/// differs, but its files would have the same name.
+struct Taken {
+  SherdRow sherd;
+  std::string number;
+  bool slug_only = false;
+};
+Taken takenBy(Database& database, const std::string& number);
+/// Writes number, state and sort key of the sherd, and that the number is given. Throws Refused.
+void setNumber(Catalogue& catalogue, const SherdRecord& sherd, const std::string& number);
+
+enum class MeasureRank {
+  PersonFirst,  ///< what a person measured stays above what the program computes
+  Always        ///< this value counts from now on
+};
+void setMeasure(Catalogue& catalogue, const Measurement& measurement, const Act& act,
+                MeasureRank rank);
+/// A value typed by the person of `act`.
+void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act);
+/// Nothing counts any more; old rows stay.
+void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind, const Act& act);
+
+/// Lets the draft sherds of a batch, and the scans' states, follow the decisions that count.
+void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act);
+
+/// The search finds the sherd by what it says now.
+void searchAnew(Database& database, SherdRow sherd);
+
+/// A value, or Refused with its error.
+template <class T>
+T orRefuse(Result<T> result) {
+  if (!result) throw Refused(result.error());
+  return std::move(*result);
+}
+inline void orRefuse(const Result<void>& result) {
+  if (!result) throw Refused(result.error());
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,208 @@
+// Reading sherds, and adding them.
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+
+#include "catalogue/history.h"
+#include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/values.h"
+#include "catalogue/words.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+constexpr const char* kKinds[] = {"length",        "width",   "thickness_min", "thickness_mean",
+                                  "thickness_max", "area",    "volume",        "filled_pct",
+                                  "rim_diameter",  "rim_pct", "weight"};
+
+// Rows are asked for as one JSON array, so that a page is one query.
+constexpr const char* kSherds =
+    "SELECT s.row, s.id, s.number, s.state, s.void_reason, s.context, s.bag, s.batch, s.front, "
+    "s.back, s.part, s.decoration, s.condition, s.ware, s.fabric, s.inclusions, s.manufacture, "
+    "s.firing, s.surface_out, s.surface_in, s.munsell_out, s.munsell_in, s.munsell_core, s.period, "
+    "s.date_edtf, s.vessel, s.note, s.extra, s.created_at, s.updated_at, s.revision, site.code, "
+    "trench.code, context.number, bag.number, batch.number, s.preview_path, s.model_path, "
+    "m.length, m.width, m.thickness_min, m.thickness_mean, m.thickness_max, m.area, m.volume, "
+    "m.filled_pct, m.rim_diameter, m.rim_pct, m.weight "
+    "FROM sherd s JOIN sherd_measure m ON m.sherd = s.row "
+    "LEFT JOIN context ON context.row = s.context LEFT JOIN site ON site.row = context.site "
+    "LEFT JOIN trench ON trench.row = context.trench LEFT JOIN bag ON bag.row = s.bag "
+    "LEFT JOIN batch ON batch.row = s.batch "
+    "WHERE s.row IN (SELECT value FROM json_each(?))";
+
+SherdRecord readSherd(Statement& row) {
+  SherdRecord s;
+  std::string state, part, decoration, condition;
+  row >> s.row >> s.id >> s.number >> state >> s.void_reason >> s.context >> s.bag >> s.batch >>
+      s.front >> s.back >> part >> decoration >> condition >> s.ware >> s.fabric >> s.inclusions >>
+      s.manufacture >> s.firing >> s.surface_out >> s.surface_in >> s.munsell_out >> s.munsell_in >>
+      s.munsell_core >> s.period >> s.date_edtf >> s.vessel >> s.note >> s.extra_json >>
+      s.created_ms >> s.updated_ms >> s.revision >> s.site >> s.trench >> s.context_number >>
+      s.bag_number >> s.batch_number >> s.preview_path >> s.model_path;
+  s.state = fromWord<SherdState>(state);
+  s.part = termsFromJson(part);
+  s.decoration = termsFromJson(decoration);
+  s.condition = termsFromJson(condition);
+  for (const char* kind : kKinds) {
+    std::optional<double> value;
+    row >> value;
+    if (value) s.measures[kind] = *value;
+  }
+  return s;
+}
+
+std::string rowsJson(std::span<const SherdRow> rows) {
+  std::string text = "[";
+  for (const SherdRow& row : rows) {
+    if (text.size() > 1) text += ',';
+    text += std::to_string(row.value);
+  }
+  return text + "]";
+}
+
+}  // namespace
+
+void searchAnew(Database& database, SherdRow sherd) {
+  database.sql("DELETE FROM sherd_term WHERE sherd = ?").with(sherd).run();
+  database
+      .sql(
+          "INSERT INTO sherd_term SELECT DISTINCT term, field, sherd FROM sherd_terms WHERE sherd "
+          "= ?")
+      .with(sherd)
+      .run();
+  database
+      .sql(
+          "INSERT OR REPLACE INTO sherd_text (rowid, words) SELECT sherd, words FROM sherd_words "
+          "WHERE sherd = ?")
+      .with(sherd)
+      .run();
+}
+
+Result<std::vector<SherdRecord>> Catalogue::sherds(std::span<const SherdRow> rows) const {
+  return database_->door([&] {
+    std::unordered_map<std::int64_t, SherdRecord> found;
+    const std::string wanted = rowsJson(rows);
+    {
+      Statement statement = database_->sql(kSherds);
+      statement.with(wanted);
+      while (statement.next()) {
+        SherdRecord sherd = readSherd(statement);
+        found.emplace(sherd.row.value, std::move(sherd));
+      }
+    }
+    Statement joins = database_->sql(
+        "SELECT j.sherd, j.other, o.number, o.id FROM sherd_join j JOIN sherd o ON o.row = j.other "
+        "WHERE j.sherd IN (SELECT value FROM json_each(?)) ORDER BY o.number_sort, o.row");
+    joins.with(wanted);
+    while (joins.next()) {
+      std::int64_t row = 0;
+      SherdRow other;
+      std::string number, id;
+      joins >> row >> other >> number >> id;
+      found[row].joins.push_back(other);
+      found[row].join_numbers.push_back(number.empty() ? id : number);
+    }
+    std::vector<SherdRecord> page;
+    page.reserve(rows.size());
+    for (const SherdRow& row : rows) {
+      const auto sherd = found.find(row.value);
+      if (sherd == found.end()) refuse("A sherd is not in the catalogue any more.");
+      page.push_back(sherd->second);
+    }
+    return page;
+  });
+}
+
+Result<SherdRecord> Catalogue::sherd(SherdRow row) const {
+  Result<std::vector<SherdRecord>> page = sherds(std::span(&row, 1));
+  if (!page) return page.error();
+  return std::move(page->front());
+}
+
+Result<SherdRow> Catalogue::sherdByNumber(const std::string& number) const {
+  return database_->door([&] {
+    SherdRow sherd;
+    Statement row = database_->sql(
+        "SELECT g.sherd FROM given_number g JOIN sherd s ON s.row = g.sherd AND s.number = "
+        "g.number WHERE g.number_key = ?");
+    if (row.with(uniqueKey(trimmed(number))).next()) row >> sherd;
+    return sherd;
+  });
+}
+
+Result<SherdRow> Catalogue::sherdById(const std::string& id) const {
+  return database_->door([&] {
+    SherdRow sherd;
+    Statement row = database_->sql("SELECT row FROM sherd WHERE id = ?");
+    if (row.with(uniqueKey(trimmed(id))).next()) row >> sherd;
+    return sherd;
+  });
+}
+
+Result<std::vector<SherdRow>> Catalogue::sherdRows(BatchRow batch) const {
+  return database_->door([&] {
+    std::vector<SherdRow> all;
+    Statement rows = database_->sql(
+        "SELECT row FROM sherd WHERE batch = ? AND NOT (state = 'void' AND number = '') ORDER BY "
+        "number_sort, row");
+    rows.with(batch);
+    while (rows.next()) {
+      SherdRow row;
+      rows >> row;
+      all.push_back(row);
+    }
+    return all;
+  });
+}
+
+Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Act& act) {
+  return database_->inTransaction([&] {
+    const std::string id = s.id.empty() ? newId(now()) : s.id;
+    if (!isUuid(id)) refuse("The uuid of a sherd is not well formed.", id);
+    Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?");
+    if (same.with(id).next()) refuse("There is a sherd with this uuid already.", id);
+    database_
+        ->sql(
+            "INSERT INTO sherd (id, created_at, created_by, updated_at, updated_by, number_sort, "
+            "context, bag, batch, front, back, extra) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+            "?)")
+        .with(id, now(), act.person, now(), act.person, kBehindAllNumbers, s.context, s.bag,
+              s.batch, s.front, s.back, s.extra_json)
+        .run();
+    const SherdRow row{database_->lastRow()};
+    database_->sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
+    remember(*this, act, "sherd", row.value, "", "", id);
+    std::vector<FieldChange> changes;
+    for (const SherdColumn& column : sherdColumns()) {
+      if (!column.field.editable || column.field.kind == FieldKind::Place) continue;
+      std::string value = textOf(s, column.field.name);
+      if (!value.empty()) changes.push_back({row, column.field.name, std::move(value)});
+    }
+    if (changes.empty())
+      searchAnew(*database_, row);
+    else
+      orRefuse(change(changes, act));
+    return row;
+  });
+}
+
+Result<void> Catalogue::setModel(SherdRow sherd, const std::string& model_path,
+                                 const std::string& preview_path) {
+  return database_->inTransaction([&] {
+    for (const std::string& path : {model_path, preview_path})
+      if (!path.empty()) orRefuse(checkedPath(path));
+    database_->sql("UPDATE sherd SET model_path = ?, preview_path = ? WHERE row = ?")
+        .with(model_path, preview_path, sherd)
+        .run();
+  });
+}
+
+Result<void> Catalogue::voidSherd(SherdRow sherd, const std::string& reason, const Act& act) {
+  if (trimmed(reason).empty())
+    return Error{ErrorCode::UnusableInput, "A sherd is void for a reason; say which.", {}};
+  const FieldChange voided{sherd, "void_reason", reason};
+  const Result<std::vector<FieldChange>> done = change(std::span(&voided, 1), act);
+  return done ? Result<void>() : done.error();
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace ostraka::catalogue {
+
+// Each takes a text as typed or imported and gives its canonical form, or an error whose sentence
+// says what is expected. An empty text stays empty.
+
+/// Composed, trimmed; refuses NUL, bad UTF-8, more than 1 MB.
+Result<std::string> checkedText(std::string_view text);
+/// 2026-07-14, a day that exists.
+Result<std::string> checkedDay(std::string_view text);
+/// Extended Date/Time Format, level 1: years to days, ? ~ %, intervals with / and .., XX.
+Result<std::string> checkedEdtf(std::string_view text);
+/// 10YR 3/1, N 4/0.
+Result<std::string> checkedMunsell(std::string_view text);
+/// 12.5 or 12,5; finite. No thousands' marks.
+Result<double> parsedNumber(std::string_view text);
+/// Shortest text that reads back as the same number, with a point.
+std::string numberText(double value);
+/// rim; neck -> {rim, neck}, without doubles.
+std::vector<std::string> splitTerms(std::string_view text);
+std::string joinTerms(const std::vector<std::string>& terms);
+/// A JSON array of texts, and back; what is no array of texts reads as empty.
+std::string termsJson(const std::vector<std::string>& terms);
+std::vector<std::string> termsFromJson(std::string_view json);
+/// Relative, '/', NFC, no '..', no empty parts, no line break, no NUL.
+Result<std::string> checkedPath(std::string_view path);
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,55 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace ostraka::exchange {
+
+struct BagFile {
+  std::string path;  ///< within the bag, with '/': data/sherds.csv
+  std::string sha256;
+  std::int64_t bytes = 0;
+};
+
+/// Writes a folder after BagIt 1.0 (RFC 8493). Everything goes to NAME.partial; finish() syncs it
+/// and gives it its name. Without finish() nothing stays behind.
+class BagWriter {
+ public:
+  /// Errors: the folder is there already, or cannot be made.
+  static Result<BagWriter> begin(const std::filesystem::path& target);
+  BagWriter(BagWriter&&) noexcept;
+  BagWriter& operator=(BagWriter&&) = delete;
+  ~BagWriter();
+
+  /// path is relative to data/. Errors: the same name twice, '%' or a line break, a full disk.
+  Result<BagFile> add(const std::string& path, std::string_view bytes);
+  /// Copies in pieces, hashing while it reads; stops within a piece.
+  Result<BagFile> addFile(const std::string& path, const std::filesystem::path& source,
+                          std::stop_token stop);
+  /// Writes bagit.txt, bag-info.txt and the manifests, then renames.
+  Result<void> finish(const std::map<std::string, std::string>& info);
+  const std::vector<BagFile>& files() const { return files_; }
+  std::int64_t bytes() const { return bytes_; }
+
+ private:
+  explicit BagWriter(std::filesystem::path target);
+  Result<void> taken(const std::string& path) const;
+  std::filesystem::path target_, partial_;
+  std::vector<BagFile> files_;
+  std::map<std::string, std::string> keys_;  ///< case-folded name -> name
+  std::int64_t bytes_ = 0;
+  bool open_ = true;
+};
+
+/// Every file of the bag, after all hashes agreed. Errors name the first file that is missing,
+/// changed or not listed.
+Result<std::vector<BagFile>> checkBag(const std::filesystem::path& folder, Progress& progress,
+                                      std::stop_token stop);
+
+}  // namespace ostraka::exchange

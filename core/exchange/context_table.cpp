@@ -1,0 +1,218 @@
+// Sites, trenches, contexts and bags from a table.
+#include <algorithm>
+
+#include "catalogue/names.h"
+#include "catalogue/values.h"
+#include "exchange/csv.h"
+#include "exchange/import_table.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using namespace catalogue;
+
+Error unknown(const std::string& what, const std::string& code) {
+  return {ErrorCode::UnusableInput,
+          "There is no " + what + " " + code +
+              "; make it, or let the "
+              "import make it.",
+          {}};
+}
+
+// Sets a text from a column: blank keeps, <clear> empties.
+class Values {
+ public:
+  Values(const CsvTable& table, const CsvRow& row) : table_(table), row_(row) {}
+  std::string raw(const std::string& column) const {
+    const auto found = std::find(table_.columns.begin(), table_.columns.end(), column);
+    if (found == table_.columns.end()) return {};
+    const auto index = static_cast<std::size_t>(found - table_.columns.begin());
+    return index < row_.values.size() ? trimmed(unguarded(row_.values[index])) : std::string();
+  }
+  void text(const std::string& column, std::string& value) const {
+    const std::string read = raw(column);
+    if (!read.empty()) value = read == "<clear>" ? std::string() : read;
+  }
+  Result<void> number(const std::string& column, std::optional<double>& value) const {
+    const std::string read = raw(column);
+    if (read.empty()) return {};
+    value.reset();
+    if (read == "<clear>") return {};
+    const Result<double> parsed = parsedNumber(read);
+    if (!parsed) return parsed.error();
+    value = *parsed;
+    return {};
+  }
+
+ private:
+  const CsvTable& table_;
+  const CsvRow& row_;
+};
+
+const std::vector<std::string> kColumns = {
+    "site",   "trench", "context", "kind",         "excavated_on",  "period",   "date_edtf",
+    "closed", "note",   "bag",     "collected_on", "count_written", "weight_g", "storage"};
+
+template <class Record, class Row>
+Record* byRow(std::vector<Record>& records, Row row) {
+  const auto found =
+      std::find_if(records.begin(), records.end(), [&](const Record& r) { return r.row == row; });
+  return found == records.end() ? nullptr : &*found;
+}
+
+Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values, const Act& act) {
+  const auto row = places.context(values.raw("site"), values.raw("trench"), values.raw("context"));
+  if (!row) return row.error();
+  Result<ContextRecord> found = catalogue.context(*row);
+  if (!found) return found.error();
+  ContextRecord context = *found;
+  values.text("kind", context.kind);
+  values.text("excavated_on", context.excavated_on);
+  values.text("period", context.period);
+  values.text("date_edtf", context.date_edtf);
+  values.text("note", context.note);
+  const std::string closed = uniqueKey(values.raw("closed"));
+  if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
+    return Error{ErrorCode::UnusableInput, "The column closed takes yes or no.", {}};
+  if (!closed.empty()) context.closed = closed == "yes";
+  if (const auto saved = catalogue.save(context, act); !saved) return saved.error();
+  const std::string number = values.raw("bag");
+  if (number.empty()) return {};
+  const auto bag_row = places.bag(*row, number);
+  if (!bag_row) return bag_row.error();
+  Result<std::vector<BagRecord>> bags = catalogue.bags(*row);
+  if (!bags) return bags.error();
+  BagRecord bag = *byRow(*bags, *bag_row);
+  values.text("collected_on", bag.collected_on);
+  values.text("storage", bag.storage);
+  if (Result<void> weight = values.number("weight_g", bag.weight_g); !weight) return weight;
+  std::optional<double> count;
+  if (bag.count_written) count = *bag.count_written;
+  if (Result<void> counted = values.number("count_written", count); !counted) return counted;
+  if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
+    return Error{ErrorCode::UnusableInput, "The column count_written takes a whole number.", {}};
+  bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
+  const auto saved = catalogue.save(bag, act);
+  return saved ? Result<void>() : saved.error();
+}
+
+}  // namespace
+
+Result<ContextRow> Places::context(const std::string& site_code, const std::string& trench_code,
+                                   const std::string& number) {
+  const std::string key =
+      uniqueKey(site_code) + "\n" + uniqueKey(trench_code) + "\n" + uniqueKey(number);
+  if (const auto known = known_.find(key); known != known_.end()) return ContextRow{known->second};
+  const Result<ContextRow> there = catalogue_.contextByPlace(site_code, trench_code, number);
+  if (!there) return there;
+  if (*there) {
+    known_[key] = there->value;
+    return there;
+  }
+  if (unknown_ == UnknownPlaces::Refuse)
+    return unknown("context", site_code + " " + trench_code + " " + number);
+  SiteRow site;
+  const Result<std::vector<SiteRecord>> sites = catalogue_.sites();
+  if (!sites) return sites.error();
+  for (const SiteRecord& s : *sites)
+    if (uniqueKey(s.code) == uniqueKey(site_code)) site = s.row;
+  if (!site) {
+    SiteRecord record;
+    record.code = record.name = site_code;
+    const Result<SiteRow> made = catalogue_.save(record, act_);
+    if (!made) return made.error();
+    site = *made;
+  }
+  TrenchRow trench;
+  if (!trench_code.empty()) {
+    const Result<std::vector<TrenchRecord>> trenches = catalogue_.trenches();
+    if (!trenches) return trenches.error();
+    for (const TrenchRecord& t : *trenches)
+      if (t.site == site && uniqueKey(t.code) == uniqueKey(trench_code)) trench = t.row;
+    if (!trench) {
+      TrenchRecord record;
+      record.site = site;
+      record.code = trench_code;
+      const Result<TrenchRow> made = catalogue_.save(record, act_);
+      if (!made) return made.error();
+      trench = *made;
+    }
+  }
+  ContextRecord record;
+  record.site = site;
+  record.trench = trench;
+  record.number = number;
+  const Result<ContextRow> made = catalogue_.save(record, act_);
+  if (made) known_[key] = made->value;
+  return made;
+}
+
+Result<BagRow> Places::bag(ContextRow context, const std::string& number) {
+  const std::string key = std::to_string(context.value) + "\n" + uniqueKey(number);
+  if (const auto known = known_.find(key); known != known_.end()) return BagRow{known->second};
+  const Result<std::vector<BagRecord>> bags = catalogue_.bags(context);
+  if (!bags) return bags.error();
+  for (const BagRecord& bag : *bags)
+    if (uniqueKey(bag.number) == uniqueKey(number)) {
+      known_[key] = bag.row.value;
+      return bag.row;
+    }
+  if (unknown_ == UnknownPlaces::Refuse) return unknown("bag", number);
+  BagRecord record;
+  record.context = context;
+  record.number = number;
+  const Result<BagRow> made = catalogue_.save(record, act_);
+  if (made) known_[key] = made->value;
+  return made;
+}
+
+Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
+                                    const ImportOptions& options, const Act& act,
+                                    Progress& progress, std::stop_token stop) {
+  ImportReport report;
+  for (const std::string& column : table.columns)
+    if (std::find(kColumns.begin(), kColumns.end(), column) == kColumns.end() && column != "uuid")
+      report.warnings.push_back("The column '" + column +
+                                "' is not known for contexts and is left aside.");
+  const Result<void> done = previewOrEnter(catalogue, options.mode, [&]() -> Result<void> {
+    // A table of contexts is there to make them.
+    Places places(catalogue, UnknownPlaces::Make, act);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      if (stop.stop_requested()) return Error::cancelled();
+      progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(table.rows.size()));
+      const CsvRow& row = table.rows[i];
+      Refusal refusal{row.line, {}, {}, {}};
+      if (row.values.size() != table.columns.size()) {
+        refusal.reason = "The row has " + std::to_string(row.values.size()) +
+                         " values, the header " + std::to_string(table.columns.size()) + ".";
+      } else {
+        const Values values(table, row);
+        const auto known = catalogue.contextByPlace(values.raw("site"), values.raw("trench"),
+                                                    values.raw("context"));
+        const bool fresh = !known || !*known;
+        const std::int64_t before = catalogue.historyLength();
+        const Result<void> entered =
+            catalogue.together([&] { return enterRow(catalogue, places, values, act); });
+        if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
+        if (!entered) {
+          places.forget();
+          refusal.column = "context";
+          refusal.value = values.raw("context");
+          refusal.reason = entered.error().sentence();
+        } else {
+          ++(fresh                                ? report.fresh
+             : catalogue.historyLength() > before ? report.changed
+                                                  : report.same);
+        }
+      }
+      if (refusal.reason.empty()) continue;
+      ++report.refused;
+      report.refusals.push_back(std::move(refusal));
+    }
+    return {};
+  });
+  if (!done) return done.error();
+  return report;
+}
+
+}  // namespace ostraka::exchange

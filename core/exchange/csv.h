@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace ostraka::exchange {
+
+struct CsvRow {
+  int line = 0;  ///< where the row begins in the file, from 1
+  std::vector<std::string> values;
+};
+struct CsvTable {
+  std::vector<std::string> columns;  ///< the header, trimmed
+  std::vector<CsvRow> rows;
+  char separator = ',';
+};
+
+/// RFC 4180. UTF-8 with or without BOM, UTF-16 with BOM; the separator (, ; or tabulator) is taken
+/// from the header; line ends CRLF, LF or CR; empty lines are left out. At most 1,000,000 rows and
+/// 1 MB a field. Errors name the line.
+Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where);
+
+/// Comma, CRLF; values with a comma, a quotation mark or a line end are quoted.
+std::string csvLine(const std::vector<std::string>& values);
+
+/// A spreadsheet takes a text that begins with = + - @ (or tab, CR, LF) for a formula: such texts,
+/// also behind quotes, get one ' more, which the import takes off again. Any text survives both.
+std::string guarded(std::string_view text);
+std::string unguarded(std::string_view text);
+
+}  // namespace ostraka::exchange

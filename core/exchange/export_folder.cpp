@@ -1,0 +1,274 @@
+#include "exchange/export_folder.h"
+
+#include <algorithm>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "catalogue/names.h"
+#include "catalogue/values.h"
+#include "catalogue/words.h"
+#include "exchange/bagit.h"
+#include "exchange/metadata.h"
+#include "exchange/model_files.h"
+#include "exchange/sherd_json.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+std::string slugOf(const SherdRecord& sherd) {
+  return slug(sherd.number.empty() ? "draft-" + sherd.id : sherd.number);
+}
+
+// One file to be copied, and what for.
+struct Wanted {
+  SherdRow sherd;  ///< none: of a batch
+  std::string role, to;
+  fs::path from;
+  std::string sha256;  ///< as entered; empty when not known
+  Form form = Form::Ply;
+};
+
+// Everything that will be copied, in a fixed order.
+class Plan {
+ public:
+  Plan(const Catalogue& catalogue, const fs::path& project, const ExportOptions& options)
+      : catalogue_(catalogue), project_(project), options_(options) {}
+
+  Result<void> add(const SherdRecord& sherd) {
+    const std::string name = slugOf(sherd);
+    const Result<std::vector<FileRecord>> files = catalogue_.files(sherd.row);
+    if (!files) return files.error();
+    std::string glb;
+    for (const FileRecord& file : *files) {
+      hashes_[file.path] = file.sha256;
+      if (file.role == "model" && file.path.ends_with(".glb")) glb = file.path;
+    }
+    if (sherd.model_path.empty()) ++without_model;
+    want(Form::Ply, sherd, "model", "models/" + name + ".ply", sherd.model_path);
+    want(Form::Glb, sherd, "model", "models/" + name + ".glb", glb);
+    want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
+    want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
+    const auto drawings = options_.drawings.find(sherd.row);
+    if (options_.forms.contains(Form::Drawings) && drawings != options_.drawings.end())
+      for (const fs::path& drawing : drawings->second)
+        files_.push_back(
+            {sherd.row,
+             "drawing",
+             "drawings/" + name + slug(drawing.extension().string()).replace(0, 1, "."),
+             drawing,
+             {},
+             Form::Drawings});
+    if (options_.forms.contains(Form::Photographs) && sherd.batch &&
+        batches_.insert(sherd.batch).second)
+      return photographs(sherd.batch, sherd.batch_number);
+    return {};
+  }
+  const std::vector<Wanted>& files() const { return files_; }
+  const std::set<BatchRow>& batches() const { return batches_; }
+  int without_model = 0;
+
+ private:
+  void want(Form form, const SherdRecord& sherd, const char* role, const std::string& to,
+            const std::string& from) {
+    if (from.empty() || !options_.forms.contains(form)) return;
+    files_.push_back({sherd.row, role, to, project_ / from, hashes_[from], form});
+  }
+
+  Result<void> photographs(BatchRow batch, const std::string& number) {
+    const Result<std::vector<FileRecord>> files = catalogue_.files(batch);
+    if (!files) return files.error();
+    const std::string folder = "batches/" + number + "/";
+    for (const FileRecord& file : *files) {
+      if (file.role != "photo") continue;
+      const std::string inside = file.path.starts_with(folder)
+                                     ? file.path.substr(folder.size())
+                                     : fs::path(file.path).filename().string();
+      files_.push_back({{},
+                        "photo",
+                        "photographs/" + number + "/" + inside,
+                        project_ / file.path,
+                        file.sha256,
+                        Form::Photographs});
+    }
+    return {};
+  }
+
+  const Catalogue& catalogue_;
+  const fs::path& project_;
+  const ExportOptions& options_;
+  std::vector<Wanted> files_;
+  std::set<BatchRow> batches_;
+  std::map<std::string, std::string> hashes_;
+};
+
+Result<std::vector<SherdRecord>> readAll(const Catalogue& catalogue, std::span<const SherdRow> rows,
+                                         Plan& plan) {
+  Result<std::vector<SherdRecord>> sherds = catalogue.sherds(rows);
+  if (!sherds) return sherds;
+  for (const SherdRecord& sherd : *sherds)
+    if (const Result<void> added = plan.add(sherd); !added) return added.error();
+  return sherds;
+}
+
+Result<BagFile> addModel(BagWriter& bag, const Wanted& file, const SherdRecord& sherd,
+                         const std::string& licence, const std::string& program) {
+  const Result<std::string> bytes = readFile(file.from);
+  if (!bytes) return bytes.error();
+  if (file.form != Form::Pictures && !file.sha256.empty() && sha256(*bytes) != file.sha256)
+    return Error{ErrorCode::UnusableInput,
+                 "This model is not the one that was entered; enter the batch's results again.",
+                 file.from.string()};
+  const ModelLabel label{sherd.id, sherd.number, licence, program};
+  const std::string where = file.from.string();
+  Result<std::string> labelled = file.form == Form::Ply   ? labelledPly(*bytes, label, where)
+                                 : file.form == Form::Glb ? labelledGlb(*bytes, label, where)
+                                 : file.form == Form::Obj ? labelledObj(*bytes, label, where)
+                                                          : *bytes;
+  if (!labelled) return labelled.error();
+  return bag.add(file.to, *labelled);
+}
+
+class Exporting {
+ public:
+  Exporting(const Catalogue& catalogue, const ExportOptions& options, BagWriter& bag,
+            Progress& progress, std::stop_token stop)
+      : catalogue_(catalogue),
+        options_(options),
+        bag_(bag),
+        progress_(progress),
+        stop_(std::move(stop)) {}
+
+  Result<Exported> run(const std::vector<SherdRecord>& sherds, const Plan& plan,
+                       std::span<const SherdRow> rows) {
+    const Result<ProjectRecord> project = catalogue_.project();
+    if (!project) return project.error();
+    if (Result<void> copied = copy(sherds, plan, project->licence); !copied) return copied.error();
+    if (Result<void> written = records(sherds, rows); !written) return written.error();
+    const Result<void> beside = writeMetadata(catalogue_, sherds, *project, options_.program, bag_);
+    if (!beside) return beside.error();
+    const Result<void> finished = bag_.finish({{"Source-Organization", project->institution},
+                                               {"External-Description", project->title},
+                                               {"External-Identifier", project->code},
+                                               {"Bagging-Date", today()},
+                                               {"Bag-Software-Agent", options_.program}});
+    if (!finished) return finished.error();
+    exported_.sherds = static_cast<int>(sherds.size());
+    exported_.files = static_cast<int>(bag_.files().size());
+    exported_.bytes = bag_.bytes();
+    return exported_;
+  }
+
+ private:
+  std::string today() const {
+    const std::time_t seconds = static_cast<std::time_t>(catalogue_.now() / 1000);
+    std::tm parts{};
+    gmtime_r(&seconds, &parts);
+    char text[16];
+    return {text, std::strftime(text, sizeof text, "%Y-%m-%d", &parts)};
+  }
+
+  Result<void> copy(const std::vector<SherdRecord>& sherds, const Plan& plan,
+                    const std::string& licence) {
+    std::map<SherdRow, const SherdRecord*> by_row;
+    for (const SherdRecord& sherd : sherds) by_row[sherd.row] = &sherd;
+    std::int64_t done = 0;
+    for (const Wanted& file : plan.files()) {
+      if (stop_.stop_requested()) return Error::cancelled();
+      progress_.report(done++, static_cast<std::int64_t>(plan.files().size()));
+      std::error_code code;
+      if (!fs::is_regular_file(file.from, code)) {
+        exported_.warnings.push_back(file.from.string() + " is not there and was left out.");
+        continue;
+      }
+      const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
+      const Result<BagFile> added =
+          whole ? bag_.addFile(file.to, file.from, stop_)
+                : addModel(bag_, file, *by_row[file.sherd], licence, options_.program);
+      if (!added) return added.error();
+      if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
+        exported_.warnings.push_back(file.from.string() +
+                                     " is not the photograph that was entered; check it.");
+      if (!file.sherd) continue;
+      files_[file.sherd].push_back({file.role, file.to, added->sha256, added->bytes});
+      auto& named = named_[file.sherd];
+      if (file.role == "model") named.try_emplace("model_file", file.to);
+      if (file.role == "preview") named["image_file"] = file.to;
+      if (file.role == "drawing") named["drawing_file"] = file.to;
+    }
+    return {};
+  }
+
+  Result<void> records(const std::vector<SherdRecord>& sherds, std::span<const SherdRow> rows) {
+    if (options_.forms.contains(Form::Csv)) {
+      const Result<std::string> table = sherdsCsv(catalogue_, rows, ByteOrderMark::With, named_);
+      if (!table) return table.error();
+      if (const auto added = bag_.add("sherds.csv", *table); !added) return added.error();
+      std::set<ContextRow> contexts;
+      for (const SherdRecord& sherd : sherds)
+        if (sherd.context) contexts.insert(sherd.context);
+      const std::vector<ContextRow> list(contexts.begin(), contexts.end());
+      const Result<std::string> places = contextsCsv(catalogue_, list, ByteOrderMark::With);
+      if (!places) return places.error();
+      if (const auto added = bag_.add("contexts.csv", *places); !added) return added.error();
+    }
+    if (!options_.forms.contains(Form::Json)) return {};
+    for (const SherdRecord& sherd : sherds) {
+      if (stop_.stop_requested()) return Error::cancelled();
+      const Result<std::string> text =
+          sherdJson(catalogue_, sherd, files_[sherd.row], options_.program);
+      if (!text) return text.error();
+      const auto added = bag_.add("sherds/" + slugOf(sherd) + ".json", *text);
+      if (!added) return added.error();
+    }
+    return {};
+  }
+
+  const Catalogue& catalogue_;
+  const ExportOptions& options_;
+  BagWriter& bag_;
+  Progress& progress_;
+  std::stop_token stop_;
+  Exported exported_;
+  std::map<SherdRow, std::vector<SherdFile>> files_;
+  std::map<SherdRow, std::map<std::string, std::string>> named_;
+};
+
+}  // namespace
+
+Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& project,
+                                std::span<const SherdRow> rows, const ExportOptions& options) {
+  Plan plan(catalogue, project, options);
+  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan);
+  if (!sherds) return sherds.error();
+  ExportSize size;
+  size.sherds = static_cast<int>(sherds->size());
+  size.files = static_cast<int>(plan.files().size());
+  size.without_model = plan.without_model;
+  for (const Wanted& file : plan.files()) {
+    std::error_code code;
+    const std::uintmax_t bytes = fs::file_size(file.from, code);
+    if (code) continue;
+    // A binary PLY grows about 2.2 times when it becomes text.
+    size.bytes += static_cast<std::int64_t>(file.form == Form::Obj ? bytes * 11 / 5 : bytes);
+  }
+  return size;
+}
+
+Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& project,
+                              std::span<const SherdRow> rows, const ExportOptions& options,
+                              Progress& progress, std::stop_token stop) {
+  if (rows.empty())
+    return Error{ErrorCode::UnusableInput, "There is no sherd to export; choose some first.", {}};
+  Plan plan(catalogue, project, options);
+  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan);
+  if (!sherds) return sherds.error();
+  Result<BagWriter> bag = BagWriter::begin(options.target);
+  if (!bag) return bag.error();
+  return Exporting(catalogue, options, *bag, progress, stop).run(*sherds, plan, rows);
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,60 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::exchange {
+
+enum class Form { Csv, Json, Ply, Glb, Obj, Pictures, Photographs, Drawings };
+
+struct ExportOptions {
+  std::filesystem::path target;  ///< new folder
+  std::set<Form> forms = {Form::Csv, Form::Json, Form::Ply, Form::Glb, Form::Pictures};
+  /// Drawings made for sherds beforehand; each is copied to drawings/SLUG.ending.
+  std::map<catalogue::SherdRow, std::vector<std::filesystem::path>> drawings;
+  std::string program = "ostraka";  ///< with its version
+};
+
+struct ExportSize {
+  int sherds = 0, files = 0;
+  std::int64_t bytes = 0;  ///< of the copied files; records add about 2 kB a sherd
+  int without_model = 0;
+};
+/// What the export will take, before it starts.
+Result<ExportSize> sizeOfExport(const catalogue::Catalogue& catalogue,
+                                const std::filesystem::path& project,
+                                std::span<const catalogue::SherdRow> sherds,
+                                const ExportOptions& options);
+
+struct Exported {
+  int sherds = 0, files = 0;
+  std::int64_t bytes = 0;
+  std::vector<std::string> warnings;  ///< models or photographs that are not there
+};
+/// A folder after BagIt with a checksum for every file; nothing half-written, ever. Errors: the
+/// target is there, a file changed since it was entered, a full disk, Cancelled.
+Result<Exported> exportFolder(const catalogue::Catalogue& catalogue,
+                              const std::filesystem::path& project,
+                              std::span<const catalogue::SherdRow> sherds,
+                              const ExportOptions& options, Progress& progress,
+                              std::stop_token stop);
+
+enum class ByteOrderMark { With, Without };  ///< Excel reads UTF-8 only with it
+/// The table alone. files: names of model, picture and drawing per sherd, may be empty.
+Result<std::string> sherdsCsv(
+    const catalogue::Catalogue& catalogue, std::span<const catalogue::SherdRow> sherds,
+    ByteOrderMark mark,
+    const std::map<catalogue::SherdRow, std::map<std::string, std::string>>& files = {});
+Result<std::string> contextsCsv(const catalogue::Catalogue& catalogue,
+                                std::span<const catalogue::ContextRow> contexts,
+                                ByteOrderMark mark);
+
+}  // namespace ostraka::exchange

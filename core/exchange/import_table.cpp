@@ -1,0 +1,281 @@
+#include "exchange/import_table.h"
+
+#include <algorithm>
+#include <set>
+
+#include "catalogue/names.h"
+#include "exchange/csv.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using catalogue::Act;
+using catalogue::Catalogue;
+using catalogue::FieldChange;
+using catalogue::FieldKind;
+using catalogue::SherdField;
+using catalogue::SherdRecord;
+using catalogue::SherdRow;
+
+constexpr const char* kClear = "<clear>";
+// Columns that an export writes beside the fields; they say nothing about the sherd itself.
+const std::set<std::string> kBeside = {"model_file", "image_file", "drawing_file", "licence"};
+
+const SherdField* fieldNamed(const std::string& name) {
+  for (const SherdField& field : catalogue::sherdFields())
+    if (name == field.name) return &field;
+  return nullptr;
+}
+
+std::string valueOf(const ImportRow& row, const std::string& name) {
+  const auto found = row.values.find(name);
+  return found == row.values.end() || found->second == kClear ? std::string() : found->second;
+}
+
+class Importing {
+ public:
+  Importing(Catalogue& catalogue, const ImportOptions& options, const Act& act,
+            ImportReport& report)
+      : catalogue_(catalogue),
+        places_(catalogue, options.unknown_places, act),
+        makes_places_(options.unknown_places == UnknownPlaces::Make),
+        act_(act),
+        report_(report) {
+    if (const auto persons = catalogue.persons())
+      for (const auto& person : *persons) persons_[person.initials] = person.row;
+  }
+
+  Result<void> row(const ImportRow& row) {
+    enum class What { Fresh, Same, Changed } what = What::Same;
+    Refusal refusal{row.line, {}, {}, {}};
+    const Result<void> done = catalogue_.together([&]() -> Result<void> {
+      const Result<SherdRow> sherd = find(row, refusal);
+      if (!sherd) return sherd.error();
+      const bool fresh = !*sherd;
+      Result<SherdRow> target = fresh ? add(row, refusal) : *sherd;
+      if (!target) return target.error();
+      const Result<bool> changed = change(row, *target, refusal);
+      if (!changed) return changed.error();
+      what = fresh ? What::Fresh : *changed ? What::Changed : What::Same;
+      return {};
+    });
+    if (!done && done.error().code != ErrorCode::UnusableInput) return done;
+    if (!done) {
+      places_.forget();
+      if (refusal.reason.empty()) refusal.reason = done.error().sentence();
+      report_.refusals.push_back(std::move(refusal));
+      ++report_.refused;
+      return {};
+    }
+    ++(what == What::Fresh     ? report_.fresh
+       : what == What::Changed ? report_.changed
+                               : report_.same);
+    return {};
+  }
+
+ private:
+  static Error refuse(Refusal& refusal, std::string column, std::string value, std::string reason) {
+    refusal.column = std::move(column);
+    refusal.value = std::move(value);
+    refusal.reason = reason;
+    return {ErrorCode::UnusableInput, std::move(reason), {}};
+  }
+
+  Result<SherdRow> find(const ImportRow& row, Refusal& refusal) {
+    const std::string number = valueOf(row, "number"), uuid = valueOf(row, "uuid");
+    if (number.empty() && uuid.empty())
+      return refuse(refusal, "number", "", "The row has neither a number nor a uuid.");
+    for (const auto& [column, value] : {std::pair("number", number), std::pair("uuid", uuid)})
+      if (!value.empty() && !seen_[column].insert(catalogue::uniqueKey(value)).second)
+        return refuse(refusal, column, value, "This stands in two rows of the table.");
+    SherdRow by_uuid, by_number;
+    if (!uuid.empty()) {
+      if (!catalogue::isUuid(uuid)) return refuse(refusal, "uuid", uuid, "This is no uuid.");
+      const Result<SherdRow> found = catalogue_.sherdById(uuid);
+      if (!found) return found.error();
+      by_uuid = *found;
+    }
+    if (!number.empty()) {
+      const Result<SherdRow> found = catalogue_.sherdByNumber(number);
+      if (!found) return found.error();
+      by_number = *found;
+    }
+    if (by_number && !uuid.empty() && by_uuid != by_number)
+      return refuse(refusal, "number", number,
+                    "The number belongs to another sherd than the uuid.");
+    return by_uuid ? by_uuid : by_number;
+  }
+
+  Result<SherdRow> add(const ImportRow& row, Refusal& refusal) {
+    if (valueOf(row, "context").empty() && !valueOf(row, "number").empty())
+      return refuse(refusal, "context", "", "A new sherd needs its context.");
+    SherdRecord record;
+    record.id = catalogue::uniqueKey(valueOf(row, "uuid"));
+    const std::string batch = valueOf(row, "batch");
+    if (!batch.empty())
+      if (const auto known = catalogue_.batchByNumber(batch)) record.batch = known->row;
+    return catalogue_.addSherd(record, act_);
+  }
+
+  Result<bool> change(const ImportRow& row, SherdRow sherd, Refusal& refusal) {
+    if (makes_places_) {
+      const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
+      if (!site.empty() && !context.empty()) {
+        const auto place = places_.context(site, valueOf(row, "trench"), context);
+        if (!place) return refuse(refusal, "context", context, place.error().sentence());
+        const std::string bag = valueOf(row, "bag");
+        if (!bag.empty())
+          if (const auto made = places_.bag(*place, bag); !made)
+            return refuse(refusal, "bag", bag, made.error().sentence());
+      }
+    }
+    const Result<SherdRecord> now = catalogue_.sherd(sherd);
+    if (!now) return now.error();
+    std::vector<FieldChange> changes;
+    for (const auto& [name, typed] : row.values) {
+      if (typed.empty()) continue;
+      const SherdField* field = fieldNamed(name);
+      if (field && !field->editable) continue;
+      if (name == "number" && catalogue::uniqueKey(typed) == catalogue::uniqueKey(now->number))
+        continue;  // capitals make no difference
+      const std::string value = typed == kClear ? std::string() : typed;
+      const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
+      if (value != catalogue::textOf(*now, own)) changes.push_back({sherd, own, value});
+    }
+    bool changed = false;
+    if (!changes.empty()) {
+      const Result<std::vector<FieldChange>> undo = catalogue_.change(changes, act_);
+      if (!undo) return named(changes, undo.error(), refusal);
+      changed = !undo->empty();
+    }
+    for (const auto& [measurement, initials] : row.measured) {
+      catalogue::Measurement m = measurement;
+      m.sherd = sherd;
+      Act by = act_;
+      const auto person = persons_.find(initials);
+      by.person = person == persons_.end() ? catalogue::PersonRow{} : person->second;
+      const auto before = now->measures.find(m.kind);
+      changed |= before == now->measures.end() || before->second != m.value;
+      if (const Result<void> done = catalogue_.measure(m, by); !done)
+        return refuse(refusal, m.kind, {}, done.error().sentence());
+    }
+    return changed;
+  }
+
+  // Which column it was.
+  Error named(const std::vector<FieldChange>& changes, const Error& error, Refusal& refusal) {
+    if (const auto shown = catalogue_.preview(changes))
+      for (const catalogue::ChangePreview& change : *shown)
+        if (!change.refusal.empty())
+          return refuse(refusal, change.change.field, change.change.value, change.refusal);
+    return error;
+  }
+
+  Catalogue& catalogue_;
+  Places places_;
+  bool makes_places_;
+  const Act& act_;
+  ImportReport& report_;
+  std::map<std::string, std::set<std::string>> seen_;
+  std::map<std::string, catalogue::PersonRow> persons_;
+};
+
+Result<void> checkColumns(const CsvTable& table, const std::string& where) {
+  std::set<std::string> seen;
+  for (const std::string& column : table.columns) {
+    if (column.empty())
+      return Error{ErrorCode::UnusableInput, "A column of the table has no name.", where};
+    if (!seen.insert(column).second)
+      return Error{ErrorCode::UnusableInput, "The column '" + column + "' is there twice.", where};
+  }
+  return {};
+}
+
+bool has(const CsvTable& table, const std::string& column) {
+  return std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end();
+}
+
+}  // namespace
+
+Result<void> previewOrEnter(Catalogue& catalogue, ImportMode mode,
+                            const std::function<Result<void>()>& work) {
+  bool whole = false;
+  const Result<void> done = catalogue.together([&]() -> Result<void> {
+    if (Result<void> worked = work(); !worked) return worked;
+    whole = true;
+    if (mode == ImportMode::Enter) return {};
+    return Error{ErrorCode::Cancelled, "A preview is taken back.", {}};
+  });
+  return whole && mode == ImportMode::Preview ? Result<void>() : done;
+}
+
+Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<ImportRow>& rows,
+                                  const ImportOptions& options, const Act& act, Progress& progress,
+                                  std::stop_token stop) {
+  ImportReport report;
+  const Result<void> done = previewOrEnter(catalogue, options.mode, [&]() -> Result<void> {
+    Importing importing(catalogue, options, act, report);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (stop.stop_requested()) return Error::cancelled();
+      if (i % 64 == 0)
+        progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(rows.size()));
+      if (Result<void> entered = importing.row(rows[i]); !entered) return entered;
+    }
+    return {};
+  });
+  if (!done) return done.error();
+  return report;
+}
+
+Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
+                                 const std::string& where, const ImportOptions& options,
+                                 const Act& act, Progress& progress, std::stop_token stop) {
+  const Result<CsvTable> table = parseCsv(bytes, where);
+  if (!table) return table.error();
+  if (Result<void> good = checkColumns(*table, where); !good) return good.error();
+  const bool sherds = has(*table, "number") || has(*table, "uuid");
+  if (!sherds && (!has(*table, "site") || !has(*table, "context")))
+    return Error{ErrorCode::UnusableInput,
+                 "The table needs a column 'number' (sherds), or the columns 'site' and 'context' "
+                 "(contexts).",
+                 where};
+  if (!sherds) return importContexts(catalogue, *table, options, act, progress, stop);
+  std::vector<ImportRow> rows;
+  std::vector<Refusal> broken;
+  for (const CsvRow& read : table->rows) {
+    if (read.values.size() != table->columns.size()) {
+      broken.push_back({read.line,
+                        {},
+                        {},
+                        "The row has " + std::to_string(read.values.size()) +
+                            " values, the header " + std::to_string(table->columns.size()) + "."});
+      continue;
+    }
+    ImportRow row{read.line, {}, {}};
+    for (std::size_t i = 0; i < read.values.size(); ++i)
+      if (!kBeside.contains(table->columns[i]))
+        row.values[table->columns[i]] = catalogue::trimmed(unguarded(read.values[i]));
+    rows.push_back(std::move(row));
+  }
+  Result<ImportReport> report = importSherds(catalogue, rows, options, act, progress, stop);
+  if (!report) return report;
+  report->refused += static_cast<int>(broken.size());
+  report->refusals.insert(report->refusals.end(), broken.begin(), broken.end());
+  std::stable_sort(report->refusals.begin(), report->refusals.end(),
+                   [](const Refusal& a, const Refusal& b) { return a.line < b.line; });
+  for (const std::string& column : table->columns)
+    if (!fieldNamed(column) && !kBeside.contains(column) && !column.starts_with("extra."))
+      report->warnings.push_back("The column '" + column +
+                                 "' is not known; its values are kept as a field of your own.");
+  return report;
+}
+
+std::string refusalsCsv(const ImportReport& report) {
+  std::string text = csvLine({"line", "column", "value", "reason"});
+  for (const Refusal& refusal : report.refusals)
+    text += csvLine({std::to_string(refusal.line), guarded(refusal.column), guarded(refusal.value),
+                     refusal.reason});
+  return text;
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,85 @@
+#pragma once
+#include <map>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::exchange {
+
+/// A preview does everything and takes it back: what it counts is what entering will do.
+enum class ImportMode { Preview, Enter };
+enum class UnknownPlaces { Refuse, Make };
+
+struct ImportOptions {
+  ImportMode mode = ImportMode::Preview;
+  UnknownPlaces unknown_places = UnknownPlaces::Refuse;
+};
+
+/// One sherd to be entered: values by the names of sherdFields(); others go to the user's own
+/// fields. A blank value keeps what is there, `<clear>` deletes it.
+struct ImportRow {
+  int line = 0;
+  std::map<std::string, std::string> values;
+  std::vector<std::pair<catalogue::Measurement, std::string>> measured;  ///< and by whose initials
+};
+
+struct Refusal {
+  int line = 0;
+  std::string column, value, reason;
+};
+struct ImportReport {
+  int fresh = 0, same = 0, changed = 0, refused = 0;
+  std::vector<Refusal> refusals;
+  std::vector<std::string> warnings;
+};
+
+/// One transaction; refused rows stay out, the others enter. Doing it twice changes nothing.
+Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
+                                  const std::vector<ImportRow>& rows, const ImportOptions& options,
+                                  const catalogue::Act& act, Progress& progress,
+                                  std::stop_token stop);
+
+/// A table of sherds (it has a column number or uuid) or of contexts (site, trench, context, bag
+/// ...), as CSV. Errors: what parseCsv refuses, a required column that is missing or there twice.
+Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_view bytes,
+                                 const std::string& where, const ImportOptions& options,
+                                 const catalogue::Act& act, Progress& progress,
+                                 std::stop_token stop);
+
+/// line, column, value, reason: to be mended in a spreadsheet.
+std::string refusalsCsv(const ImportReport& report);
+
+/// Runs `work` as one transaction that a preview takes back.
+Result<void> previewOrEnter(catalogue::Catalogue& catalogue, ImportMode mode,
+                            const std::function<Result<void>()>& work);
+
+struct CsvTable;
+/// The second kind of importTable; see there.
+Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTable& table,
+                                    const ImportOptions& options, const catalogue::Act& act,
+                                    Progress& progress, std::stop_token stop);
+
+/// Finds site, trench, context and bag by their codes, or makes what is missing.
+class Places {
+ public:
+  Places(catalogue::Catalogue& catalogue, UnknownPlaces unknown, const catalogue::Act& act)
+      : catalogue_(catalogue), unknown_(unknown), act_(act) {}
+  /// Errors: an unknown place that must not be made.
+  Result<catalogue::ContextRow> context(const std::string& site, const std::string& trench,
+                                        const std::string& number);
+  Result<catalogue::BagRow> bag(catalogue::ContextRow context, const std::string& number);
+  void forget() { known_.clear(); }  ///< after a row was taken back
+
+ private:
+  catalogue::Catalogue& catalogue_;
+  UnknownPlaces unknown_;
+  catalogue::Act act_;
+  std::map<std::string, std::int64_t> known_;
+};
+
+}  // namespace ostraka::exchange

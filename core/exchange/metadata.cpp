@@ -1,0 +1,348 @@
+#include "exchange/metadata.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/json.h"
+#include "catalogue/names.h"
+#include "catalogue/words.h"
+#include "exchange/bagit.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using namespace catalogue;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+// The words of the records and what they mean for other programs (formats.md, section 2).
+constexpr const char* kContext = R"({
+ "@context": {
+  "crm": "http://www.cidoc-crm.org/cidoc-crm/",
+  "dcterms": "http://purl.org/dc/terms/",
+  "aat": "http://vocab.getty.edu/aat/",
+  "id": "dcterms:identifier",
+  "number": "crm:P1_is_identified_by",
+  "provenience": "crm:P53_has_former_or_current_location",
+  "description": "crm:P3_has_note",
+  "dating": "dcterms:temporal",
+  "measurements": "crm:P39i_was_measured_by",
+  "kind": "crm:P2_has_type",
+  "value": "crm:P90_has_value",
+  "unit": "crm:P91_has_unit",
+  "digitisation": "dcterms:created",
+  "processing": "dcterms:provenance",
+  "files": "dcterms:hasFormat",
+  "licence": "dcterms:license",
+  "rights_holder": "dcterms:rightsHolder"
+ }
+}
+)";
+
+constexpr const char* kReadMe =
+    "Potsherds, measured in 3D\n"
+    "=========================\n\n"
+    "sherds.csv       one line a sherd; lengths in mm, areas in mm2, volumes in mm3, weights in g\n"
+    "contexts.csv     where the sherds were found\n"
+    "sherds/          one JSON record a sherd (format ostraka-sherd/1, words in context.jsonld)\n"
+    "models/          closed surfaces: PLY and OBJ in mm with z up, GLB in metres with y up\n"
+    "images/          a picture of each model\n"
+    "photographs/     the photographs that the models were made from, unchanged\n"
+    "drawings/        drawings for print\n"
+    "metadata/        the project, its places, its batches\n\n"
+    "In a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
+    "does\n"
+    "not take it for a formula.\n\n"
+    "The folder is a bag after RFC 8493. In the folder above this one, `sha256sum -c\n"
+    "manifest-sha256.txt` checks every file.\n";
+
+std::string word(BatchState state) {
+  return wordOf(state);
+}
+
+ordered_json stamp(const std::string& id) {
+  return {{"id", id}};
+}
+
+void put(ordered_json& object, const char* key, const std::string& value) {
+  if (!value.empty()) object[key] = value;
+}
+
+template <class Record, class Row>
+std::string idOf(const std::vector<Record>& records, Row row) {
+  for (const Record& record : records)
+    if (record.row == row) return record.id;
+  return {};
+}
+
+Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<ContextRow>& wanted) {
+  const auto sites = catalogue.sites();
+  const auto trenches = catalogue.trenches();
+  const auto contexts = catalogue.contexts();
+  const auto bags = catalogue.bags();
+  const auto persons = catalogue.persons();
+  for (const Error* error :
+       {sites ? nullptr : &sites.error(), trenches ? nullptr : &trenches.error(),
+        contexts ? nullptr : &contexts.error(), bags ? nullptr : &bags.error(),
+        persons ? nullptr : &persons.error()})
+    if (error) return *error;
+  ordered_json out = {{"persons", ordered_json::array()},
+                      {"sites", ordered_json::array()},
+                      {"trenches", ordered_json::array()},
+                      {"contexts", ordered_json::array()},
+                      {"bags", ordered_json::array()}};
+  for (const PersonRecord& p : *persons) {
+    ordered_json one = stamp(p.id);
+    one["name"] = p.name;
+    one["initials"] = p.initials;
+    put(one, "orcid", p.orcid);
+    out["persons"].push_back(std::move(one));
+  }
+  std::set<SiteRow> used_sites;
+  for (const ContextRecord& c : *contexts)
+    if (wanted.contains(c.row)) used_sites.insert(c.site);
+  for (const SiteRecord& s : *sites) {
+    if (!used_sites.contains(s.row)) continue;
+    ordered_json one = stamp(s.id);
+    one["code"] = s.code;
+    one["name"] = s.name;
+    put(one, "gazetteer", s.gazetteer);
+    if (s.location_public) {  // else the place stays with the people of the project
+      one["location_public"] = true;
+      if (s.latitude_deg) one["latitude_deg"] = *s.latitude_deg;
+      if (s.longitude_deg) one["longitude_deg"] = *s.longitude_deg;
+    }
+    out["sites"].push_back(std::move(one));
+  }
+  for (const TrenchRecord& t : *trenches) {
+    if (!used_sites.contains(t.site)) continue;
+    ordered_json one = stamp(t.id);
+    one["site"] = idOf(*sites, t.site);
+    one["code"] = t.code;
+    one["name"] = t.name;
+    put(one, "parent", idOf(*trenches, t.parent));
+    out["trenches"].push_back(std::move(one));
+  }
+  for (const ContextRecord& c : *contexts) {
+    if (!wanted.contains(c.row)) continue;
+    ordered_json one = stamp(c.id);
+    one["site"] = idOf(*sites, c.site);
+    put(one, "trench", idOf(*trenches, c.trench));
+    one["number"] = c.number;
+    put(one, "kind", c.kind);
+    put(one, "excavated_on", c.excavated_on);
+    put(one, "period", c.period);
+    put(one, "date_edtf", c.date_edtf);
+    put(one, "note", c.note);
+    one["closed"] = c.closed;
+    out["contexts"].push_back(std::move(one));
+  }
+  for (const BagRecord& b : *bags) {
+    if (!wanted.contains(b.context)) continue;
+    ordered_json one = stamp(b.id);
+    one["context"] = idOf(*contexts, b.context);
+    one["number"] = b.number;
+    put(one, "collected_on", b.collected_on);
+    put(one, "storage", b.storage);
+    if (b.count_written) one["count_written"] = *b.count_written;
+    if (b.weight_g) one["weight_g"] = *b.weight_g;
+    out["bags"].push_back(std::move(one));
+  }
+  return out;
+}
+
+Result<ordered_json> batchesJson(const Catalogue& catalogue, const std::set<BatchRow>& wanted) {
+  ordered_json list = ordered_json::array();
+  for (const BatchRow row : wanted) {
+    const Result<BatchRecord> b = catalogue.batch(row);
+    if (!b) return b.error();
+    ordered_json one = stamp(b->id);
+    one["number"] = b->number;
+    one["state"] = word(b->state);
+    one["counted"] = b->counted;
+    if (b->started_ms) one["started_ms"] = *b->started_ms;
+    if (b->ended_ms) one["ended_ms"] = *b->ended_ms;
+    if (b->reprojection_px) one["reprojection_px"] = *b->reprojection_px;
+    if (b->scale_error_pct) one["scale_error_pct"] = *b->scale_error_pct;
+    put(one, "rig_sha256", b->rig_sha256);
+    put(one, "program", b->program);
+    put(one, "settings_sha256", b->settings_sha256);
+    put(one, "note", b->note);
+    list.push_back(std::move(one));
+  }
+  return ordered_json{{"batches", list}};
+}
+
+// Adds what is not there yet, known by its id.
+class Reading {
+ public:
+  Reading(Catalogue& catalogue, const Act& act) : catalogue_(catalogue), act_(act) {
+    for (const auto& p : orEmpty(catalogue.persons())) known_[p.id] = p.row.value;
+    for (const auto& s : orEmpty(catalogue.sites())) known_[s.id] = s.row.value;
+    for (const auto& t : orEmpty(catalogue.trenches())) known_[t.id] = t.row.value;
+    for (const auto& c : orEmpty(catalogue.contexts())) known_[c.id] = c.row.value;
+    for (const auto& b : orEmpty(catalogue.bags())) known_[b.id] = b.row.value;
+  }
+
+  Result<void> places(const json& places) {
+    for (const json& p : places.at("persons"))
+      if (auto done = add(PersonRecord{
+              {}, text(p, "id"), text(p, "name"), text(p, "initials"), text(p, "orcid")});
+          !done)
+        return done;
+    for (const json& s : places.at("sites")) {
+      SiteRecord site;
+      site.id = text(s, "id");
+      site.code = text(s, "code");
+      site.name = text(s, "name");
+      site.gazetteer = text(s, "gazetteer");
+      site.location_public = s.value("location_public", false);
+      if (s.contains("latitude_deg")) site.latitude_deg = s.at("latitude_deg").get<double>();
+      if (s.contains("longitude_deg")) site.longitude_deg = s.at("longitude_deg").get<double>();
+      if (auto done = add(site); !done) return done;
+    }
+    for (const json& t : places.at("trenches")) {
+      TrenchRecord trench;
+      trench.id = text(t, "id");
+      trench.site = {row(t, "site")};
+      trench.parent = {row(t, "parent")};
+      trench.code = text(t, "code");
+      trench.name = text(t, "name");
+      if (auto done = add(trench); !done) return done;
+    }
+    for (const json& c : places.at("contexts")) {
+      ContextRecord context;
+      context.id = text(c, "id");
+      context.site = {row(c, "site")};
+      context.trench = {row(c, "trench")};
+      context.number = text(c, "number");
+      context.kind = text(c, "kind");
+      context.excavated_on = text(c, "excavated_on");
+      context.period = text(c, "period");
+      context.date_edtf = text(c, "date_edtf");
+      context.note = text(c, "note");
+      context.closed = c.value("closed", false);
+      if (auto done = add(context); !done) return done;
+    }
+    for (const json& b : places.at("bags")) {
+      BagRecord bag;
+      bag.id = text(b, "id");
+      bag.context = {row(b, "context")};
+      bag.number = text(b, "number");
+      bag.collected_on = text(b, "collected_on");
+      bag.storage = text(b, "storage");
+      if (b.contains("count_written")) bag.count_written = b.at("count_written").get<int>();
+      if (b.contains("weight_g")) bag.weight_g = b.at("weight_g").get<double>();
+      if (auto done = add(bag); !done) return done;
+    }
+    return {};
+  }
+
+  Result<void> batches(const json& list) {
+    for (const json& b : list.at("batches")) {
+      BatchRecord batch;
+      batch.id = text(b, "id");
+      batch.number = text(b, "number");
+      const Result<BatchRecord> there = catalogue_.batchByNumber(batch.number);
+      if (there && there->id == batch.id) continue;
+      if (there)
+        return Error{ErrorCode::UnusableInput,
+                     "The project has another batch " + batch.number +
+                         "; read this export into a project of its own.",
+                     {}};
+      batch.state = fromWord<BatchState>(text(b, "state"));
+      batch.counted = b.value("counted", 0);
+      if (b.contains("started_ms")) batch.started_ms = b.at("started_ms").get<std::int64_t>();
+      if (b.contains("ended_ms")) batch.ended_ms = b.at("ended_ms").get<std::int64_t>();
+      if (b.contains("reprojection_px"))
+        batch.reprojection_px = b.at("reprojection_px").get<double>();
+      if (b.contains("scale_error_pct"))
+        batch.scale_error_pct = b.at("scale_error_pct").get<double>();
+      batch.rig_sha256 = text(b, "rig_sha256");
+      batch.program = text(b, "program");
+      batch.settings_sha256 = text(b, "settings_sha256");
+      batch.note = text(b, "note");
+      const auto added = catalogue_.addBatch(batch, act_);
+      if (!added) return added.error();
+    }
+    return {};
+  }
+
+ private:
+  template <class T>
+  static std::vector<T> orEmpty(Result<std::vector<T>> list) {
+    return list ? std::move(*list) : std::vector<T>();
+  }
+  static std::string text(const json& object, const char* key) { return object.value(key, ""); }
+  std::int64_t row(const json& object, const char* key) const {
+    const auto found = known_.find(text(object, key));
+    return found == known_.end() ? 0 : found->second;
+  }
+  template <class Record>
+  Result<void> add(const Record& record) {
+    if (known_.contains(record.id)) return {};
+    const auto row = catalogue_.save(record, act_);
+    if (!row) return row.error();
+    known_[record.id] = row->value;
+    return {};
+  }
+
+  Catalogue& catalogue_;
+  const Act& act_;
+  std::map<std::string, std::int64_t> known_;
+};
+
+}  // namespace
+
+Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRecord>& sherds,
+                           const ProjectRecord& project, const std::string& program,
+                           BagWriter& bag) {
+  std::set<ContextRow> contexts;
+  std::set<BatchRow> batches;
+  for (const SherdRecord& sherd : sherds) {
+    if (sherd.context) contexts.insert(sherd.context);
+    if (sherd.batch) batches.insert(sherd.batch);
+  }
+  const Result<ordered_json> places = placesJson(catalogue, contexts);
+  if (!places) return places.error();
+  const Result<ordered_json> digitised = batchesJson(catalogue, batches);
+  if (!digitised) return digitised.error();
+  const ordered_json dublin_core = {{"identifier", project.id},
+                                    {"code", project.code},
+                                    {"title", project.title},
+                                    {"creator", project.institution},
+                                    {"rightsHolder", project.rights_holder},
+                                    {"license", project.licence},
+                                    {"type", "Dataset"},
+                                    {"format", "ostraka-export/1"},
+                                    {"provenance", program},
+                                    {"numbering", project.numbering}};
+  const std::pair<const char*, std::string> files[] = {
+      {"metadata/project.json", dublin_core.dump(1) + "\n"},
+      {"metadata/places.json", places->dump(1) + "\n"},
+      {"metadata/batches.json", digitised->dump(1) + "\n"},
+      {"context.jsonld", kContext},
+      {"README.txt", kReadMe}};
+  for (const auto& [name, text] : files)
+    if (const auto added = bag.add(name, text); !added) return added.error();
+  return {};
+}
+
+Result<void> readMetadata(Catalogue& catalogue, const std::filesystem::path& metadata,
+                          const Act& act) {
+  const Result<json> places = readJson(metadata / "places.json");
+  if (!places) return places.error();
+  const Result<json> batches = readJson(metadata / "batches.json");
+  if (!batches) return batches.error();
+  try {
+    Reading reading(catalogue, act);
+    if (Result<void> done = reading.places(*places); !done) return done;
+    return reading.batches(*batches);
+  } catch (const json::exception&) {
+    return Error{ErrorCode::UnusableInput,
+                 "These places and batches are not written as Ostraka writes them.",
+                 metadata.string()};
+  }
+}
+
+}  // namespace ostraka::exchange

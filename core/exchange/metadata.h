@@ -1,0 +1,25 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::exchange {
+
+class BagWriter;
+
+/// What travels beside the records: metadata/project.json (Dublin Core), metadata/places.json,
+/// metadata/batches.json, context.jsonld and README.txt.
+Result<void> writeMetadata(const catalogue::Catalogue& catalogue,
+                           const std::vector<catalogue::SherdRecord>& sherds,
+                           const catalogue::ProjectRecord& project, const std::string& program,
+                           BagWriter& bag);
+
+/// Persons, sites, trenches, contexts, bags and batches of metadata/, with their ids, into a
+/// catalogue that does not have them yet; what is there stays as it is.
+Result<void> readMetadata(catalogue::Catalogue& catalogue, const std::filesystem::path& metadata,
+                          const catalogue::Act& act);
+
+}  // namespace ostraka::exchange

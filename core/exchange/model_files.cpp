@@ -1,0 +1,100 @@
+#include "exchange/model_files.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "base/json.h"
+#include "cloud/obj.h"
+#include "cloud/ply.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using nlohmann::ordered_json;
+
+Error bad(const char* what, const std::string& where) {
+  return {ErrorCode::UnusableInput, what, where};
+}
+
+std::string oneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+std::string comment(const ModelLabel& label) {
+  std::string text = label.program + " id " + label.id;
+  if (!label.number.empty()) text += " number " + label.number;
+  if (!label.licence.empty()) text += " licence " + label.licence;
+  return oneLine(text);
+}
+
+std::uint32_t u32(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+  return value;
+}
+
+void append(std::string& out, std::uint32_t value) {
+  for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> (8 * i) & 0xFF);
+}
+
+constexpr std::uint32_t kGlb = 0x46546C67, kJson = 0x4E4F534A;
+
+}  // namespace
+
+Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
+                                const std::string& where) {
+  const std::size_t end = ply.find("end_header\n");
+  const std::size_t first = ply.find("format ");
+  if (!ply.starts_with("ply\n") || end == std::string_view::npos ||
+      first == std::string_view::npos || first > end)
+    return bad("This is no PLY file.", where);
+  const std::size_t at = ply.find('\n', first) + 1;
+  return std::string(ply.substr(0, at)) + "comment " + comment(label) + "\n" +
+         std::string(ply.substr(at));
+}
+
+Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
+                                const std::string& where) {
+  const Error no_glb = bad("This is no GLB file.", where);
+  if (glb.size() < 20 || u32(glb, 0) != kGlb || u32(glb, 8) != glb.size() || u32(glb, 16) != kJson)
+    return no_glb;
+  const std::size_t size = u32(glb, 12);
+  if (size > glb.size() - 20) return no_glb;
+  const Result<nlohmann::json> checked = parseJson(glb.substr(20, size), where);
+  if (!checked) return checked.error();
+  ordered_json json = ordered_json::parse(glb.substr(20, size), nullptr, false);
+  if (!json.is_object() || !json.contains("nodes") || !json["nodes"].is_array() ||
+      json["nodes"].empty() || !json["nodes"][0].is_object())
+    return no_glb;
+  if (!label.licence.empty()) json["asset"]["copyright"] = label.licence;
+  json["asset"]["generator"] = label.program;
+  ordered_json& extras = json["nodes"][0]["extras"]["ostraka"];
+  extras["id"] = label.id;
+  extras["number"] = label.number;
+  extras["unit"] = "m";
+  std::string text = json.dump();
+  text.append((4 - text.size() % 4) % 4, ' ');
+  const std::string_view rest = glb.substr(20 + size);
+  std::string out;
+  append(out, kGlb);
+  append(out, 2);
+  append(out, static_cast<std::uint32_t>(20 + text.size() + rest.size()));
+  append(out, static_cast<std::uint32_t>(text.size()));
+  append(out, kJson);
+  return out + text + std::string(rest);
+}
+
+Result<std::string> labelledObj(std::string_view ply, const ModelLabel& label,
+                                const std::string& where) {
+  const Result<PlyContents> read = parsePly(ply, where);
+  if (!read) return read.error();
+  const Result<std::string> obj = formatObj(read->mesh);
+  if (!obj) return obj;
+  return "# " + comment(label) + "\n" + *obj;
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,203 @@
+#include "exchange/read_back.h"
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "catalogue/names.h"
+#include "catalogue/values.h"
+#include "exchange/bagit.h"
+#include "exchange/metadata.h"
+#include "exchange/sherd_json.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+std::string mediaTypeOf(const std::string& path) {
+  const std::string ending = fs::path(path).extension().string();
+  if (ending == ".png") return "image/png";
+  if (ending == ".jpg") return "image/jpeg";
+  if (ending == ".svg") return "image/svg+xml";
+  if (ending == ".pdf") return "application/pdf";
+  if (ending == ".glb") return "model/gltf-binary";
+  return "application/octet-stream";
+}
+
+bool sameAs(const SherdRecord& sherd, const ImportRow& row, const Catalogue& catalogue) {
+  for (const SherdField& field : sherdFields()) {
+    const std::string name = field.name;
+    if (name == "state" || name == "batch" || field.kind == FieldKind::Number) continue;
+    const auto value = row.values.find(name);
+    if ((value == row.values.end() ? std::string() : value->second) != textOf(sherd, name))
+      return false;
+  }
+  const auto measured = catalogue.measurements(sherd.row);
+  if (!measured || measured->size() != row.measured.size()) return false;
+  for (const auto& [m, initials] : row.measured) {
+    const auto value = sherd.measures.find(m.kind);
+    if (value == sherd.measures.end() || value->second != m.value) return false;
+  }
+  return true;
+}
+
+class ReadingBack {
+ public:
+  ReadingBack(Project& project, const fs::path& folder, const Act& act)
+      : project_(project),
+        folder_(folder),
+        act_(act),
+        into_("imported/" + slug(folder.filename().string())) {}
+
+  /// All records, read before anything is changed.
+  Result<void> records() {
+    std::error_code code;
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(folder_ / "data" / "sherds", code))
+      paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    if (paths.empty())
+      return Error{ErrorCode::UnusableInput,
+                   "This export holds no records (JSON) of sherds; export it again with them.",
+                   folder_.string()};
+    for (const fs::path& path : paths) {
+      const Result<std::string> text = readFile(path, std::size_t{64} << 20);
+      if (!text) return text.error();
+      Result<ReadSherdJson> read = parseSherdJson(*text, path.filename().string());
+      if (!read) return read.error();
+      read->row.line = static_cast<int>(records_.size()) + 1;
+      records_.push_back(std::move(*read));
+    }
+    return {};
+  }
+
+  Result<ImportReport> enter(const ImportOptions& options, Progress& progress,
+                             std::stop_token stop) {
+    Catalogue& catalogue = project_.catalogue();
+    if (Result<void> done = readMetadata(catalogue, folder_ / "data" / "metadata", act_); !done)
+      return done.error();
+    ImportReport kept;
+    std::vector<ImportRow> fresh;
+    std::vector<std::pair<SherdRow, std::string>> joins;
+    for (const ReadSherdJson& record : records_) {
+      const std::string uuid =
+          record.row.values.contains("uuid") ? record.row.values.at("uuid") : "";
+      const Result<SherdRow> there = catalogue.sherdById(uuid);
+      if (!there) return there.error();
+      if (!*there) {
+        fresh.push_back(record.row);
+        fresh.back().values.erase("joins");  // when all sherds are there
+        continue;
+      }
+      const Result<SherdRecord> sherd = catalogue.sherd(*there);
+      if (!sherd) return sherd.error();
+      if (sameAs(*sherd, record.row, catalogue)) {
+        ++kept.same;
+        continue;
+      }
+      ++kept.refused;
+      const std::string number = sherd->number;
+      kept.refusals.push_back({record.row.line, "number", number,
+                               "The project has this sherd with other values; they stay."});
+    }
+    Result<ImportReport> report = importSherds(catalogue, fresh, options, act_, progress, stop);
+    if (!report) return report;
+    for (const ReadSherdJson& record : records_)
+      if (Result<void> done = afterwards(record); !done) return done.error();
+    report->same += kept.same;
+    report->refused += kept.refused;
+    report->refusals.insert(report->refusals.end(), kept.refusals.begin(), kept.refusals.end());
+    return report;
+  }
+
+  /// Files of sherds that are new; those that are there already are not touched.
+  Result<void> copyFiles(std::stop_token stop) {
+    for (const std::string& path : copies_) {
+      if (stop.stop_requested()) return Error::cancelled();
+      const fs::path to = project_.folder() / into_ / path;
+      std::error_code code;
+      fs::create_directories(to.parent_path(), code);
+      if (!fs::exists(to, code)) fs::copy_file(folder_ / "data" / path, to, code);
+      if (code)
+        return Error{ErrorCode::CannotWrite, "This file cannot be copied into the project.",
+                     to.string()};
+    }
+    return {};
+  }
+
+ private:
+  // Joins and files, once the sherds are there.
+  Result<void> afterwards(const ReadSherdJson& record) {
+    Catalogue& catalogue = project_.catalogue();
+    if (!record.row.values.contains("uuid")) return {};
+    const Result<SherdRow> sherd = catalogue.sherdById(record.row.values.at("uuid"));
+    if (!sherd) return sherd.error();
+    if (!*sherd) return {};  // refused
+    if (const auto joins = record.row.values.find("joins"); joins != record.row.values.end()) {
+      // A partner that was not exported cannot be joined.
+      std::string there;
+      for (const std::string& number : splitTerms(joins->second)) {
+        const auto partner = catalogue.sherdByNumber(number);
+        const auto by_id = catalogue.sherdById(number);
+        if ((partner && *partner) || (by_id && *by_id))
+          there += (there.empty() ? "" : "; ") + number;
+      }
+      const FieldChange change{*sherd, "joins", there};
+      if (!there.empty())
+        if (const auto done = catalogue.change(std::span(&change, 1), act_); !done)
+          return done.error();
+    }
+    const Result<std::vector<FileRecord>> had = catalogue.files(*sherd);
+    if (!had) return had.error();
+    if (!had->empty()) return {};
+    std::string model, preview;
+    for (const SherdFile& file : record.files) {
+      FileRecord f;
+      f.path = into_ + "/" + file.path;
+      f.sha256 = file.sha256;
+      f.bytes = file.bytes;
+      f.role = file.role;
+      f.media_type = mediaTypeOf(file.path);
+      f.sherd = *sherd;
+      const auto saved = catalogue.save(f, act_);
+      if (!saved) return saved.error();
+      copies_.push_back(file.path);
+      if (file.role == "model" && file.path.ends_with(".ply")) model = f.path;
+      if (file.role == "preview") preview = f.path;
+    }
+    return catalogue.setModel(*sherd, model, preview);
+  }
+
+  Project& project_;
+  const fs::path& folder_;
+  const Act& act_;
+  std::string into_;
+  std::vector<ReadSherdJson> records_;
+  std::vector<std::string> copies_;
+};
+
+}  // namespace
+
+Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMode mode,
+                              const Act& act, Progress& progress, std::stop_token stop) {
+  const Result<std::vector<BagFile>> files = checkBag(folder, progress, stop);
+  if (!files) return files.error();
+  ReadingBack reading(project, folder, act);
+  if (Result<void> read = reading.records(); !read) return read.error();
+  if (mode == ImportMode::Enter)
+    if (const auto saved = project.backUp(); !saved) return saved.error();
+  ImportReport report;
+  const Result<void> done = previewOrEnter(project.catalogue(), mode, [&]() -> Result<void> {
+    // The records of one export belong together: within the transaction around them.
+    Result<ImportReport> entered =
+        reading.enter({ImportMode::Enter, UnknownPlaces::Refuse}, progress, stop);
+    if (!entered) return entered.error();
+    report = std::move(*entered);
+    return mode == ImportMode::Enter ? reading.copyFiles(stop) : Result<void>();
+  });
+  if (!done) return done.error();
+  return report;
+}
+
+}  // namespace ostraka::exchange

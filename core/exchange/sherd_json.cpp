@@ -1,0 +1,222 @@
+#include "exchange/sherd_json.h"
+
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/json.h"
+#include "catalogue/values.h"
+#include "catalogue/words.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using catalogue::Catalogue;
+using catalogue::SherdRecord;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+std::string dayOf(std::int64_t ms) {
+  const std::time_t seconds = static_cast<std::time_t>(ms / 1000);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  char text[16];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%d", &parts)};
+}
+
+// Empty = not recorded: left out.
+void put(ordered_json& object, const char* key, const std::string& value) {
+  if (!value.empty()) object[key] = value;
+}
+void put(ordered_json& object, const char* key, ordered_json inner) {
+  if (!inner.empty()) object[key] = std::move(inner);
+}
+
+std::string initialsOf(const Catalogue& catalogue, catalogue::PersonRow row) {
+  if (!row) return {};
+  if (const auto persons = catalogue.persons())
+    for (const auto& person : *persons)
+      if (person.row == row) return person.initials;
+  return {};
+}
+
+ordered_json measurementsOf(const Catalogue& catalogue,
+                            const std::vector<catalogue::Measurement>& all) {
+  ordered_json list = ordered_json::array();
+  for (const catalogue::Measurement& m : all) {
+    ordered_json one = {
+        {"kind", m.kind}, {"value", m.value}, {"unit", m.unit}, {"method", m.method}};
+    if (m.uncertainty) one["uncertainty"] = *m.uncertainty;
+    put(one, "by", initialsOf(catalogue, m.by));
+    put(one, "model_sha256", m.model_sha256);
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+ordered_json pairingOf(const Catalogue& catalogue, const SherdRecord& sherd) {
+  ordered_json pairing = ordered_json::object();
+  if (!sherd.batch) return pairing;
+  std::map<catalogue::ScanRow, std::string> names;
+  if (const auto scans = catalogue.scans(sherd.batch))
+    for (const auto& scan : *scans) names[scan.row] = scan.name;
+  put(pairing, "front", names[sherd.front]);
+  put(pairing, "back", names[sherd.back]);
+  if (const auto decisions = catalogue.currentDecisions(sherd.batch))
+    for (const auto& d : *decisions)
+      if (d.front == sherd.front && d.back == sherd.back && sherd.front) {
+        if (d.score) pairing["score"] = *d.score;
+        pairing["by"] = d.by ? "person" : "program";
+      }
+  return pairing;
+}
+
+// path into the JSON -> field of the table
+const std::vector<std::pair<const char*, const char*>> kTexts = {
+    {"/id", "uuid"},
+    {"/number", "number"},
+    {"/void_reason", "void_reason"},
+    {"/provenience/site", "site"},
+    {"/provenience/trench", "trench"},
+    {"/provenience/context", "context"},
+    {"/provenience/bag", "bag"},
+    {"/description/part", "part"},
+    {"/description/ware", "ware"},
+    {"/description/fabric", "fabric"},
+    {"/description/inclusions", "inclusions"},
+    {"/description/manufacture", "manufacture"},
+    {"/description/firing", "firing"},
+    {"/description/surface/out", "surface_out"},
+    {"/description/surface/in", "surface_in"},
+    {"/description/decoration", "decoration"},
+    {"/description/munsell/out", "munsell_out"},
+    {"/description/munsell/in", "munsell_in"},
+    {"/description/munsell/core", "munsell_core"},
+    {"/description/condition", "condition"},
+    {"/description/joins", "joins"},
+    {"/description/vessel", "vessel"},
+    {"/description/note", "note"},
+    {"/dating/period", "period"},
+    {"/dating/date_edtf", "date_edtf"},
+    {"/digitisation/batch", "batch"}};
+
+const std::set<std::string> kKnown = {
+    "@context",     "format",      "id",          "number",  "state",
+    "void_reason",  "provenience", "description", "dating",  "measurements",
+    "digitisation", "pairing",     "files",       "licence", "rights_holder",
+    "processing",   "extra"};
+
+}  // namespace
+
+Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& sherd,
+                              const std::vector<SherdFile>& files, const std::string& program) {
+  const Result<catalogue::ProjectRecord> project = catalogue.project();
+  if (!project) return project.error();
+  const Result<std::vector<catalogue::Measurement>> measured = catalogue.measurements(sherd.row);
+  if (!measured) return measured.error();
+  ordered_json out = {
+      {"@context", "context.jsonld"}, {"format", "ostraka-sherd/1"}, {"id", sherd.id}};
+  put(out, "number", sherd.number);
+  out["state"] = catalogue::wordOf(sherd.state);
+  // The fields in the order of the table above, nested as it says.
+  for (const auto& [pointer, field] : kTexts) {
+    const json::json_pointer path{std::string(pointer)};
+    if (path.parent_pointer().empty() && std::string_view(field) != "void_reason") continue;
+    if (std::string_view(field) == "batch") continue;
+    const std::string text = catalogue::textOf(sherd, field);
+    if (text.empty()) continue;
+    const bool list = std::string_view(field) == "part" ||
+                      std::string_view(field) == "decoration" ||
+                      std::string_view(field) == "condition" || std::string_view(field) == "joins";
+    ordered_json* at = &out;
+    std::string rest = std::string(pointer).substr(1);
+    for (std::size_t slash; (slash = rest.find('/')) != std::string::npos;
+         rest = rest.substr(slash + 1))
+      at = &(*at)[rest.substr(0, slash)];
+    if (list)
+      (*at)[rest] = catalogue::splitTerms(text);
+    else
+      (*at)[rest] = text;
+  }
+  out["measurements"] = measurementsOf(catalogue, *measured);
+  ordered_json digitisation = ordered_json::object();
+  std::string used_program = program;
+  if (sherd.batch) {
+    const Result<catalogue::BatchRecord> batch = catalogue.batch(sherd.batch);
+    if (!batch) return batch.error();
+    digitisation["batch"] = batch->number;
+    if (batch->started_ms) digitisation["shot_on"] = dayOf(*batch->started_ms);
+    put(digitisation, "operator", initialsOf(catalogue, batch->operator_));
+    if (batch->scale_error_pct) digitisation["scale_error_pct"] = *batch->scale_error_pct;
+    if (!batch->program.empty()) used_program = batch->program;
+  }
+  put(out, "digitisation", std::move(digitisation));
+  put(out, "pairing", pairingOf(catalogue, sherd));
+  ordered_json list = ordered_json::array();
+  for (const SherdFile& file : files) {
+    ordered_json one = {
+        {"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"bytes", file.bytes}};
+    if (file.role == "model") {
+      const bool glb = file.path.ends_with(".glb");
+      one["unit"] = glb ? "m" : "mm";
+      one["frame"] = "plate_front";
+    }
+    list.push_back(std::move(one));
+  }
+  out["files"] = std::move(list);
+  put(out, "licence", project->licence);
+  put(out, "rights_holder", project->rights_holder);
+  out["processing"] = {{"program", used_program}};
+  const ordered_json extra = ordered_json::parse(sherd.extra_json, nullptr, false);
+  if (extra.is_object() && !extra.empty()) out["extra"] = extra;
+  return out.dump(1) + "\n";
+}
+
+Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where) {
+  const Result<json> value = parseJson(text, where);
+  if (!value) return value.error();
+  const auto bad = [&](const std::string& what) {
+    return Error{ErrorCode::UnusableInput, what, where};
+  };
+  if (!value->is_object() || value->value("format", json()) != "ostraka-sherd/1")
+    return bad("This is no record of a sherd (ostraka-sherd/1).");
+  ReadSherdJson read;
+  try {
+    for (const auto& [pointer, field] : kTexts) {
+      const json::json_pointer path{std::string(pointer)};
+      if (!value->contains(path)) continue;
+      const json& at = value->at(path);
+      const std::string entry = at.is_array()
+                                    ? catalogue::joinTerms(at.get<std::vector<std::string>>())
+                                    : at.get<std::string>();
+      if (!entry.empty()) read.row.values[field] = entry;
+    }
+    for (const json& m : value->value("measurements", json::array())) {
+      catalogue::Measurement measurement;
+      measurement.kind = m.at("kind").get<std::string>();
+      measurement.value = m.at("value").get<double>();
+      measurement.method = m.value("method", "program");
+      measurement.model_sha256 = m.value("model_sha256", "");
+      if (m.contains("uncertainty")) measurement.uncertainty = m.at("uncertainty").get<double>();
+      if (m.value("unit", catalogue::unitOf(measurement.kind)) !=
+          catalogue::unitOf(measurement.kind))
+        return bad("The measurement " + measurement.kind + " has another unit than " +
+                   catalogue::unitOf(measurement.kind) + ".");
+      read.row.measured.emplace_back(std::move(measurement), m.value("by", ""));
+    }
+    for (const json& f : value->value("files", json::array()))
+      read.files.push_back({f.at("role").get<std::string>(), f.at("path").get<std::string>(),
+                            f.at("sha256").get<std::string>(), f.at("bytes").get<std::int64_t>()});
+    const json extra = value->value("extra", json::object());
+    for (const auto& [key, own] : extra.items())
+      read.row.values["extra." + key] = own.is_string() ? own.get<std::string>() : own.dump();
+    for (const auto& [key, own] : value->items())
+      if (!kKnown.contains(key))
+        read.row.values["extra." + key] = own.is_string() ? own.get<std::string>() : own.dump();
+  } catch (const json::exception&) {
+    return bad("A value of the record has another type than it should.");
+  }
+  return read;
+}
+
+}  // namespace ostraka::exchange

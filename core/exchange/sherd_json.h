@@ -1,0 +1,30 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+#include "exchange/import_table.h"
+
+namespace ostraka::exchange {
+
+/// A file of an export that belongs to a sherd.
+struct SherdFile {
+  std::string role, path, sha256;  ///< path relative to data/
+  std::int64_t bytes = 0;
+};
+
+/// The record of one sherd (format ostraka-sherd/1), keys in a fixed order, LF at the end.
+Result<std::string> sherdJson(const catalogue::Catalogue& catalogue,
+                              const catalogue::SherdRecord& sherd,
+                              const std::vector<SherdFile>& files, const std::string& program);
+
+struct ReadSherdJson {
+  ImportRow row;
+  std::vector<SherdFile> files;
+};
+/// Unknown keys survive as the user's own fields. Errors: another format, a value of a wrong type.
+Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where);
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,192 @@
+#include <gmock/gmock.h>
+
+#include "catalogue/database.h"
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Decisions : public SmallProject {
+ protected:
+  Decisions() {
+    batch = newBatch({bag4});
+    for (int i = 0; i < 3; ++i) {
+      front[i] = scan(batch, batch::Side::Front, i + 1);
+      back[i] = scan(batch, batch::Side::Back, i + 1);
+    }
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = Eigen::Vector3d(1, 2, 3);
+    for (int i = 0; i < 3; ++i) {
+      PairDecision d = pair(i, i, Verdict::Accept);
+      d.front_from_back = pose;
+      d.score = 0.9;
+      d.ambiguous = i == 2;
+      EXPECT_TRUE(catalogue().decide(d, {}));
+    }
+  }
+  PairDecision pair(int f, int b, Verdict verdict) {
+    PairDecision d;
+    d.batch = batch;
+    if (f >= 0) d.front = front[f];
+    if (b >= 0) d.back = back[b];
+    d.verdict = verdict;
+    return d;
+  }
+  DecisionRow say(int f, int b, Verdict verdict) {
+    const Result<DecisionRow> row = catalogue().decide(pair(f, b, verdict), anna);
+    EXPECT_TRUE(row) << row.error().sentence();
+    return row ? *row : DecisionRow{};
+  }
+  void withdraw(DecisionRow row) {
+    PairDecision d;
+    d.batch = batch;
+    d.verdict = Verdict::Withdraw;
+    d.replaces = row;
+    EXPECT_TRUE(catalogue().decide(d, anna));
+  }
+  /// "1-2" for front 1 with back 2, "1a" for front 1 set aside
+  std::vector<std::string> now() {
+    std::vector<std::string> words;
+    for (const PairDecision& d : valueIn(catalogue().currentDecisions(batch))) {
+      std::string word;
+      for (int i = 0; i < 3; ++i)
+        if (d.front == front[i]) word += std::to_string(i + 1);
+      word += d.verdict == Verdict::Accept ? "-" : d.verdict == Verdict::Aside ? "a" : "r";
+      for (int i = 0; i < 3; ++i)
+        if (d.back == back[i]) word += std::to_string(i + 1);
+      words.push_back(word);
+    }
+    return words;
+  }
+  std::vector<std::string> sherds() {
+    std::vector<std::string> words;
+    for (const SherdRecord& s : valueIn(catalogue().sherds(*catalogue().sherdRows(batch)))) {
+      std::string word;
+      for (int i = 0; i < 3; ++i)
+        if (s.front == front[i]) word += std::to_string(i + 1);
+      word += "-";
+      for (int i = 0; i < 3; ++i)
+        if (s.back == back[i]) word += std::to_string(i + 1);
+      words.push_back(word);
+    }
+    return words;
+  }
+  BatchRow batch;
+  ScanRow front[3], back[3];
+};
+
+TEST_F(Decisions, OfTheProgramMakeDraftSherdsInTheBagOfTheBatch) {
+  EXPECT_THAT(now(), ElementsAre("1-1", "2-2", "3-3"));
+  EXPECT_THAT(sherds(), ElementsAre("1-1", "2-2", "3-3"));
+  const SherdRecord sherd = *catalogue().sherd(catalogue().sherdRows(batch)->front());
+  EXPECT_EQ(sherd.state, SherdState::Draft);
+  EXPECT_EQ(sherd.context, context12);
+  EXPECT_EQ(sherd.bag, bag4);
+  EXPECT_EQ(catalogue().scans(batch)->front().state, ScanState::Paired);
+  EXPECT_EQ(catalogue().scans(batch)->at(2).state, ScanState::Open) << "front 3 is doubtful";
+}
+
+TEST_F(Decisions, AreReadBackWithTheirPose) {
+  const PairDecision d = catalogue().decisions(batch)->front();
+  ASSERT_TRUE(d.front_from_back);
+  EXPECT_EQ(d.front_from_back->translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(d.score, 0.9);
+  EXPECT_FALSE(d.by);
+}
+
+TEST_F(Decisions, APersonsWordStandsAboveTheProgramsAndTheOtherPairBreaks) {
+  say(0, 1, Verdict::Accept);
+  EXPECT_THAT(now(), ElementsAre("1-2", "3-3"));
+  EXPECT_THAT(sherds(), ElementsAre("1-2", "3-3")) << "front 2 waits for another back";
+  say(1, 0, Verdict::Accept);
+  EXPECT_THAT(now(), ElementsAre("1-2", "2-1", "3-3"));
+  EXPECT_THAT(sherds(), ElementsAre("1-2", "2-1", "3-3"));
+}
+
+TEST_F(Decisions, WhatTheProgramSaysLaterChangesNothingThatAPersonSaid) {
+  say(0, 1, Verdict::Accept);
+  EXPECT_TRUE(catalogue().decide(pair(0, 0, Verdict::Accept), {}));
+  EXPECT_THAT(now(), ElementsAre("1-2", "3-3"));
+}
+
+TEST_F(Decisions, TheLaterWordOfAPersonCounts) {
+  say(0, 1, Verdict::Accept);
+  say(0, 2, Verdict::Accept);
+  EXPECT_THAT(now(), ElementsAre("1-3", "2-2"));
+}
+
+TEST_F(Decisions, ARejectedPairIsNoPairUntilItIsAcceptedAgain) {
+  say(0, 0, Verdict::Reject);
+  EXPECT_THAT(now(), ElementsAre("2-2", "3-3"));
+  say(0, 0, Verdict::Accept);
+  EXPECT_THAT(now(), ElementsAre("1-1", "2-2", "3-3"));
+}
+
+TEST_F(Decisions, SetAsideCountsForWhatIsStillFree) {
+  say(0, -1, Verdict::Aside);
+  EXPECT_THAT(now(), testing::UnorderedElementsAre("1a", "2-2", "3-3"));
+  EXPECT_EQ(catalogue().scans(batch)->front().state, ScanState::Aside);
+  say(1, 1, Verdict::Reshoot);
+  EXPECT_THAT(now(), testing::UnorderedElementsAre("1a", "2r2", "3-3"));
+  say(0, 0, Verdict::Accept);
+  EXPECT_THAT(now(), testing::UnorderedElementsAre("1-1", "2r2", "3-3"));
+}
+
+TEST_F(Decisions, EverythingCanBeTakenBackAndDoneAgain) {
+  const DecisionRow swapped = say(0, 1, Verdict::Accept);
+  withdraw(swapped);
+  EXPECT_THAT(now(), ElementsAre("1-1", "2-2", "3-3"));
+  EXPECT_THAT(sherds(), ElementsAre("1-1", "2-2", "3-3"));
+  withdraw(catalogue().decisions(batch)->back().row);
+  EXPECT_THAT(now(), ElementsAre("1-2", "3-3"));
+  EXPECT_EQ(catalogue().decisions(batch)->size(), 6u) << "nothing is ever removed";
+}
+
+TEST_F(Decisions, ANumberStaysWithItsFront) {
+  const SherdRow sherd = catalogue().sherdRows(batch)->front();
+  ASSERT_TRUE(catalogue().assignNumbers(std::span(&sherd, 1), anna));
+  say(0, 1, Verdict::Accept);
+  EXPECT_EQ(catalogue().sherd(sherd)->number, "ARM1-T3-0012-0001");
+  EXPECT_EQ(catalogue().sherd(sherd)->front, front[0]);
+  EXPECT_EQ(catalogue().sherd(sherd)->back, back[1]);
+  say(0, -1, Verdict::Aside);
+  EXPECT_EQ(catalogue().sherd(sherd)->state, SherdState::Numbered);
+  EXPECT_FALSE(catalogue().sherd(sherd)->back);
+}
+
+TEST_F(Decisions, WhatWasMadeFromAnotherPairIsForgotten) {
+  const SherdRow sherd = catalogue().sherdRows(batch)->front();
+  Measurement length{sherd, "length", {}, 50, {}, "program", {}, "m"};
+  ASSERT_TRUE(catalogue().measure(length, {}));
+  Measurement weight{sherd, "weight", {}, 23.4, {}, "scale", {}, ""};
+  ASSERT_TRUE(catalogue().measure(weight, anna));
+  say(0, 1, Verdict::Accept);
+  EXPECT_EQ(valueOf(sherd, "length_mm"), "");
+  EXPECT_EQ(valueOf(sherd, "weight_g"), "23.4") << "weighed by a person: it stays";
+}
+
+TEST_F(Decisions, WhatMakesNoSenseIsRefused) {
+  PairDecision turned = pair(0, 0, Verdict::Accept);
+  std::swap(turned.front, turned.back);
+  EXPECT_FALSE(catalogue().decide(turned, anna));
+  EXPECT_FALSE(catalogue().decide(pair(0, -1, Verdict::Accept), anna));
+  EXPECT_FALSE(catalogue().decide(pair(-1, -1, Verdict::Aside), anna));
+  PairDecision of_program;
+  of_program.batch = batch;
+  of_program.verdict = Verdict::Withdraw;
+  of_program.replaces = catalogue().decisions(batch)->front().row;
+  EXPECT_FALSE(catalogue().decide(of_program, anna)) << "reject it instead";
+}
+
+TEST_F(Decisions, TheListIsOnlyAddedTo) {
+  EXPECT_THROW(catalogue().database().script("UPDATE pair_decision SET note = 'x'"), SqlFailure);
+  EXPECT_THROW(catalogue().database().script("DELETE FROM pair_decision"), SqlFailure);
+  EXPECT_THROW(catalogue().database().script("DELETE FROM history"), SqlFailure);
+  EXPECT_THROW(catalogue().database().script("UPDATE history SET why = 'x'"), SqlFailure);
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,172 @@
+#include "catalogue/enter_results.h"
+
+#include <gmock/gmock.h>
+
+#include "catalogue/database.h"
+#include "result_folder.h"
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Entering : public SmallProject {
+ protected:
+  Entering() : batch(newBatch({bag4})), out(project_->resultsFolder("B0001"), 3) {}
+  EnteredResults enter() {
+    const Result<EnteredResults> entered = enterResults(
+        catalogue(), project_->folder(), batch, project_->resultsFolder("B0001"), {}, quiet, {});
+    EXPECT_TRUE(entered) << (entered ? "" : entered.error().sentence());
+    return entered ? *entered : EnteredResults{};
+  }
+  std::vector<SherdRecord> sherds() { return *catalogue().sherds(*catalogue().sherdRows(batch)); }
+  int count(const std::string& table) {
+    int rows = 0;
+    Statement all = catalogue().database().sql("SELECT count(*) FROM " + table);
+    if (all.next()) all >> rows;
+    return rows;
+  }
+  ScanRow scanNamed(const std::string& name) {
+    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+      if (scan.name == name) return scan.row;
+    return {};
+  }
+  BatchRow batch;
+  ResultFolder out;
+  QuietProgress quiet;
+};
+
+TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
+  const EnteredResults entered = enter();
+  EXPECT_EQ(entered.scans, 6);
+  EXPECT_EQ(entered.decisions, 3);
+  EXPECT_EQ(entered.new_sherds, 3);
+  EXPECT_EQ(entered.models, 3);
+  EXPECT_EQ(entered.measurements, 24);  // 7 measures and the filled share, of 3 sherds
+  EXPECT_EQ(entered.files, 18);         // 6 scans, 3 files of 3 sherds, 3 reports
+  EXPECT_EQ(entered.open, 0);
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  EXPECT_EQ(catalogue().batch(batch)->reprojection_px, 0.31);
+  const SherdRecord sherd = sherds().front();
+  EXPECT_EQ(sherd.context, context12);
+  EXPECT_EQ(sherd.model_path, "results/B0001/sherds/01/model.ply");
+  EXPECT_EQ(sherd.preview_path, "results/B0001/sherds/01/preview.png");
+  EXPECT_EQ(sherd.measures.at("length"), 51);
+  EXPECT_NEAR(sherd.measures.at("filled_pct"), 0.7, 1e-12);
+  EXPECT_EQ(catalogue().files(sherd.row)->size(), 3u);
+  const ScanRecord scan = catalogue().scans(batch)->front();
+  EXPECT_EQ(scan.points, 3);
+  EXPECT_EQ(scan.plate_x_mm, 1);
+  EXPECT_EQ(scan.plate_y_mm, 1);
+  EXPECT_TRUE(catalogue().checkIntegrity());
+}
+
+TEST_F(Entering, TwiceChangesNothing) {
+  enter();
+  const int history = count("history"), decisions = count("pair_decision"),
+            measurements = count("measurement"), files = count("file");
+  const EnteredResults again = enter();
+  EXPECT_EQ(again.decisions, 0);
+  EXPECT_EQ(again.new_sherds, 0);
+  EXPECT_EQ(count("history"), history);
+  EXPECT_EQ(count("pair_decision"), decisions);
+  EXPECT_EQ(count("measurement"), measurements);
+  EXPECT_EQ(count("file"), files);
+  EXPECT_EQ(sherds().size(), 3u);
+}
+
+TEST_F(Entering, KeepsWhatAPersonDecided) {
+  enter();
+  PairDecision swap;
+  swap.batch = batch;
+  for (const auto& [front, back] : {std::pair{"f001", "b002"}, std::pair{"f002", "b001"}}) {
+    swap.front = scanNamed(front);
+    swap.back = scanNamed(back);
+    ASSERT_TRUE(catalogue().decide(swap, anna));
+  }
+  const EnteredResults entered = enter();
+  EXPECT_EQ(entered.kept_decisions, 2);
+  EXPECT_EQ(entered.models, 1) << "the models of the other two are of pairs that do not count";
+  std::vector<SherdRecord> all = sherds();
+  EXPECT_EQ(all[0].back, scanNamed("b002"));
+  EXPECT_TRUE(all[0].measures.empty());
+  EXPECT_EQ(all[0].model_path, "");
+  EXPECT_TRUE(catalogue().files(all[0].row)->empty());
+  // The program computes the pairs that the person chose.
+  out.pairs() = {{1, 2, false}, {2, 1, false}, {3, 3, false}};
+  out.write();
+  EXPECT_EQ(enter().models, 3);
+  all = sherds();
+  EXPECT_EQ(all[0].measures.at("length"), 51);
+  EXPECT_EQ(catalogue().files(all[0].row)->size(), 3u);
+}
+
+TEST_F(Entering, FollowsTheProgramWhereNobodyDecided) {
+  enter();
+  out.pairs() = {{1, 2, false}, {2, 1, false}};
+  out.write();
+  const EnteredResults entered = enter();
+  EXPECT_EQ(entered.decisions, 2);
+  EXPECT_EQ(entered.open, 2) << "front 3 and back 3 have no partner any more";
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  EXPECT_EQ(sherds().size(), 2u);
+}
+
+TEST_F(Entering, CountsADoubtfulPairAsOneQuestion) {
+  out.pairs()[1].ambiguous = true;
+  out.write();
+  EXPECT_EQ(enter().open, 1);
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  EXPECT_EQ(catalogue().currentDecisions(batch)->at(1).note, "two look alike");
+}
+
+TEST_F(Entering, KeepsTheNumbersAndTheWeighing) {
+  enter();
+  const SherdRow sherd = sherds().front().row;
+  ASSERT_TRUE(catalogue().assignNumbers(std::span(&sherd, 1), anna));
+  ASSERT_TRUE(set(sherd, "weight_g", "23.4"));
+  ASSERT_TRUE(set(sherd, "length_mm", "52"));
+  out.length_mm = 50.01;
+  out.write();
+  enter();
+  EXPECT_EQ(valueOf(sherd, "number"), "ARM1-T3-0012-0001");
+  EXPECT_EQ(valueOf(sherd, "weight_g"), "23.4");
+  EXPECT_EQ(valueOf(sherd, "length_mm"), "52") << "measured by hand: it stays";
+  EXPECT_EQ(valueOf(sherds()[1].row, "length_mm"), "52.01");
+}
+
+TEST_F(Entering, WithoutAScaleNoLengthIsKnown) {
+  out.has_scale = false;
+  out.write();
+  enter();
+  EXPECT_TRUE(sherds().front().measures.empty());
+}
+
+TEST_F(Entering, WhatIsNotWholeEntersNothing) {
+  fs::remove(project_->resultsFolder("B0001") / "report.json");
+  EXPECT_FALSE(enterResults(catalogue(), project_->folder(), batch,
+                            project_->resultsFolder("B0001"), {}, quiet, {}));
+  out.pairs().push_back({9, 9, false});  // names a scan that is not there
+  out.write();
+  const Result<EnteredResults> unknown = enterResults(
+      catalogue(), project_->folder(), batch, project_->resultsFolder("B0001"), {}, quiet, {});
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().what.find("f009"), std::string::npos);
+  EXPECT_EQ(count("scan"), 0);
+  EXPECT_EQ(count("sherd"), 0);
+}
+
+TEST_F(Entering, CanBeStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Result<EnteredResults> stopped =
+      enterResults(catalogue(), project_->folder(), batch, project_->resultsFolder("B0001"), {},
+                   quiet, stop.get_token());
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(count("scan"), 0);
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,152 @@
+#include "catalogue/filter.h"
+
+#include <gmock/gmock.h>
+
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class Filters : public SmallProject {
+ protected:
+  Filters() {
+    add(context12, bag4,
+        {{"part", "rim"},
+         {"ware", "grey"},
+         {"thickness_mean_mm", "6.5"},
+         {"surface_out", "burnished"},
+         {"note", "primary fill"}});
+    add(context12, bag5,
+        {{"part", "rim; neck"},
+         {"ware", "Red slipped"},
+         {"thickness_mean_mm", "5"},
+         {"weight_g", "20"}});
+    add(context13, bag1,
+        {{"part", "base"},
+         {"ware", "grey"},
+         {"thickness_mean_mm", "12,5"},
+         {"condition", "burnt"}});
+    add(context13, {}, {{"part", "body"}});
+  }
+  void add(ContextRow in, BagRow of, const std::map<std::string, std::string>& fields) {
+    const SherdRow row = draft(in, of);
+    EXPECT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
+    for (const auto& [field, value] : fields) EXPECT_TRUE(set(row, field, value)) << field;
+  }
+  /// Last letters of the numbers: 12-0001 is "a", 12-0002 "b", 13-0001 "c", 13-0002 "d".
+  std::string letters(const std::string& line, const SherdOrder& order = {}) {
+    std::string out;
+    for (const std::string& number : found(line, order))
+      out += number == "ARM1-T3-0012-0001"   ? 'a'
+             : number == "ARM1-T3-0012-0002" ? 'b'
+             : number == "ARM1-T3-0013-0001" ? 'c'
+             : number == "ARM1-T3-0013-0002" ? 'd'
+                                             : '?';
+    return out;
+  }
+};
+
+TEST_F(Filters, WordsAreLookedForInAllTextsAndAllMustBeThere) {
+  EXPECT_EQ(letters(""), "abcd");
+  EXPECT_EQ(letters("rim"), "ab") << "also inside 'primary', which is sherd a again";
+  EXPECT_EQ(letters("GREY"), "ac");
+  EXPECT_EQ(letters("grey rim"), "a");
+  EXPECT_EQ(letters("slip"), "b");
+  EXPECT_EQ(letters("\"red slipped\""), "b");
+  EXPECT_EQ(letters("0013"), "cd");
+  EXPECT_EQ(letters("unicorn"), "");
+}
+
+TEST_F(Filters, TheLineOfTheHandbookWorks) {
+  EXPECT_EQ(letters("rim T3 thickness>6"), "a");
+}
+
+TEST_F(Filters, ShortWordsAreWholePlacesOrBags) {
+  EXPECT_EQ(letters("T3"), "abcd");
+  EXPECT_EQ(letters("T4"), "");
+  EXPECT_EQ(letters("4"), "a") << "bag 4";
+}
+
+TEST_F(Filters, NumbersAreCompared) {
+  EXPECT_EQ(letters("thickness>6"), "ac");
+  EXPECT_EQ(letters("thickness>=6.5"), "ac");
+  EXPECT_EQ(letters("thickness>6,5"), "c");
+  EXPECT_EQ(letters("thickness_mean_mm<6"), "b");
+  EXPECT_EQ(letters("thickness<=5"), "b");
+  EXPECT_EQ(letters("thickness:12.5"), "c");
+  EXPECT_EQ(letters("weight:*"), "b");
+  EXPECT_EQ(letters("weight:\"\""), "acd");
+}
+
+TEST_F(Filters, FieldsAreComparedWhole) {
+  EXPECT_EQ(letters("part:rim"), "ab");
+  EXPECT_EQ(letters("part:neck"), "b");
+  EXPECT_EQ(letters("ware:grey"), "ac");
+  EXPECT_EQ(letters("ware:GREY"), "ac");
+  EXPECT_EQ(letters("ware:gre"), "");
+  EXPECT_EQ(letters("context:0013"), "cd");
+  EXPECT_EQ(letters("trench:t3 bag:5"), "b");
+  EXPECT_EQ(letters("site:ARM1 bag:\"\""), "d");
+  EXPECT_EQ(letters("number:arm1-t3-13-2"), "d");
+  EXPECT_EQ(letters("state:draft"), "");
+  EXPECT_EQ(letters("surface_out:*"), "a");
+}
+
+TEST_F(Filters, AMinusTurnsAConditionRound) {
+  EXPECT_EQ(letters("-grey"), "bd");
+  EXPECT_EQ(letters("-part:rim"), "cd");
+  EXPECT_EQ(letters("-bag:1"), "abd") << "also what has no bag";
+  EXPECT_EQ(letters("-thickness>6"), "bd") << "also what has no thickness";
+}
+
+TEST_F(Filters, TheOrderPutsWhatIsNotRecordedLast) {
+  EXPECT_EQ(letters("", {"thickness_mean_mm", false}), "bacd");
+  EXPECT_EQ(letters("", {"thickness_mean_mm", true}), "cabd");
+  EXPECT_EQ(letters("", {"number", true}), "dcba");
+  EXPECT_EQ(letters("", {"ware", false}), "bacd") << "R before g, as bytes; none last";
+  EXPECT_EQ(letters("", {"bag", false}), "cabd");
+  EXPECT_EQ(letters("", {"context", true}), "cdab");
+  for (const SherdField& field : sherdFields())
+    if (std::string(field.name) != "joins") {
+      EXPECT_EQ(letters("", {field.name, false}).size(), 4u) << field.name;
+    }
+  EXPECT_EQ(letters("rim", {"updated", true}), "ba");
+}
+
+TEST_F(Filters, WhatIsNotUnderstoodIsNamed) {
+  const auto why = [](const char* line) {
+    const Result<Filter> filter = parseFilter(line);
+    return filter ? std::string("accepted") : filter.error().sentence();
+  };
+  EXPECT_NE(why("rim colour:red").find("colour:red: The filter knows no field 'colour'"),
+            std::string::npos);
+  EXPECT_NE(why("ware>5").find("Only measurements"), std::string::npos);
+  EXPECT_NE(why("thickness>thick").find("'thick' is no number"), std::string::npos);
+  EXPECT_NE(why("\"open").find("quotation mark"), std::string::npos);
+  EXPECT_EQ(why("\"a:b\" - -- \"\" :"), "accepted");
+  EXPECT_NE(why("rim' OR 1=1").find("no field '1'"), std::string::npos);
+}
+
+TEST_F(Filters, SignsOfTheSearchEngineAreOnlyLetters) {
+  for (const char* line : {"a*b AND", "NEAR(x y)", "\"say \"\"hi\"\"\"", "rim^2", "100%", "(((",
+                           "'; DROP TABLE sherd", "{words}"})
+    EXPECT_EQ(letters(line), "") << line;
+  EXPECT_EQ(letters("\"rim\""), "ab");
+}
+
+TEST_F(Filters, TheChipsGiveTheLineAgain) {
+  const char* line = "rim -part:lid thickness>6 \"red slip\"";
+  const Filter filter = *parseFilter(line);
+  EXPECT_EQ(filter.text(), line);
+  ASSERT_EQ(filter.conditions.size(), 4u);
+  EXPECT_EQ(filter.conditions[1].text, "-part:lid");
+  EXPECT_TRUE(filter.conditions[1].negated);
+  EXPECT_EQ(filter.conditions[2].field, "thickness_mean_mm");
+  EXPECT_EQ(filter.conditions[3].value, "red slip");
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

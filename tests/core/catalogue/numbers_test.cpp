@@ -1,0 +1,95 @@
+#include <gmock/gmock.h>
+
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using testing::ElementsAre;
+using Numbers = SmallProject;
+
+TEST_F(Numbers, AreProposedPerContextAndGivenInTheSameOrder) {
+  const std::vector<SherdRow> rows = {draft(context12), draft(context13), draft(context12)};
+  const auto expected = ElementsAre("ARM1-T3-0012-0001", "ARM1-T3-0013-0001", "ARM1-T3-0012-0002");
+  EXPECT_THAT(*catalogue().proposeNumbers(rows), expected);
+  EXPECT_THAT(*catalogue().proposeNumbers(rows), expected) << "a proposal reserves nothing";
+  EXPECT_THAT(*catalogue().assignNumbers(rows, anna), expected);
+  EXPECT_EQ(catalogue().sherd(rows[2])->state, SherdState::Numbered);
+}
+
+TEST_F(Numbers, AreNeverUsedAgain) {
+  const SherdRow a = numbered(context12), b = draft(context12);
+  ASSERT_TRUE(set(a, "number", "OLD-7"));
+  const Result<std::vector<FieldChange>> taken = set(b, "number", "ARM1-T3-0012-0001");
+  ASSERT_FALSE(taken);
+  EXPECT_NE(taken.error().what.find("given before"), std::string::npos);
+  EXPECT_THAT(*catalogue().assignNumbers(std::span(&b, 1), anna), ElementsAre("ARM1-T3-0012-0002"));
+  ASSERT_TRUE(catalogue().voidSherd(b, "a stone", anna));
+  EXPECT_THAT(*catalogue().proposeNumbers(std::vector{draft(context12)}),
+              ElementsAre("ARM1-T3-0012-0003"));
+}
+
+TEST_F(Numbers, DifferOnlyIfTheyDifferForPeopleAndForFiles) {
+  const SherdRow a = draft(context12), b = draft(context12);
+  ASSERT_TRUE(set(a, "number", "É-1"));
+  EXPECT_FALSE(set(b, "number", "é-1"));
+  EXPECT_FALSE(set(b, "number", "E\xCC\x81-1"));
+  ASSERT_TRUE(set(a, "number", "A/1"));
+  const Result<std::vector<FieldChange>> same_file = set(b, "number", "A_1");
+  ASSERT_FALSE(same_file);
+  EXPECT_NE(same_file.error().what.find("same names as those of A/1"), std::string::npos);
+}
+
+TEST_F(Numbers, TypedByHandInTheSchemesFormAreCounted) {
+  const SherdRow a = draft(context12);
+  ASSERT_TRUE(set(a, "number", "ARM1-T3-0012-0041"));
+  EXPECT_THAT(*catalogue().proposeNumbers(std::vector{draft(context12)}),
+              ElementsAre("ARM1-T3-0012-0042"));
+  std::vector<int> gaps = *catalogue().numberGaps(context12);
+  ASSERT_EQ(gaps.size(), 40u);
+  EXPECT_EQ(gaps.front(), 1);
+  EXPECT_EQ(gaps.back(), 40);
+}
+
+TEST_F(Numbers, UndoneComeBackToTheSameSherd) {
+  const SherdRow a = draft(context12), b = draft(context12);
+  ASSERT_TRUE(catalogue().assignNumbers(std::span(&a, 1), anna));
+  ASSERT_TRUE(set(a, "number", ""));
+  EXPECT_EQ(catalogue().sherd(a)->state, SherdState::Draft);
+  EXPECT_THAT(*catalogue().assignNumbers(std::span(&b, 1), anna), ElementsAre("ARM1-T3-0012-0002"));
+  EXPECT_THAT(*catalogue().assignNumbers(std::span(&a, 1), anna), ElementsAre("ARM1-T3-0012-0001"));
+}
+
+TEST_F(Numbers, OfTwoComputersComeFromTwoBlocks) {
+  ASSERT_TRUE(catalogue().setSetting("numbering.first", "5001"));
+  ASSERT_TRUE(catalogue().setSetting("numbering.last", "5002"));
+  const std::vector<SherdRow> two = {draft(context12), draft(context12)};
+  EXPECT_THAT(*catalogue().assignNumbers(two, anna),
+              ElementsAre("ARM1-T3-0012-5001", "ARM1-T3-0012-5002"));
+  const Result<std::vector<std::string>> none =
+      catalogue().proposeNumbers(std::vector{draft(context12)});
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().what.find("block of numbers up to 5002 is used up"), std::string::npos);
+}
+
+TEST_F(Numbers, NeedThePlaceThatTheSchemeNames) {
+  const Result<std::vector<std::string>> none = catalogue().proposeNumbers(std::vector{draft({})});
+  ASSERT_FALSE(none);
+  ProjectRecord record = *catalogue().project();
+  record.numbering = "P{yyyy}.{n:05}";
+  ASSERT_TRUE(catalogue().setProject(record, anna));
+  EXPECT_THAT(*catalogue().proposeNumbers(std::vector{draft(context12)}),
+              ElementsAre("P2026.00001"));
+}
+
+TEST_F(Numbers, GivenByTwoConnectionsAtOnceAreStillDifferent) {
+  Catalogue other = *project_->connect();
+  const SherdRow a = draft(context12), b = draft(context12);
+  EXPECT_EQ(catalogue().proposeNumbers(std::span(&a, 1))->front(),
+            other.proposeNumbers(std::span(&b, 1))->front());
+  EXPECT_NE(catalogue().assignNumbers(std::span(&a, 1), anna)->front(),
+            other.assignNumbers(std::span(&b, 1), anna)->front());
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,91 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "cloud/ply.h"
+
+namespace ostraka::catalogue {
+
+/// Writes OUT as `ostraka process` leaves it: n fronts, n backs, pairs i-i with models.
+class ResultFolder {
+ public:
+  ResultFolder(std::filesystem::path out, int n) : out_(std::move(out)) {
+    for (int i = 1; i <= n; ++i) pairs_.push_back({i, i, false});
+    scans_ = n;
+    write();
+  }
+  struct Pair {
+    int front, back;
+    bool ambiguous;
+  };
+  std::vector<Pair>& pairs() { return pairs_; }
+  double length_mm = 50;
+  bool has_scale = true;
+
+  void write() const {
+    using nlohmann::ordered_json;
+    ordered_json pairs = ordered_json::array(), sherds = ordered_json::array();
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const Pair& p = pairs_[i];
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      pose.translation().x() = p.back;
+      pairs.push_back({{"front", name('f', p.front)},
+                       {"back", name('b', p.back)},
+                       {"score", 0.99},
+                       {"margin", 0.9},
+                       {"ambiguous", p.ambiguous},
+                       {"reason", p.ambiguous ? "two look alike" : ""},
+                       {"T_front_from_back", toJson(pose)},
+                       {"rim_rms_mm", 0.2},
+                       {"rim_overlap", 0.6}});
+      const std::string number = "0" + std::to_string(i + 1);
+      sherds.push_back({{"number", number},
+                        {"front", name('f', p.front)},
+                        {"back", name('b', p.back)},
+                        {"figures",
+                         {{"model", true},
+                          {"filled_share", 0.007},
+                          {"measures",
+                           {{"length_mm", length_mm + p.front},
+                            {"width_mm", 30},
+                            {"thickness_min_mm", 4},
+                            {"thickness_mean_mm", 5},
+                            {"thickness_max_mm", 6},
+                            {"area_mm2", 1000},
+                            {"volume_mm3", 2000}}}}}});
+      const std::string model = "model of " + name('f', p.front) + name('b', p.back);
+      for (const char* file : {"model.ply", "model.glb", "preview.png"})
+        put(out_ / "sherds" / number / file, model + file);
+    }
+    PointCloud cloud;
+    cloud.points = {{0, 0, 0}, {2, 0, 0}, {1, 3, 0}};
+    for (int i = 1; i <= scans_; ++i) {
+      put(out_ / "work/scans_front" / (name('f', i) + ".ply"), formatPly(cloud, "plate_front"));
+      put(out_ / "work/scans_back" / (name('b', i) + ".ply"), formatPly(cloud, "plate_back"));
+    }
+    put(out_ / "pairs.json", ordered_json({{"unit", "mm"}, {"pairs", pairs}}).dump());
+    put(out_ / "report.json",
+        ordered_json(
+            {{"format", "ostraka-report/1"},
+             {"has_scale", has_scale},
+             {"stages", {{{"stage", "cameras"}, {"figures", {{"reprojection_rms_px", 0.31}}}}}},
+             {"sherds", sherds}})
+            .dump());
+    put(out_ / "report.html", "<html></html>");
+  }
+
+ private:
+  static std::string name(char side, int index) { return side + ("00" + std::to_string(index)); }
+  static void put(const std::filesystem::path& path, const std::string& bytes) {
+    if (!writeFileAtomically(path, bytes)) throw std::runtime_error(path.string());
+  }
+  std::filesystem::path out_;
+  std::vector<Pair> pairs_;
+  int scans_ = 0;
+};
+
+}  // namespace ostraka::catalogue

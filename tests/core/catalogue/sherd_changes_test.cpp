@@ -1,0 +1,120 @@
+#include <gmock/gmock.h>
+
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using Changes = SmallProject;
+
+TEST_F(Changes, AreAllOrNothing) {
+  const SherdRow a = numbered(context12), b = numbered(context12);
+  const std::vector<FieldChange> changes = {{a, "ware", "grey"}, {b, "part", "wing"}};
+  const Result<std::vector<FieldChange>> done = catalogue().change(changes, anna);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().where, "ARM1-T3-0012-0002") << "the sherd that it is about";
+  EXPECT_NE(done.error().what.find("'wing' is no term"), std::string::npos);
+  EXPECT_EQ(valueOf(a, "ware"), "");
+}
+
+TEST_F(Changes, ThePreviewShowsWhatWouldBeAndWhatIsRefused) {
+  const SherdRow a = numbered(context12), b = numbered(context12);
+  const std::vector<FieldChange> changes = {
+      {a, "part", " RIM ; neck"},         {b, "munsell_out", "brown"}, {b, "length_mm", "61,42"},
+      {b, "number", "ARM1-T3-0012-0001"}, {b, "area_mm2", "5"},        {b, "colour", "red"}};
+  const std::vector<ChangePreview> shown = *catalogue().preview(changes);
+  ASSERT_EQ(shown.size(), 6u);
+  EXPECT_EQ(shown[0].new_value, "rim; neck");
+  EXPECT_EQ(shown[0].refusal, "");
+  EXPECT_NE(shown[1].refusal.find("10YR 3/1"), std::string::npos);
+  EXPECT_EQ(shown[2].new_value, "61.42");
+  EXPECT_NE(shown[3].refusal.find("belongs to another sherd"), std::string::npos);
+  EXPECT_EQ(shown[3].in_the_way, a);
+  EXPECT_NE(shown[4].refusal.find("comes from the program"), std::string::npos);
+  EXPECT_NE(shown[5].refusal.find("no field 'colour'"), std::string::npos);
+  EXPECT_EQ(valueOf(a, "part"), "") << "a preview changes nothing";
+}
+
+TEST_F(Changes, CanBeUndoneAndDoneAgainWithTheirHistory) {
+  const SherdRow a = numbered(context12), b = draft(context12, bag4);
+  const std::vector<FieldChange> changes = {{a, "ware", "grey"},
+                                            {a, "part", "rim"},
+                                            {b, "context", "0013"},
+                                            {b, "bag", "1"},
+                                            {b, "joins", "ARM1-T3-0012-0001"},
+                                            {a, "weight_g", "23.4"},
+                                            {b, "extra.drawer", "7"},
+                                            {b, "number", "X-1"}};
+  const auto before_a = *catalogue().sherd(a), before_b = *catalogue().sherd(b);
+  const Result<std::vector<FieldChange>> undo = catalogue().change(changes, anna);
+  ASSERT_TRUE(undo) << undo.error().sentence();
+  EXPECT_EQ(valueOf(b, "context"), "0013");
+  EXPECT_EQ(catalogue().sherd(b)->bag, bag1);
+  EXPECT_EQ(valueOf(b, "number"), "X-1");
+  const std::size_t history = catalogue().history(a)->size();
+  const Result<std::vector<FieldChange>> redo = catalogue().change(*undo, anna);
+  ASSERT_TRUE(redo) << redo.error().sentence();
+  for (const SherdField& field : sherdFields()) {
+    EXPECT_EQ(valueOf(a, field.name), textOf(before_a, field.name)) << field.name;
+    EXPECT_EQ(valueOf(b, field.name), textOf(before_b, field.name)) << field.name;
+  }
+  EXPECT_EQ(valueOf(b, "extra.drawer"), "");
+  EXPECT_GT(catalogue().history(a)->size(), history) << "undoing is an act of its own";
+  ASSERT_TRUE(catalogue().change(*redo, anna));
+  EXPECT_EQ(valueOf(a, "ware"), "grey");
+  EXPECT_EQ(valueOf(b, "bag"), "1");
+  EXPECT_EQ(valueOf(b, "number"), "X-1") << "its own number comes back to it";
+}
+
+TEST_F(Changes, ThatChangeNothingLeaveNoTrace) {
+  const SherdRow a = numbered(context12);
+  ASSERT_TRUE(set(a, "ware", "grey"));
+  const SherdRecord before = *catalogue().sherd(a);
+  const std::size_t history = catalogue().history(a)->size();
+  const Result<std::vector<FieldChange>> undo = set(a, "ware", "  grey ");
+  ASSERT_TRUE(undo);
+  EXPECT_TRUE(undo->empty());
+  EXPECT_EQ(catalogue().sherd(a)->revision, before.revision);
+  EXPECT_EQ(catalogue().history(a)->size(), history);
+}
+
+TEST_F(Changes, ASherdMovesOnlyToPlacesThatAreThere) {
+  const SherdRow a = draft(context12, bag5);
+  EXPECT_FALSE(set(a, "context", "0013")) << "bag 5 is not in 0013: moving asks for the bag";
+  const std::vector<FieldChange> both = {{a, "context", "0013"}, {a, "bag", ""}};
+  ASSERT_TRUE(catalogue().change(both, anna));
+  EXPECT_EQ(catalogue().sherd(a)->context, context13);
+  EXPECT_FALSE(catalogue().sherd(a)->bag);
+  EXPECT_FALSE(set(a, "context", "0099"));
+  EXPECT_FALSE(set(a, "site", "ARM2"));
+  EXPECT_TRUE(set(a, "bag", "1"));
+}
+
+TEST_F(Changes, ANumberedSherdNeedsItsContext) {
+  const SherdRow a = numbered(context12);
+  EXPECT_FALSE(set(a, "context", ""));
+  const SherdRow without = draft({});
+  EXPECT_FALSE(set(without, "number", "X-2"));
+}
+
+TEST_F(Changes, MeasurementsHaveLimits) {
+  const SherdRow a = numbered(context12);
+  for (const char* bad : {"0", "-1", "1001", "abc", "1,2,3", "5 mm"})
+    EXPECT_FALSE(set(a, "length_mm", bad)) << bad;
+  EXPECT_TRUE(set(a, "length_mm", "1000"));
+  EXPECT_FALSE(set(a, "weight_g", "20001"));
+  EXPECT_TRUE(set(a, "weight_g", "20000"));
+  EXPECT_FALSE(set(a, "rim_pct", "101"));
+}
+
+TEST_F(Changes, TextsThatAreNoTextAreRefused) {
+  const SherdRow a = numbered(context12);
+  EXPECT_FALSE(set(a, "note", "\xFF\xFE"));
+  EXPECT_FALSE(set(a, "note", std::string("a\0b", 3)));
+  EXPECT_FALSE(set(a, "note", std::string((1 << 20) + 1, 'x')));
+  EXPECT_TRUE(set(a, "note", "'; DROP TABLE sherd; --"));
+  EXPECT_EQ(valueOf(a, "note"), "'; DROP TABLE sherd; --");
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -1,0 +1,136 @@
+#pragma once
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "catalogue/filter.h"
+#include "catalogue/project.h"
+
+namespace ostraka::catalogue {
+
+/// A folder that goes when the test ends.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "ostraka-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The value of a temporary, for loops.
+template <class T>
+T valueIn(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().sentence());
+  return std::move(*result);
+}
+
+/// Site ARM1, trench T3, contexts 0012 and 0013, bags 4 and 5 in 0012, bag 1 in 0013, person AP.
+class SmallProject : public ::testing::Test {
+ protected:
+  SmallProject() {
+    ProjectRecord record;
+    record.code = "ARM";
+    record.title = "Trial";
+    Result<Project> made = Project::create(folder_.path() / "project", record, [this] {
+      return now_ms += 1;  // every act has a time of its own
+    });
+    if (!made) throw std::runtime_error(made.error().sentence());
+    project_ = std::make_unique<Project>(std::move(*made));
+    anna = {*catalogue().save(PersonRecord{{}, {}, "Anna P.", "AP", {}}, {}), "test", ""};
+    SiteRecord s;
+    s.code = "ARM1";
+    s.name = "Hill";
+    site = *catalogue().save(s, anna);
+    TrenchRecord t;
+    t.site = site;
+    t.code = "T3";
+    trench = *catalogue().save(t, anna);
+    context12 = context("0012");
+    context13 = context("0013");
+    bag4 = bag(context12, "4");
+    bag5 = bag(context12, "5");
+    bag1 = bag(context13, "1");
+  }
+
+  Catalogue& catalogue() { return project_->catalogue(); }
+  ContextRow context(const std::string& number) {
+    ContextRecord c;
+    c.site = site;
+    c.trench = trench;
+    c.number = number;
+    return *catalogue().save(c, anna);
+  }
+  BagRow bag(ContextRow in, const std::string& number) {
+    BagRecord b;
+    b.context = in;
+    b.number = number;
+    return *catalogue().save(b, anna);
+  }
+  SherdRow draft(ContextRow in, BagRow of = {}) {
+    SherdRecord s;
+    s.context = in;
+    s.bag = of;
+    return *catalogue().addSherd(s, anna);
+  }
+  SherdRow numbered(ContextRow in) {
+    const SherdRow row = draft(in);
+    EXPECT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
+    return row;
+  }
+  BatchRow newBatch(std::vector<BagRow> bags) {
+    BatchRecord b;
+    b.bags = std::move(bags);
+    b.counted = 3;
+    return *catalogue().addBatch(b, anna);
+  }
+  ScanRow scan(BatchRow batch, batch::Side side, int index) {
+    ScanRecord s;
+    s.batch = batch;
+    s.side = side;
+    s.index = index;
+    s.name = (side == batch::Side::Front ? "f00" : "b00") + std::to_string(index);
+    s.path = "results/B0001/work/" + s.name + ".ply";
+    return *catalogue().save(s, anna);
+  }
+  Result<std::vector<FieldChange>> set(SherdRow sherd, const std::string& field,
+                                       const std::string& value) {
+    const FieldChange change{sherd, field, value};
+    return catalogue().change(std::span(&change, 1), anna);
+  }
+  std::string valueOf(SherdRow sherd, const std::string& field) {
+    return textOf(*catalogue().sherd(sherd), field);
+  }
+  /// Numbers of the sherds that the filter line finds, in order.
+  std::vector<std::string> found(const std::string& line, const SherdOrder& order = {}) {
+    const Result<Filter> filter = parseFilter(line);
+    EXPECT_TRUE(filter) << (filter ? "" : filter.error().sentence());
+    if (!filter) return {"?"};
+    const Result<std::vector<SherdRow>> rows = catalogue().sherdRows(*filter, order);
+    EXPECT_TRUE(rows) << (rows ? "" : rows.error().sentence());
+    if (!rows) return {"?"};
+    std::vector<std::string> numbers;
+    for (const SherdRecord& sherd : valueIn(catalogue().sherds(*rows))) numbers.push_back(sherd.number);
+    return numbers;
+  }
+
+  std::int64_t now_ms = 1'790'000'000'000;  // 21 September 2026
+  TemporaryFolder folder_;
+  std::unique_ptr<Project> project_;
+  Act anna;
+  SiteRow site;
+  TrenchRow trench;
+  ContextRow context12, context13;
+  BagRow bag4, bag5, bag1;
+};
+
+}  // namespace ostraka::catalogue

@@ -130,8 +130,6 @@ Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode
   sqlite3_busy_timeout(handle, 10'000);
   const Result<void> prepared = database->door([&] {
     database->exec("PRAGMA foreign_keys = ON");
-    // A file may be made by a stranger: what it defines must not reach outside the database.
-    database->exec("PRAGMA trusted_schema = OFF");
     database->exec("PRAGMA recursive_triggers = ON");
     database->exec("PRAGMA cache_size = -64000");
     database->exec("PRAGMA temp_store = MEMORY");

@@ -61,6 +61,8 @@ int main(int argc, char** argv) {
   app::addDense(root, chosen);
   app::addEvaluate(root, chosen);
   app::addRig(root, chosen);
+  app::addCapture(root, chosen);
+  app::addDevices(root, chosen);
   app::addCompletion(root, chosen);
   try {
     root.parse(argc, argv);

@@ -58,9 +58,6 @@ class Camera {
   virtual Result<void> trigger() = 0;
   /// Waits for the files of this shot (two for RAW and JPEG). Missing after timeout_s.
   virtual Result<std::vector<CameraFile>> fetch(double timeout_s, std::stop_token stop) = 0;
-  /// The shot is safely on disk: the camera's own copy may go.
-  virtual Result<void> release() { return {}; }
-
   /// After Missing: looks for the same serial number again, wherever it is plugged in now.
   virtual Result<void> reopen(std::stop_token stop) = 0;
   /// Restores what was changed and lets the camera go. Again: nothing happens.

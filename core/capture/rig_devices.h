@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,19 +13,19 @@ namespace ostraka::capture {
 /// Which camera stands at a place.
 struct CameraPlace {
   std::string driver;                           ///< "gphoto2", "uvc" or "folder"
-  std::string serial;                           ///< of a folder: empty, or the EXIF body serial
+  std::string serial;  ///< of uvc: /dev/v4l/by-id/...; of a folder: empty
   std::filesystem::path folder;                 ///< of a folder
   std::map<std::string, std::string> settings;  ///< compared, and set, before each side
 };
 
 /// How the table is reached.
 struct TurntablePlace {
-  std::string driver;   ///< "grbl", "comxim1", "comxim2", "hand"
+  std::string driver;   ///< "grbl", "comxim1", "comxim2" or "hand"
   std::string channel;  ///< "usb:1209:0001[:serial]", "/dev/serial/by-id/...", "tcp:host:port"
   int baud = 115200;
   double speed_deg_s = 20;
-  std::string
-      shutter;  ///< GRBL: "M8", "M3" or "M62 P0"; empty: the cameras are triggered one by one
+  bool clockwise = false;  ///< the table counts clockwise
+  std::string shutter{};   ///< GRBL: "M8", "M3" or "M62 P0"; empty: each camera is triggered
 };
 
 /// The part "devices" of RIG.json: what stands in the laboratory.
@@ -39,8 +40,14 @@ Result<DevicesFile> readDevices(const std::filesystem::path& rig_file);
 /// Puts the part into RIG.json and leaves all others as they are.
 Result<void> writeDevices(const std::filesystem::path& rig_file, const DevicesFile& devices);
 
-/// Opens all devices of RIG.json; an unknown serial number stops with that number.
-/// `rig virtual` is virtualrig::openVirtualRig.
-Result<RigDevices> openRigDevices(const std::filesystem::path& rig_file, std::stop_token stop);
+/// Tells a person to do something at the rig ("Turn the table to 90 degrees.") and waits; false
+/// when they would rather stop.
+using AskPerson = std::function<bool(const std::string& sentence, std::stop_token stop)>;
+
+/// Opens all devices of RIG.json; a camera that is not plugged in stops with its serial number, and
+/// with those that are. ask: needed by the driver "hand" only. The virtual rig is
+/// virtualrig::openVirtualRig. Errors: UnusableInput (the file), Missing (a device).
+Result<RigDevices> openRigDevices(const std::filesystem::path& rig_file, const AskPerson& ask,
+                                  std::stop_token stop);
 
 }  // namespace ostraka::capture

@@ -42,15 +42,15 @@ enum class CaptureEventKind {
 struct CaptureEvent {
   CaptureEventKind kind{};
   batch::Side side{};
-  int stop = -1;               ///< 0 .. stops - 1; -1: none in particular
-  int camera = -1;             ///< -1: none in particular
-  std::filesystem::path file;  ///< of ShotKept
-  ShotCheck check;             ///< of ShotKept and ShotRefused
-  std::string trouble;         ///< one sentence
-  int take = 0;                ///< from 1
+  int stop = -1;                 ///< 0 .. stops - 1; -1: none in particular
+  int camera = -1;               ///< -1: none in particular
+  std::filesystem::path file{};  ///< of ShotKept and ShotRefused
+  ShotCheck check{};             ///< of ShotKept and ShotRefused
+  std::string trouble{};         ///< one sentence
+  int take = 0;                  ///< from 1
 };
 
-/// Called on the sequence's own thread, one at a time.
+/// Called one at a time, from threads of the sequence.
 using OnCaptureEvent = std::function<void(const CaptureEvent&)>;
 
 struct ShotName {
@@ -65,6 +65,7 @@ struct SideOptions {
   int tries_per_shot = 3;        ///< of a shot that blurred or came from another stop
   int tries_per_device = 3;      ///< reopened after it was gone or silent
   double fetch_timeout_s = 30;   ///< from the trigger to the whole file
+  double press_timeout_s = 600;  ///< the same where a person presses the button
   std::vector<ShotName> retake;  ///< kept shots that a person wants again
   Result<void> check() const;
 };

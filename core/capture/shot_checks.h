@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +18,7 @@ enum class ShotProblem {
   Unreadable,  ///< cut off or no picture: never kept
   WrongStop,   ///< the markers show another angle than the stop's: never kept
   OtherSize,   ///< not the size of this camera's other photographs: never kept
+  Repeated,    ///< the very bytes of an earlier photograph: never kept
   FewMarkers,  ///< too few markers of the plate are seen
   Blurred,     ///< less sharp than this camera's other photographs
   TooDark,     ///< sherds under 5 % in a channel
@@ -45,7 +48,7 @@ struct PlateLook {
 };
 
 struct LookOptions {
-  int work_width_px = 1000;         ///< pictures are looked at in this size: 0.2 s a photograph
+  int work_width_px = 1600;         ///< larger pictures are made smaller, but for the sharpness
   double too_close_mm = 3.0;        ///< nearer sherds count as touching
   double smallest_sherd_mm = 12.0;  ///< smaller spots are crumbs
   Result<void> check() const;
@@ -65,17 +68,52 @@ struct ShotCheck {
   std::vector<ShotProblem> problems;
   int markers_seen = 0, markers_on_plate = 0;
   int sherds = 0;
-  double sharpness = 0;
+  double sharpness = 0;                  ///< as PlateLook
   std::optional<double> angle_seen_deg;  ///< absolute, as the stop's angle
   bool good() const { return problems.empty(); }
-  bool keepable() const;
+  bool has(ShotProblem problem) const;
+  bool keepable() const;  ///< no problem that forbids it
+  bool again() const;     ///< a problem that another photograph may not have
+  /// Blurred, or markers hidden that this camera has seen before.
+  bool may_pass = false;
 };
 
-/// Before the flip and before clearing, from all photographs of a side.
-struct SideCheck {
-  int sherds = 0;                              ///< on the plate, the cameras together
-  std::vector<std::pair<int, int>> too_close;  ///< numbers from 1, by the highest camera's look
-  std::vector<std::string> sentences;          ///< what a person should know before going on
+/// What one camera's photographs of a side have shown so far.
+struct CameraReference {
+  std::optional<PlateLook> look;  ///< of a kept photograph with enough markers
+  double angle_deg = 0;           ///< of that stop
+  double sharpness = 0;           ///< of the sharpest so far
+  int markers_seen = 0;           ///< most so far
 };
+
+struct JudgeOptions {
+  double most_angle_error_deg = 0.5;  ///< off by more, the photograph is of another stop
+  double most_edge_growth = 1.4;      ///< edges wider than the sharpest photograph's are a blur
+  double wide_edge_px = 0.5;          ///< and wider by this: edges are known to 0.1 px
+  int least_markers = 4;              ///< for the plate's place
+  double most_dark_share = 0.3;       ///< of the sherds' pixels
+  double most_bright_share = 0.02;
+};
+
+/// angle_deg: of the stop at which it was taken.
+ShotCheck judge(const PlateLook& look, double angle_deg, const CameraReference& reference,
+                const JudgeOptions& options);
+/// A kept photograph joins what the next ones are judged by.
+void learn(CameraReference& reference, const PlateLook& look, double angle_deg);
+
+/// Before the flip and before clearing, from the photographs of a side.
+struct SideCheck {
+  int sherds = 0;                       ///< on the plate; each of two that touch counts
+  int touching = 0;                     ///< pairs that touch or nearly do
+  bool counted = false;                 ///< false: no photograph showed enough of the plate
+  std::vector<Eigen::Vector3d> places;  ///< of the pieces: x, y on the plate, mm, and area, mm2
+  std::vector<std::string> sentences;   ///< what a person should know before going on
+};
+
+/// Counts over all stops of the camera that looks down most steeply: shadows stay with the room,
+/// sherds turn with the plate. photographs: the side's files by camera, in the order of the stops.
+/// About 0.1 s a photograph of that camera. Unreadable files are left out.
+SideCheck checkSide(const std::vector<std::vector<std::filesystem::path>>& photographs,
+                    const batch::Plate& plate, const LookOptions& options, std::stop_token stop);
 
 }  // namespace ostraka::capture

@@ -8,7 +8,7 @@
 namespace ostraka::capture {
 
 /// A turntable. Degrees, since that is what every controller speaks; counter-clockwise seen from
-/// above, and counted on past 360: a table never winds back.
+/// above, and counted on past 360: after a whole turn the table does not wind back.
 /// Calls come from one thread at a time, except stopNow() and position_deg(), from any.
 /// Errors name the device; Missing means unplugged or silent: reopen() may bring it back.
 class Turntable {

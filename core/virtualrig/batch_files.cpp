@@ -26,7 +26,9 @@ double rounded(double value, int steps) {
   return std::round(value * steps) / steps;
 }
 
-// By libjpeg itself: OpenCV 4.6 always halves the colours' resolution. 8-bit blue, green, red.
+}  // namespace
+
+// By libjpeg itself: OpenCV 4.6 always halves the colours' resolution.
 std::string encodedJpeg(const cv::Mat& image) {
   jpeg_compress_struct job;
   jpeg_error_mgr errors;
@@ -55,8 +57,6 @@ std::string encodedJpeg(const cv::Mat& image) {
   std::free(bytes);
   return out;
 }
-
-}  // namespace
 
 std::string photographName(batch::Side side, int camera, int stop) {
   return std::string(batch::name(side)) + "/" + numbered("cam%d_pos%02d.jpg", camera, stop);

@@ -270,4 +270,20 @@ Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
   return report.result();
 }
 
+Result<void> simulateCalibration(const SimulateOptions& options, Progress& progress,
+                                 std::stop_token stop) {
+  if (Result<void> r = options.check(); !r) return r;
+  Random rig_random(mixed(options.seed, 3)), room_random(mixed(options.seed, 4));
+  const VirtualRig rig = makeRig(options.width, options.stops, rig_random);
+  const Room room = makeRoom(room_random);
+  const PlateSurface plate(options.plate, options.seed);
+  if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
+  Report report(progress, 13 * kCameras);
+  Studio studio(options, rig, room, plate, stop, report);
+  studio.shootEmptyPlate();
+  studio.shootBoards();
+  if (stop.stop_requested()) return Error::cancelled();
+  return report.result();
+}
+
 }  // namespace ostraka::virtualrig

@@ -51,4 +51,9 @@ struct SimulateOptions {
 Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
                            std::stop_token stop);
 
+/// Only what belongs to the rig and not to the sherds: plate.json, board.json, the board's
+/// photographs and the empty plate, the same bytes as simulateBatch writes. Errors as above.
+Result<void> simulateCalibration(const SimulateOptions& options, Progress& progress,
+                                 std::stop_token stop);
+
 }  // namespace ostraka::virtualrig

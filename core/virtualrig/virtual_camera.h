@@ -18,6 +18,7 @@ struct VirtualDevicesOptions {
   bool scramble = false;
   int lookalikes = 0;
   int touching = 0;
+  int stops = 8;          ///< at these angles the table misses its marks as simulateBatch's does
   double turn_deg_s = 0;  ///< how fast the table seems to turn; 0: at once
   double settle_s = 0;
   int threads = 0;
@@ -25,7 +26,7 @@ struct VirtualDevicesOptions {
 };
 
 /// Makes the sherds and lays them down. side_placed(Back) turns them over, as a hand would.
-/// Photographs have the same bytes as those of simulateBatch with the same options and 8 stops.
+/// Photographs have the same bytes as those of simulateBatch with the same options.
 /// Errors: UnusableInput.
 Result<capture::RigDevices> openVirtualRig(const VirtualDevicesOptions& options);
 

@@ -38,5 +38,8 @@ TEST(Corpus, OfJsonFilesKeepsThePromises) {
 TEST(Corpus, OfImageHeadersKeepsThePromises) {
   replay("image_header", ostraka::fuzz::imageHeader);
 }
+TEST(Corpus, OfDeviceRepliesKeepsThePromises) {
+  replay("device_replies", ostraka::fuzz::deviceReplies);
+}
 
 }  // namespace

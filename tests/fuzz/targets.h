@@ -7,5 +7,7 @@ namespace ostraka::fuzz {
 void ply(std::string_view bytes);
 void json(std::string_view bytes);
 void imageHeader(std::string_view bytes);
+/// What a turntable answers, to all its drivers.
+void deviceReplies(std::string_view bytes);
 
 }  // namespace ostraka::fuzz

@@ -1,0 +1,304 @@
+#include "capture/batch_store.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/files.h"
+#include "base/json.h"
+
+namespace ostraka::capture {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kArriving = ".arriving";
+
+Error cannotWrite(const fs::path& path, int reason) {
+  std::string what = "The file cannot be written (" + std::string(std::strerror(reason)) + ").";
+  if (reason == ENOSPC) what = "The disk is full; free some space and shoot on.";
+  if (reason == EEXIST)
+    what = "A file of this name is there already and is not overwritten; name another batch.";
+  return {ErrorCode::CannotWrite, what, path.string()};
+}
+
+Result<void> syncFolder(const fs::path& folder) {
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return cannotWrite(folder, errno);
+  ::fsync(fd);  // some file systems cannot; the names are then synced with the files
+  ::close(fd);
+  return {};
+}
+
+Result<void> makeFolder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) return cannotWrite(folder, failed.value());
+  return {};
+}
+
+std::string lowerExtension(const std::string& name) {
+  std::string extension = fs::path(name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+// The extension under which the chain reads it; empty for raw formats. The camera's own name
+// decides, since many raw formats are TIFF inside.
+std::string photographExtension(const CameraFile& file) {
+  const std::string extension = lowerExtension(file.name);
+  if (extension == ".jpg" || extension == ".jpeg") return ".jpg";
+  if (extension == ".png") return ".png";
+  if (extension == ".tif" || extension == ".tiff") return ".tif";
+  if (extension.empty() && file.bytes.starts_with("\xFF\xD8")) return ".jpg";
+  return {};
+}
+
+std::string shotName(int camera, int stop) {
+  char text[40];
+  std::snprintf(text, sizeof text, "cam%d_pos%02d", camera, stop);
+  return text;
+}
+
+fs::path hidden(const fs::path& file) {
+  return file.parent_path() / ("." + file.filename().string() + kArriving);
+}
+
+std::string utcNow() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+// "set_aside/front_cam0_pos00_take1.jpg" for "front/cam0_pos00.jpg".
+std::string asideName(const std::string& file, int take) {
+  std::string name = file;
+  std::replace(name.begin(), name.end(), '/', '_');
+  const fs::path path(name);
+  return "set_aside/" + path.stem().string() + "_take" + std::to_string(take) +
+         path.extension().string();
+}
+
+Result<void> keepPlate(const fs::path& folder, const batch::Plate& plate) {
+  const fs::path file = folder / "plate.json";
+  std::error_code absent;
+  if (fs::exists(file, absent)) {
+    const Result<batch::Plate> there = batch::readPlate(file);
+    if (!there) return there.error();
+    bool same =
+        there->dictionary == plate.dictionary && there->markers.size() == plate.markers.size();
+    for (std::size_t i = 0; same && i < plate.markers.size(); ++i)
+      same = there->markers[i].id == plate.markers[i].id &&
+             (there->markers[i].corners[0] - plate.markers[i].corners[0]).norm() < 1e-3;
+    if (same) return {};
+    return Error{ErrorCode::UnusableInput,
+                 "The batch was begun on another plate; name another folder for this one.",
+                 file.string()};
+  }
+  nlohmann::ordered_json markers = nlohmann::ordered_json::array();
+  for (const batch::Marker& m : plate.markers) {
+    nlohmann::ordered_json corners = nlohmann::ordered_json::array();
+    for (const Eigen::Vector3d& c : m.corners) corners.push_back({c.x(), c.y(), c.z()});
+    markers.push_back({{"id", m.id}, {"corners", corners}});
+  }
+  return writeJson(file, {{"unit", "mm"},
+                          {"dictionary", plate.dictionary},
+                          {"diameter", plate.diameter_mm},
+                          {"markers", markers}});
+}
+
+}  // namespace
+
+Result<void> writeNewFile(const fs::path& path, std::string_view bytes) {
+  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (fd < 0) return cannotWrite(path, errno);
+  int reason = 0;
+  while (!bytes.empty() && reason == 0) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n > 0)
+      bytes.remove_prefix(static_cast<std::size_t>(n));
+    else if (n == 0 || errno != EINTR)
+      reason = n == 0 ? ENOSPC : errno;
+  }
+  if (reason == 0 && ::fsync(fd) != 0) reason = errno;
+  if (::close(fd) != 0 && reason == 0) reason = errno;
+  if (reason == 0) return {};
+  ::unlink(path.c_str());
+  return cannotWrite(path, reason);
+}
+
+Result<void> renameToNew(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
+  if (errno != EINVAL && errno != ENOSYS) return cannotWrite(to, errno);
+  // The file system knows no such renaming: a second name, then without the first.
+  if (::link(from.c_str(), to.c_str()) == 0) {
+    ::unlink(from.c_str());
+    return {};
+  }
+  if (errno != EPERM && errno != EOPNOTSUPP) return cannotWrite(to, errno);
+  // Nor second names (FAT): an empty file takes the place, which nobody else can then.
+  const int fd = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+  if (fd < 0) return cannotWrite(to, errno);
+  ::close(fd);
+  if (::rename(from.c_str(), to.c_str()) != 0) return cannotWrite(to, errno);
+  return {};
+}
+
+Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int stops, int cameras,
+                                    const batch::Plate& plate) {
+  BatchStore store;
+  store.batch_ = batch;
+  store.side_ = side;
+  for (const fs::path& folder : {batch / batch::name(side), batch / "set_aside"})
+    if (const Result<void> made = makeFolder(folder); !made) return made.error();
+  Result<Manifest> manifest = readManifest(batch);
+  if (!manifest) return manifest.error();
+  store.manifest_ = std::move(*manifest);
+  Manifest& m = store.manifest_;
+  if (m.entries.empty()) {
+    m.stops = stops;
+    m.cameras = cameras;
+  }
+  if (m.stops != stops || m.cameras != cameras)
+    return Error{ErrorCode::UnusableInput,
+                 "The batch was begun with " + std::to_string(m.cameras) + " cameras and " +
+                     std::to_string(m.stops) + " stops, not with " + std::to_string(cameras) +
+                     " and " + std::to_string(stops) + "; name another folder.",
+                 batch.string()};
+  if (const Result<void> kept = keepPlate(batch, plate); !kept) return kept.error();
+  if (const Result<void> tidied = store.tidyUp(side); !tidied) return tidied.error();
+  return store;
+}
+
+Result<void> BatchStore::tidyUp(batch::Side side) {
+  for (ManifestEntry& entry : manifest_.entries) {
+    if (!entry.used || entry.side != side) continue;
+    std::error_code absent;
+    if (fs::exists(fileOf(entry), absent)) {
+      const Result<std::string> bytes = readFile(fileOf(entry));
+      if (bytes && bytes->size() == entry.bytes && sha256(*bytes) == entry.sha256) continue;
+      return Error{ErrorCode::UnusableInput,
+                   "The photograph was changed since it was taken; put the original back, or name "
+                   "another folder for the batch.",
+                   fileOf(entry).string()};
+    }
+    // Between the manifest and the name, or half set aside, when the program ended.
+    const std::string aside = asideName(entry.file, entry.take);
+    entry.used = false;
+    entry.reason = "the file is gone";
+    if (!fs::exists(batch_ / aside, absent)) continue;
+    entry.file = aside;
+    entry.reason = "set aside";
+  }
+  std::set<std::string> ours;
+  for (const ManifestEntry& entry : manifest_.entries)
+    if (entry.used) ours.insert(fs::path(entry.file).filename().string());
+  std::error_code unread;
+  std::vector<fs::path> left_over;
+  for (const fs::directory_entry& e : fs::directory_iterator(batch_ / batch::name(side), unread)) {
+    const std::string name = e.path().filename().string();
+    if (name.ends_with(kArriving)) {
+      left_over.push_back(e.path());
+    } else if (name.starts_with("cam") && !ours.contains(name)) {
+      return Error{ErrorCode::UnusableInput,
+                   "This photograph was not taken here; name another folder for the batch.",
+                   e.path().string()};
+    }
+  }
+  for (const fs::path& file : left_over) fs::remove(file, unread);
+  return {};
+}
+
+Result<Arriving> BatchStore::stage(const std::vector<CameraFile>& files, int camera, int stop,
+                                   double angle_deg, const CameraId& id) const {
+  const auto photograph = std::find_if(files.begin(), files.end(), [](const CameraFile& f) {
+    return !photographExtension(f).empty();
+  });
+  if (photograph == files.end())
+    return Error{ErrorCode::UnusableInput,
+                 "Camera " + placeName(camera) +
+                     " delivers raw files only; set its image format to JPEG, or to both.",
+                 {}};
+  Arriving arriving;
+  ManifestEntry& entry = arriving.entry;
+  entry.side = side_;
+  entry.camera = camera;
+  entry.stop = stop;
+  entry.take = manifest_.takes(side_, stop, camera) + 1;
+  const std::string name = std::string(batch::name(side_)) + "/" + shotName(camera, stop);
+  entry.file = name + photographExtension(*photograph);
+  entry.sha256 = sha256(photograph->bytes);
+  entry.bytes = photograph->bytes.size();
+  entry.camera_model = id.model;
+  entry.camera_serial = id.serial;
+  entry.taken_at = utcNow();
+  entry.angle_deg = angle_deg;
+  arriving.files.push_back(entry.file);
+  const fs::path first = hidden(batch_ / entry.file);
+  std::error_code absent;
+  fs::remove(first, absent);  // of a try that broke off; never a name of the batch
+  if (Result<void> r = writeNewFile(first, photograph->bytes); !r) return r.error();
+  for (const CameraFile& file : files) {
+    if (&file == &*photograph || !photographExtension(file).empty()) continue;
+    const std::string raw = "raw/" + std::string(batch::name(side_)) + "_" +
+                            shotName(camera, stop) + "_take" + std::to_string(entry.take) +
+                            lowerExtension(file.name);
+    if (Result<void> r = makeFolder(batch_ / "raw"); !r) return r.error();
+    fs::remove(hidden(batch_ / raw), absent);
+    if (Result<void> r = writeNewFile(hidden(batch_ / raw), file.bytes); !r) return r.error();
+    entry.raw.push_back(raw);
+    arriving.files.push_back(raw);
+  }
+  return arriving;
+}
+
+Result<void> BatchStore::commit(std::vector<Arriving> arriving) {
+  if (arriving.empty()) return {};
+  for (const Arriving& a : arriving) manifest_.entries.push_back(a.entry);
+  if (Result<void> r = save(); !r) return r;
+  std::set<fs::path> folders;
+  for (const Arriving& a : arriving)
+    for (const std::string& file : a.files) {
+      if (Result<void> r = renameToNew(hidden(batch_ / file), batch_ / file); !r) return r;
+      folders.insert((batch_ / file).parent_path());
+    }
+  for (const fs::path& folder : folders)
+    if (Result<void> r = syncFolder(folder); !r) return r;
+  return {};
+}
+
+Result<void> BatchStore::setAside(int stop, int camera, const std::string& reason) {
+  ManifestEntry* entry = manifest_.find(side_, stop, camera);
+  if (entry == nullptr) return {};
+  const std::string aside = asideName(entry->file, entry->take);
+  if (Result<void> r = renameToNew(batch_ / entry->file, batch_ / aside); !r) return r;
+  if (Result<void> r = syncFolder(batch_ / "set_aside"); !r) return r;
+  entry->file = aside;
+  entry->used = false;
+  entry->reason = reason;
+  return save();
+}
+
+bool BatchStore::holdsElsewhere(const ManifestEntry& entry) const {
+  return std::any_of(manifest_.entries.begin(), manifest_.entries.end(),
+                     [&](const ManifestEntry& e) {
+                       const bool same_shot =
+                           e.side == entry.side && e.stop == entry.stop && e.camera == entry.camera;
+                       return !same_shot && e.sha256 == entry.sha256;
+                     });
+}
+
+}  // namespace ostraka::capture

@@ -1,0 +1,59 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "batch/batch.h"
+#include "capture/camera.h"
+#include "capture/manifest.h"
+
+namespace ostraka::capture {
+
+/// A photograph on its way into the batch: its bytes are on disk under a hidden name.
+struct Arriving {
+  ManifestEntry entry;
+  std::vector<std::string> files;  ///< final names, relative to the batch; the photograph first
+};
+
+/// The batch's folder while it is being photographed. Nothing in it is ever overwritten; a crash at
+/// any moment leaves whole photographs that the manifest names, or none.
+class BatchStore {
+ public:
+  /// Makes the folder and plate.json, reads the manifest, and tidies up after a crash. Errors:
+  /// UnusableInput (photographs that are not in the manifest, another plate, another number of
+  /// stops or cameras), CannotWrite.
+  static Result<BatchStore> open(const std::filesystem::path& batch, batch::Side side, int stops,
+                                 int cameras, const batch::Plate& plate);
+
+  /// Writes and syncs the files of one shot; may be called by several threads for several cameras.
+  /// Errors: CannotWrite; UnusableInput when no file is a JPEG, PNG or TIFF.
+  Result<Arriving> stage(const std::vector<CameraFile>& files, int camera, int stop,
+                         double angle_deg, const CameraId& id) const;
+  /// The manifest first, then the names: all arriving photographs are in the batch.
+  Result<void> commit(std::vector<Arriving> arriving);
+  /// A shot that is not kept goes to the folder set_aside.
+  Result<void> setAside(int stop, int camera, const std::string& reason);
+  Result<void> save() const { return writeManifest(batch_, manifest_); }
+
+  /// Are these very bytes those of another stop, camera or side?
+  bool holdsElsewhere(const ManifestEntry& entry) const;
+  Manifest& manifest() { return manifest_; }
+  const Manifest& manifest() const { return manifest_; }
+  std::filesystem::path fileOf(const ManifestEntry& entry) const { return batch_ / entry.file; }
+
+ private:
+  Result<void> tidyUp(batch::Side side);
+
+  std::filesystem::path batch_;
+  batch::Side side_ = batch::Side::Front;
+  Manifest manifest_;
+};
+
+/// Writes a file that must not be there yet, and syncs it. Errors: CannotWrite.
+Result<void> writeNewFile(const std::filesystem::path& path, std::string_view bytes);
+/// Gives a file another name that must not be taken, in the same file system.
+Result<void> renameToNew(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace ostraka::capture

@@ -1,0 +1,219 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "batch/image_header.h"
+#include "capture/shot_checks.h"
+#include "capture/silhouettes.h"
+#include "rig/plate_markers.h"
+
+namespace ostraka::capture {
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kLeastMarkers = 4;  // one marker's corners alone tilt the plane
+
+Result<cv::Mat> decoded(std::string_view picture) {
+  const Result<batch::ImageSize> size = batch::imageSize(picture, {});
+  if (!size) return size.error();
+  cv::Mat image;
+  try {
+    const cv::Mat raw(1, static_cast<int>(picture.size()), CV_8U,
+                      const_cast<char*>(picture.data()));
+    image = cv::imdecode(raw, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception&) {
+    image.release();
+  }
+  if (image.empty() || image.cols != size->width || image.rows != size->height)
+    return Error{ErrorCode::UnusableInput, "The picture cannot be decoded.", {}};
+  return image;
+}
+
+std::optional<Eigen::Matrix3d> planeOf(const std::vector<rig::SeenMarker>& seen,
+                                       const batch::Plate& plate) {
+  if (static_cast<int>(seen.size()) < kLeastMarkers) return std::nullopt;
+  std::map<int, const batch::Marker*> markers;
+  for (const batch::Marker& m : plate.markers) markers[m.id] = &m;
+  std::vector<cv::Point2d> on_plate, in_picture;
+  for (const rig::SeenMarker& s : seen)
+    for (std::size_t c = 0; c < 4; ++c) {
+      on_plate.emplace_back(markers[s.id]->corners[c].x(), markers[s.id]->corners[c].y());
+      in_picture.emplace_back(s.corners[c].x(), s.corners[c].y());
+    }
+  cv::Mat used;
+  const cv::Mat h = cv::findHomography(on_plate, in_picture, cv::RANSAC, 4.0, used);
+  if (h.empty() || cv::countNonZero(used) < 4 * kLeastMarkers) return std::nullopt;
+  Eigen::Matrix3d result;
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) result(r, c) = h.at<double>(r, c);
+  return result;
+}
+
+float valueAt(const cv::Mat1b& grey, double x, double y) {
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const auto u = static_cast<float>(x - x0), v = static_cast<float>(y - y0);
+  return (1 - v) * ((1 - u) * grey(y0, x0) + u * grey(y0, x0 + 1)) +
+         v * ((1 - u) * grey(y0 + 1, x0) + u * grey(y0 + 1, x0 + 1));
+}
+
+// Contrast over the steepest slope across one place of a marker's outer edge; 0 where none is.
+double edgeWidth(const cv::Mat1b& grey, const Eigen::Vector2d& place, const Eigen::Vector2d& out,
+                 double reach) {
+  constexpr double kStep = 0.5;
+  const int n = static_cast<int>(2 * reach / kStep) + 1;
+  std::vector<float> profile(static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) {
+    const Eigen::Vector2d p = place + (i * kStep - reach) * out;
+    if (p.x() < 0 || p.y() < 0 || p.x() >= grey.cols - 1 || p.y() >= grey.rows - 1) return 0;
+    profile[static_cast<std::size_t>(i)] = valueAt(grey, p.x(), p.y());
+  }
+  const auto [low, high] = std::minmax_element(profile.begin(), profile.end());
+  const float contrast = *high - *low;
+  float slope = 0;  // over two pixels: noise does not make an edge steep
+  for (std::size_t i = 4; i < profile.size(); ++i)
+    slope = std::max(slope, std::abs(profile[i] - profile[i - 4]) / 2);
+  return contrast < 30 || slope <= 0 ? 0 : contrast / slope;
+}
+
+// Median width of the markers' black-to-paper edges, in pixels of the whole picture.
+double sharpnessOf(const cv::Mat& picture, const std::vector<rig::SeenMarker>& seen,
+                   double whole_per_work) {
+  cv::Mat1b grey;
+  cv::cvtColor(picture, grey, cv::COLOR_BGR2GRAY);
+  std::vector<double> widths;
+  for (const rig::SeenMarker& marker : seen)
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Eigen::Vector2d a = ((marker.corners[c].array() + 0.5) * whole_per_work - 0.5).matrix(),
+                            b = ((marker.corners[(c + 1) % 4].array() + 0.5) * whole_per_work - 0.5)
+                                    .matrix();
+      const Eigen::Vector2d along = (b - a).normalized(), out(along.y(), -along.x());
+      const double reach = std::clamp((b - a).norm() / 7, 3.0, 12.0);  // within border and margin
+      for (const double t : {0.3, 0.5, 0.7})
+        if (const double w = edgeWidth(grey, a + t * (b - a), out, reach); w > 0)
+          widths.push_back(w);
+    }
+  if (widths.size() < 12) return 0;
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return *middle;
+}
+
+void judgeLight(const cv::Mat& picture, const cv::Mat1b& sherds, PlateLook& look) {
+  std::int64_t all = 0, dark = 0, bright = 0;
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto* row = picture.ptr<cv::Vec3b>(y);
+    for (int x = 0; x < picture.cols; ++x) {
+      if (!sherds(y, x)) continue;
+      ++all;
+      dark += row[x][0] + row[x][1] + row[x][2] < 3 * 13;
+      bright += std::max({row[x][0], row[x][1], row[x][2]}) >= 253;
+    }
+  }
+  if (all == 0) return;
+  look.dark_share = static_cast<double>(dark) / static_cast<double>(all);
+  look.bright_share = static_cast<double>(bright) / static_cast<double>(all);
+}
+
+Eigen::Vector2f projected(const Eigen::Matrix3d& h, const Eigen::Vector2d& p) {
+  const Eigen::Vector3d q = h * Eigen::Vector3d(p.x(), p.y(), 1);
+  return (q.head<2>() / q.z()).cast<float>();
+}
+
+PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_plate,
+                    const batch::Plate& plate, const LookOptions& options, double whole_per_work,
+                    PlateLook& look) {
+  PlateMap map = mapPlate(picture, pixel_from_plate, freeRadius_mm(plate));
+  std::vector<MapPiece> pieces = piecesOf(map, options.smallest_sherd_mm);
+  std::sort(pieces.begin(), pieces.end(),
+            [](const MapPiece& a, const MapPiece& b) { return a.centre_mm.x() < b.centre_mm.x(); });
+  cv::Mat1b sherds(picture.size(), uchar{0});
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    SeenSherd sherd{{}, pieces[i].centre_mm, pieces[i].cut_off};
+    std::vector<cv::Point> outline;
+    for (const cv::Point& p : pieces[i].outline) {
+      const Eigen::Vector2f pixel = projected(pixel_from_plate, map.plate_mm(p.x, p.y));
+      outline.emplace_back(cvRound(pixel.x()), cvRound(pixel.y()));
+      sherd.outline_px.push_back(pixel * static_cast<float>(whole_per_work));
+    }
+    cv::fillPoly(sherds, std::vector<std::vector<cv::Point>>{outline}, 255);
+    look.sherds.push_back(std::move(sherd));
+    if (sherdsInPiece(pieces[i]) > 1)
+      look.too_close.emplace_back(static_cast<int>(i), static_cast<int>(i));
+    for (std::size_t k = 0; k < i; ++k)
+      if (gapBetween_mm(pieces[k], pieces[i]) < options.too_close_mm)
+        look.too_close.emplace_back(static_cast<int>(k), static_cast<int>(i));
+  }
+  judgeLight(picture, sherds, look);
+  return map;
+}
+
+}  // namespace
+
+Result<void> LookOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (work_width_px < 320) return bad("work_width_px must be 320 or more.");
+  if (!(too_close_mm >= 0)) return bad("too_close_mm must not be negative.");
+  if (!(smallest_sherd_mm > 0)) return bad("smallest_sherd_mm must be more than 0.");
+  return {};
+}
+
+Result<PlateLook> lookAtPlate(std::string_view picture, const batch::Plate& plate,
+                              const LookOptions& options) {
+  Result<MappedLook> mapped = lookAndMap(picture, plate, options);
+  if (!mapped) return mapped.error();
+  return std::move(mapped->look);
+}
+
+Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plate,
+                              const LookOptions& options) {
+  if (const Result<void> checked = options.check(); !checked) return checked.error();
+  const Result<cv::Mat> whole = decoded(picture);
+  if (!whole) return whole.error();
+  MappedLook mapped;
+  PlateLook& look = mapped.look;
+  look.width = whole->cols;
+  look.height = whole->rows;
+  look.markers_on_plate = static_cast<int>(plate.markers.size());
+  cv::Mat work = *whole;
+  if (whole->cols > options.work_width_px)
+    cv::resize(
+        *whole, work,
+        {options.work_width_px, std::max(1, whole->rows * options.work_width_px / whole->cols)}, 0,
+        0, cv::INTER_AREA);
+  const double whole_per_work = static_cast<double>(whole->cols) / work.cols;
+  const auto seen = rig::findPlateMarkers(work, plate);
+  if (!seen) return seen.error();
+  look.markers_seen = static_cast<int>(seen->size());
+  look.sharpness = sharpnessOf(*whole, *seen, whole_per_work);
+  const std::optional<Eigen::Matrix3d> plane = planeOf(*seen, plate);
+  if (!plane) return mapped;
+  mapped.map = findSherds(work, *plane, plate, options, whole_per_work, look);
+  look.pixel_from_plate = Eigen::Vector3d(whole_per_work, whole_per_work, 1).asDiagonal() * *plane;
+  return mapped;
+}
+
+std::optional<double> turnBetween_deg(const PlateLook& before, const PlateLook& after) {
+  if (!before.pixel_from_plate || !after.pixel_from_plate) return std::nullopt;
+  if (before.width != after.width || before.height != after.height) return std::nullopt;
+  // Where the plate's points were that are now where its points are: a turn about the axis.
+  const Eigen::Matrix3d before_from_after =
+      before.pixel_from_plate->inverse() * *after.pixel_from_plate;
+  double across = 0, along = 0;
+  for (int k = 0; k < 36; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 36;
+    const Eigen::Vector2d p = 100 * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector3d q = before_from_after * Eigen::Vector3d(p.x(), p.y(), 1);
+    const Eigen::Vector2d r = q.head<2>() / q.z();
+    across += p.x() * r.y() - p.y() * r.x();
+    along += p.dot(r);
+  }
+  if (!std::isfinite(across) || !std::isfinite(along)) return std::nullopt;
+  return std::atan2(across, along) * kDegrees;
+}
+
+}  // namespace ostraka::capture

@@ -1,0 +1,163 @@
+#include "capture/rig_devices.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/json.h"
+#include "capture/comxim.h"
+#include "capture/folder_camera.h"
+#include "capture/gphoto_camera.h"
+#include "capture/grbl.h"
+#include "capture/hand_turntable.h"
+#include "capture/uvc_camera.h"
+
+namespace ostraka::capture {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Throws nlohmann's exceptions; the caller words them.
+DevicesFile devicesFromJson(const nlohmann::json& json) {
+  DevicesFile devices;
+  const nlohmann::json& table = json.at("turntable");
+  devices.turntable.driver = table.at("driver").get<std::string>();
+  devices.turntable.channel = table.value("channel", "");
+  devices.turntable.baud = table.value("baud", devices.turntable.baud);
+  devices.turntable.speed_deg_s = table.value("speed_deg_s", devices.turntable.speed_deg_s);
+  devices.turntable.clockwise = table.value("clockwise", false);
+  devices.turntable.shutter = table.value("shutter", "");
+  for (const nlohmann::json& c : json.at("cameras")) {
+    CameraPlace place;
+    place.driver = c.at("driver").get<std::string>();
+    place.serial = c.value("serial", "");
+    place.folder = c.value("folder", "");
+    place.settings = c.value("settings", std::map<std::string, std::string>{});
+    devices.cameras.push_back(std::move(place));
+  }
+  devices.settle_s = json.value("settle_s", devices.settle_s);
+  devices.plate = json.value("plate", "plate.json");
+  return devices;
+}
+
+nlohmann::ordered_json toJson(const DevicesFile& devices) {
+  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
+  for (const CameraPlace& place : devices.cameras) {
+    nlohmann::ordered_json json = {{"driver", place.driver}};
+    if (!place.serial.empty()) json["serial"] = place.serial;
+    if (!place.folder.empty()) json["folder"] = place.folder.string();
+    if (!place.settings.empty()) json["settings"] = place.settings;
+    cameras.push_back(json);
+  }
+  return {{"turntable",
+           {{"driver", devices.turntable.driver},
+            {"channel", devices.turntable.channel},
+            {"baud", devices.turntable.baud},
+            {"speed_deg_s", devices.turntable.speed_deg_s},
+            {"clockwise", devices.turntable.clockwise},
+            {"shutter", devices.turntable.shutter}}},
+          {"cameras", cameras},
+          {"settle_s", devices.settle_s},
+          {"plate", devices.plate.string()}};
+}
+
+Error unusable(const std::string& what, const fs::path& file) {
+  return {ErrorCode::UnusableInput, what, file.string()};
+}
+
+Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, const AskPerson& ask,
+                                                 const std::shared_ptr<Clock>& clock,
+                                                 const fs::path& rig_file, std::stop_token stop) {
+  if (place.driver == "hand") return openHandTurntable(ask);
+  const bool comxim = place.driver == "comxim1" || place.driver == "comxim2";
+  if (!comxim && place.driver != "grbl")
+    return unusable("The turntable's driver " + place.driver +
+                        " is not known; there are: grbl, comxim1, comxim2, hand.",
+                    rig_file);
+  Result<std::unique_ptr<ByteChannel>> channel = openChannel(place.channel, place.baud);
+  if (!channel) return channel.error();
+  if (comxim) {
+    const auto dialect =
+        place.driver == "comxim1" ? ComXimDialect::Brackets : ComXimDialect::Commas;
+    return openComXim(std::move(*channel), {dialect, place.speed_deg_s, place.clockwise}, clock,
+                      std::move(stop));
+  }
+  const GrblOptions options{place.speed_deg_s, place.shutter, place.clockwise};
+  return openGrbl(std::move(*channel), options, clock, std::move(stop));
+}
+
+Result<std::unique_ptr<Camera>> openCamera(const CameraPlace& place,
+                                           const std::shared_ptr<Clock>& clock,
+                                           const fs::path& rig_file) {
+  if (place.driver == "folder") {
+    FolderCameraOptions options;
+    options.folder =
+        place.folder.is_relative() ? rig_file.parent_path() / place.folder : place.folder;
+    return openFolderCamera(options, clock);
+  }
+  if (place.driver == "gphoto2") return openGphotoCamera(place.serial, clock);
+  if (place.driver == "uvc") {
+    UvcOptions options;
+    options.source = place.serial;
+    return openUvcCamera(options, clock);
+  }
+  return unusable(
+      "The camera driver " + place.driver + " is not known; there are: folder, gphoto2, uvc.",
+      rig_file);
+}
+
+}  // namespace
+
+Result<DevicesFile> readDevices(const fs::path& rig_file) {
+  const Result<nlohmann::json> json = readJson(rig_file);
+  if (!json) return json.error();
+  if (!json->is_object() || !json->contains("devices"))
+    return unusable("The rig names no devices; choose them in the window's settings.", rig_file);
+  try {
+    DevicesFile devices = devicesFromJson(json->at("devices"));
+    if (devices.cameras.empty()) return unusable("The rig names no camera.", rig_file);
+    if (!(devices.settle_s >= 0) || !(devices.turntable.speed_deg_s > 0))
+      return unusable("settle_s and speed_deg_s must be positive.", rig_file);
+    if (devices.plate.is_relative()) devices.plate = rig_file.parent_path() / devices.plate;
+    return devices;
+  } catch (const nlohmann::json::exception&) {
+    return unusable("The part 'devices' cannot be read; choose the devices again.", rig_file);
+  }
+}
+
+Result<void> writeDevices(const fs::path& rig_file, const DevicesFile& devices) {
+  nlohmann::ordered_json whole = nlohmann::ordered_json::object();
+  std::error_code absent;
+  if (fs::exists(rig_file, absent)) {
+    const Result<nlohmann::json> there = readJson(rig_file);
+    if (!there) return there.error();
+    if (!there->is_object()) return unusable("This is no rig file.", rig_file);
+    for (const auto& [key, value] : there->items()) whole[key] = value;
+  }
+  whole["devices"] = toJson(devices);
+  return writeJson(rig_file, whole);
+}
+
+Result<RigDevices> openRigDevices(const fs::path& rig_file, const AskPerson& ask,
+                                  std::stop_token stop) {
+  const Result<DevicesFile> file = readDevices(rig_file);
+  if (!file) return file.error();
+  RigDevices devices;
+  devices.settle_s = file->settle_s;
+  const Result<batch::Plate> plate = batch::readPlate(file->plate);
+  if (!plate) return plate.error();
+  devices.plate = *plate;
+  for (const CameraPlace& place : file->cameras) {
+    if (stop.stop_requested()) return Error::cancelled();
+    Result<std::unique_ptr<Camera>> camera = openCamera(place, devices.clock, rig_file);
+    if (!camera) return camera.error();
+    for (const auto& [name, value] : place.settings)
+      if (const auto set = (*camera)->set(name, value); !set) return set.error();
+    devices.cameras.push_back(std::move(*camera));
+  }
+  Result<std::unique_ptr<Turntable>> table =
+      openTurntable(file->turntable, ask, devices.clock, rig_file, stop);
+  if (!table) return table.error();
+  devices.turntable = std::move(*table);
+  return devices;
+}
+
+}  // namespace ostraka::capture

@@ -1,0 +1,42 @@
+#include "capture/sequence.h"
+
+#include "capture/manifest.h"
+#include "capture/series.h"
+
+namespace ostraka::capture {
+
+std::string placeName(int place) {
+  return place >= 0 && place < 26 ? std::string(1, static_cast<char>('A' + place))
+                                  : std::to_string(place);
+}
+
+Result<void> SideOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (batch.empty()) return bad("The batch must name a folder.");
+  if (stops < 3 || stops > 99) return bad("The number of stops must lie between 3 and 99.");
+  if (tries_per_shot < 1 || tries_per_device < 1) return bad("Tries must be 1 or more.");
+  if (!(fetch_timeout_s > 0) || !(press_timeout_s > 0)) return bad("Time-outs must exceed 0 s.");
+  return {};
+}
+
+Result<SideSummary> shootSide(RigDevices& devices, const SideOptions& options,
+                              const OnCaptureEvent& on_event, Progress& progress,
+                              std::stop_token stop) {
+  return Series(devices, options, on_event, progress, std::move(stop)).run();
+}
+
+Result<std::vector<ShotName>> missingShots(const SideOptions& options, int cameras) {
+  const Result<Manifest> manifest = readManifest(options.batch);
+  if (!manifest) return manifest.error();
+  std::vector<ShotName> missing;
+  for (int s = 0; s < options.stops; ++s)
+    for (int c = 0; c < cameras; ++c) {
+      const ManifestEntry* entry = manifest->find(options.side, s, c);
+      std::error_code absent;
+      if (entry == nullptr || !std::filesystem::exists(options.batch / entry->file, absent))
+        missing.push_back({s, c});
+    }
+  return missing;
+}
+
+}  // namespace ostraka::capture

@@ -1,0 +1,104 @@
+#include "capture/shot_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostraka::capture {
+namespace {
+
+// The nearest angle to `near` that is `angle` but for whole turns.
+double unwound(double angle, double near) {
+  return angle + 360 * std::round((near - angle) / 360);
+}
+
+}  // namespace
+
+std::string words(ShotProblem problem) {
+  switch (problem) {
+    case ShotProblem::Unreadable:
+      return "the file is cut off or no picture";
+    case ShotProblem::WrongStop:
+      return "the markers show another angle than this stop's";
+    case ShotProblem::OtherSize:
+      return "the picture has another size than the camera's others";
+    case ShotProblem::Repeated:
+      return "the camera handed over an earlier photograph once more";
+    case ShotProblem::FewMarkers:
+      return "too few markers of the plate are seen: is something before them?";
+    case ShotProblem::Blurred:
+      return "it is blurred: did the table still move, did the focus change?";
+    case ShotProblem::TooDark:
+      return "the sherds are too dark: give more light or expose longer";
+    case ShotProblem::TooBright:
+      return "the sherds are burnt out: expose shorter";
+    case ShotProblem::CutOff:
+      return "a sherd is cut off by the picture's edge: move it or the camera";
+  }
+  return {};
+}
+
+bool mustNotBeKept(ShotProblem problem) {
+  return problem == ShotProblem::Unreadable || problem == ShotProblem::WrongStop ||
+         problem == ShotProblem::OtherSize || problem == ShotProblem::Repeated;
+}
+
+bool ShotCheck::has(ShotProblem problem) const {
+  return std::find(problems.begin(), problems.end(), problem) != problems.end();
+}
+
+bool ShotCheck::keepable() const {
+  return std::none_of(problems.begin(), problems.end(), mustNotBeKept);
+}
+
+bool ShotCheck::again() const {
+  return !keepable() || may_pass;
+}
+
+ShotCheck judge(const PlateLook& look, double angle_deg, const CameraReference& reference,
+                const JudgeOptions& options) {
+  ShotCheck check;
+  check.markers_seen = look.markers_seen;
+  check.markers_on_plate = look.markers_on_plate;
+  check.sherds = static_cast<int>(look.sherds.size());
+  check.sharpness = look.sharpness;
+  const auto add = [&](bool wrong, ShotProblem problem) {
+    if (wrong) check.problems.push_back(problem);
+  };
+  if (reference.look) {
+    add(look.width != reference.look->width || look.height != reference.look->height,
+        ShotProblem::OtherSize);
+    if (const auto turn = turnBetween_deg(*reference.look, look)) {
+      check.angle_seen_deg = unwound(reference.angle_deg + *turn, angle_deg);
+      add(std::abs(*check.angle_seen_deg - angle_deg) > options.most_angle_error_deg,
+          ShotProblem::WrongStop);
+    }
+  }
+  add(look.markers_seen < std::max(options.least_markers, reference.markers_seen / 2),
+      ShotProblem::FewMarkers);
+  add(reference.sharpness > 0 && look.sharpness > 0 &&
+          look.sharpness > options.most_edge_growth * reference.sharpness &&
+          look.sharpness > reference.sharpness + options.wide_edge_px,
+      ShotProblem::Blurred);
+  check.may_pass =
+      check.has(ShotProblem::Blurred) ||
+      (check.has(ShotProblem::FewMarkers) && reference.markers_seen >= options.least_markers);
+  add(look.dark_share > options.most_dark_share, ShotProblem::TooDark);
+  add(look.bright_share > options.most_bright_share, ShotProblem::TooBright);
+  add(std::any_of(look.sherds.begin(), look.sherds.end(),
+                  [](const SeenSherd& s) { return s.cut_off; }),
+      ShotProblem::CutOff);
+  return check;
+}
+
+void learn(CameraReference& reference, const PlateLook& look, double angle_deg) {
+  if (!reference.look && look.pixel_from_plate) {
+    reference.look = look;
+    reference.angle_deg = angle_deg;
+  }
+  if (look.sharpness > 0)
+    reference.sharpness =
+        reference.sharpness > 0 ? std::min(reference.sharpness, look.sharpness) : look.sharpness;
+  reference.markers_seen = std::max(reference.markers_seen, look.markers_seen);
+}
+
+}  // namespace ostraka::capture

@@ -1,0 +1,156 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "base/files.h"
+#include "capture/sequence.h"
+#include "capture/silhouettes.h"
+
+namespace ostraka::capture {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kVotes = 0.6;  // of the looks at a place: a shadow lies there in fewer
+
+// How steeply a camera looks down: 1 from straight above.
+double steepness(const Eigen::Matrix3d& pixel_from_plate) {
+  const Eigen::Vector3d middle = pixel_from_plate.col(2);
+  Eigen::Matrix2d slopes;  // of the pixel at the plate's middle
+  for (int c = 0; c < 2; ++c)
+    slopes.col(c) = (pixel_from_plate.block<2, 1>(0, c) * middle.z() -
+                     middle.head<2>() * pixel_from_plate(2, c)) /
+                    (middle.z() * middle.z());
+  const Eigen::Vector2d axes = slopes.jacobiSvd().singularValues();
+  return axes[0] > 0 ? axes[1] / axes[0] : 0;
+}
+
+std::optional<MappedLook> lookAtFile(const fs::path& file, const batch::Plate& plate,
+                                     const LookOptions& options) {
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return std::nullopt;
+  Result<MappedLook> mapped = lookAndMap(*bytes, plate, options);
+  if (!mapped || !mapped->look.pixel_from_plate) return std::nullopt;
+  return std::move(*mapped);
+}
+
+// The camera that looks down most steeply, by its first photograph with markers; -1: none.
+int steepestCamera(const std::vector<std::vector<fs::path>>& photographs, const batch::Plate& plate,
+                   const LookOptions& options, std::stop_token stop) {
+  int best = -1;
+  double most = 0;
+  for (std::size_t c = 0; c < photographs.size(); ++c)
+    for (const fs::path& file : photographs[c]) {
+      if (stop.stop_requested()) return -1;
+      const auto mapped = lookAtFile(file, plate, options);
+      if (!mapped) continue;
+      const double steep = steepness(*mapped->look.pixel_from_plate);
+      if (steep > most) {
+        most = steep;
+        best = static_cast<int>(c);
+      }
+      break;
+    }
+  return best;
+}
+
+std::string places(const std::vector<std::string>& list) {
+  std::string text;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == list.size() ? " and " : ", ") + list[i];
+  return text;
+}
+
+std::string placeOf(const Eigen::Vector2d& p) {
+  return "(" + std::to_string(std::lround(p.x())) + ", " + std::to_string(std::lround(p.y())) +
+         ") mm";
+}
+
+// Turning sherds over by hand shifts them by millimetres: the same places twice are the same side.
+bool sameSide(const SideCheck& front, const SideCheck& back) {
+  std::size_t same = 0;
+  for (const Eigen::Vector3d& f : front.places)
+    same += std::any_of(back.places.begin(), back.places.end(), [&](const Eigen::Vector3d& b) {
+      return (f - b).head<2>().norm() < 0.7 && std::abs(f.z() - b.z()) < 0.04 * f.z();
+    });
+  return !front.places.empty() && 5 * same >= 4 * front.places.size();
+}
+
+}  // namespace
+
+SideCheck checkSide(const std::vector<std::vector<fs::path>>& photographs,
+                    const batch::Plate& plate, const LookOptions& options, std::stop_token stop) {
+  SideCheck side;
+  const int camera = steepestCamera(photographs, plate, options, stop);
+  cv::Mat1i votes, looks;
+  PlateMap together;
+  if (camera >= 0)
+    for (const fs::path& file : photographs[static_cast<std::size_t>(camera)]) {
+      if (stop.stop_requested()) return side;
+      const auto mapped = lookAtFile(file, plate, options);
+      if (!mapped) continue;
+      if (votes.empty()) {
+        together.radius_mm = mapped->map.radius_mm;
+        votes = cv::Mat1i(mapped->map.sherd.size(), 0);
+        looks = cv::Mat1i(mapped->map.sherd.size(), 0);
+      }
+      cv::add(votes, 1, votes, mapped->map.sherd);
+      cv::add(looks, 1, looks, mapped->map.seen);
+    }
+  if (votes.empty()) {
+    side.sentences.push_back(
+        "The sherds could not be counted: too few of the plate's markers are seen.");
+    return side;
+  }
+  together.seen = looks > 0;
+  cv::Mat1f share(votes.size(), 0.f);
+  for (int y = 0; y < votes.rows; ++y)
+    for (int x = 0; x < votes.cols; ++x)
+      if (looks(y, x) > 0) share(y, x) = static_cast<float>(votes(y, x)) / looks(y, x);
+  together.sherd = share >= kVotes;
+  cv::morphologyEx(together.sherd, together.sherd, cv::MORPH_OPEN,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+
+  const std::vector<MapPiece> pieces = piecesOf(together, options.smallest_sherd_mm);
+  std::vector<std::string> close;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const int within = sherdsInPiece(pieces[i]);
+    side.sherds += within;
+    side.places.emplace_back(pieces[i].centre_mm.x(), pieces[i].centre_mm.y(), pieces[i].area_mm2);
+    side.touching += within - 1;
+    if (within > 1) close.push_back(placeOf(pieces[i].centre_mm));
+    for (std::size_t k = 0; k < i; ++k)
+      if (gapBetween_mm(pieces[k], pieces[i]) < options.too_close_mm) {
+        ++side.touching;
+        close.push_back(placeOf((pieces[i].centre_mm + pieces[k].centre_mm) / 2));
+      }
+  }
+  side.counted = true;
+  if (pieces.empty()) side.sentences.push_back("No sherd is seen on the plate.");
+  if (!close.empty())
+    side.sentences.push_back("Sherds touch or nearly touch at " + places(close) +
+                             " from the plate's middle: move them apart and shoot again.");
+  return side;
+}
+
+std::vector<std::string> compareSides(const SideCheck& front, const SideCheck& back) {
+  std::vector<std::string> sentences;
+  if (sameSide(front, back))
+    sentences.push_back(
+        "The back looks like the front: turn the sherds over and photograph them again.");
+  if (!front.counted || !back.counted) {
+    sentences.push_back("The sherds of the " + std::string(front.counted ? "back" : "front") +
+                        " could not be counted: compare the pictures yourself before you clear "
+                        "the plate.");
+  } else if (front.sherds != back.sherds) {
+    const int missing = front.sherds - back.sherds;
+    sentences.push_back("The front showed " + std::to_string(front.sherds) + " sherds, the back " +
+                        std::to_string(back.sherds) +
+                        (missing > 0 ? ": look for the missing one before you clear the plate."
+                                     : ": was one added, or did one break?"));
+  }
+  return sentences;
+}
+
+}  // namespace ostraka::capture

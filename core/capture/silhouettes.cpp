@@ -1,0 +1,262 @@
+#include "capture/silhouettes.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "cloud/point_cloud.h"
+#include "scan/split.h"
+#include "scan/touching.h"
+
+namespace ostraka::capture {
+namespace {
+
+// Thresholds on log colours. Measured on dark and grey felt in 5 batches: the felt's own spread is
+// 0.005-0.011 in tint, 0.023-0.044 in brightness, 0.012-0.024 in roughness.
+constexpr float kLeastTint = 0.06f, kLeastBrightness = 0.15f, kLeastRoughness = 0.12f;
+constexpr float kTintSpreads = 5, kBrightnessSpreads = 6, kRoughnessSpreads = 4;
+constexpr float kDarkerThanShadow = 1.2f;  // no shadow under light from all around is as deep
+constexpr double kNear_mm = 15;            // gaps beyond are known by their boxes only
+constexpr float kDarkLevel = 4;            // keeps the noise of the darkest levels bounded
+
+using Row6 = Eigen::Matrix<double, 1, 6>;
+
+Row6 lightTerms(double x, double y) {
+  Row6 row;
+  row << 1, x, y, x * x, x * y, y * y;
+  return row;
+}
+
+float median(std::vector<float> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The most frequent brightness among the samples: that of the felt, when most of it is bare.
+float modeOf(const std::vector<float>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  constexpr int kBins = 60;
+  const float width = std::max((*high - *low) / kBins, 1e-4f);
+  std::vector<int> bins(kBins + 1, 0);
+  for (const float v : values) ++bins[static_cast<std::size_t>((v - *low) / width)];
+  int best = 0, most = -1;
+  for (int k = 2; k + 2 <= kBins; ++k) {
+    const int sum = bins[k - 2] + 2 * bins[k - 1] + 3 * bins[k] + 2 * bins[k + 1] + bins[k + 2];
+    if (sum > most) {
+      most = sum;
+      best = k;
+    }
+  }
+  return *low + (static_cast<float>(best) + 0.5f) * width;
+}
+
+struct Samples {
+  std::vector<Row6> terms;
+  std::vector<Eigen::RowVector3d> colours;
+};
+
+// The felt's log colour as a smooth function of the place: light falls off over centimetres.
+// Robust: what does not fit (sherds) drops out in turns.
+Eigen::Matrix<double, 6, 3> fitFelt(const Samples& samples, float& spread) {
+  std::vector<float> brightness;
+  for (const auto& c : samples.colours) brightness.push_back(static_cast<float>(c.mean()));
+  const float mode = modeOf(brightness);
+  std::vector<char> used(brightness.size());
+  for (std::size_t i = 0; i < used.size(); ++i) used[i] = std::abs(brightness[i] - mode) < 0.35f;
+  Eigen::Matrix<double, 6, 3> fit;
+  fit.setZero();
+  for (int round = 0; round < 6; ++round) {
+    Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Identity() * 1e-6;
+    Eigen::Matrix<double, 6, 3> b = Eigen::Matrix<double, 6, 3>::Zero();
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      if (!used[i]) continue;
+      a += samples.terms[i].transpose() * samples.terms[i];
+      b += samples.terms[i].transpose() * samples.colours[i];
+    }
+    fit = a.ldlt().solve(b);
+    std::vector<float> distance(used.size()), inside;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      const Eigen::RowVector3d left = samples.colours[i] - samples.terms[i] * fit;
+      distance[i] = static_cast<float>(left.cwiseAbs().maxCoeff());
+      if (used[i]) inside.push_back(distance[i]);
+    }
+    spread = std::max(3 * median(std::move(inside)), 0.12f);
+    for (std::size_t i = 0; i < used.size(); ++i) used[i] = distance[i] < spread;
+  }
+  return fit;
+}
+
+cv::Mat disc(int diameter) {
+  return cv::getStructuringElement(cv::MORPH_ELLIPSE, {diameter, diameter});
+}
+
+// How each pixel of the map differs from the felt that was fitted there.
+struct Difference {
+  cv::Mat1f tint, brightness, roughness;
+};
+
+Difference differenceFrom(const cv::Mat3f& colours, const Eigen::Matrix<double, 6, 3>& fit) {
+  const double middle = (colours.cols - 1) / 2.0;
+  Difference d{cv::Mat1f(colours.size()), cv::Mat1f(colours.size()), {}};
+  for (int y = 0; y < colours.rows; ++y)
+    for (int x = 0; x < colours.cols; ++x) {
+      const cv::Vec3f& c = colours(y, x);
+      const Eigen::RowVector3d left =
+          Eigen::RowVector3d(c[0], c[1], c[2]) -
+          lightTerms((x - middle) / middle, (middle - y) / middle) * fit;
+      const double mean = left.mean();
+      d.brightness(y, x) = static_cast<float>(mean);
+      d.tint(y, x) = static_cast<float>((left.array() - mean).matrix().norm());
+    }
+  cv::Mat1f mean, square;
+  cv::boxFilter(d.brightness, mean, -1, {5, 5});
+  cv::boxFilter(d.brightness.mul(d.brightness), square, -1, {5, 5});
+  cv::Mat1f variance = square - mean.mul(mean);
+  variance = cv::max(variance, 0);
+  cv::sqrt(variance, d.roughness);
+  return d;
+}
+
+cv::Mat1b differing(const Difference& d, const cv::Mat1b& seen, float spread) {
+  std::vector<float> tint, brightness, roughness;
+  for (int y = 0; y < seen.rows; ++y)
+    for (int x = 0; x < seen.cols; ++x)
+      if (seen(y, x) && std::abs(d.brightness(y, x)) + d.tint(y, x) < spread) {
+        tint.push_back(d.tint(y, x));
+        brightness.push_back(std::abs(d.brightness(y, x)));
+        roughness.push_back(d.roughness(y, x));
+      }
+  const float most_tint = std::max(kLeastTint, kTintSpreads * median(std::move(tint)));
+  const float most_light =
+      std::max(kLeastBrightness, kBrightnessSpreads * median(std::move(brightness)));
+  const float most_rough =
+      std::max(kLeastRoughness, kRoughnessSpreads * median(std::move(roughness)));
+  cv::Mat1b rough = d.roughness > most_rough;
+  cv::erode(rough, rough, disc(5));  // its window reaches over the outline
+  cv::Mat1b all = (d.tint > most_tint) | (d.brightness > most_light) |
+                  (d.brightness < -kDarkerThanShadow) | rough;
+  return all & seen;
+}
+
+cv::Mat1b filled(const cv::Mat1b& mask) {
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  cv::Mat1b whole(mask.size(), 0);
+  cv::drawContours(whole, outlines, -1, 255, cv::FILLED);
+  return whole;
+}
+
+}  // namespace
+
+double freeRadius_mm(const batch::Plate& plate) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (const batch::Marker& marker : plate.markers) {
+    const double cell = (marker.corners[0] - marker.corners[1]).norm() / 6;
+    for (const Eigen::Vector3d& corner : marker.corners)
+      radius = std::min(radius, corner.head<2>().norm() - 1.25 * cell);  // and the quiet zone
+  }
+  return std::isfinite(radius) ? std::max(radius, 0.0) : 0.0;
+}
+
+PlateMap mapPlate(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_plate,
+                  double radius_mm) {
+  PlateMap map;
+  map.radius_mm = radius_mm;
+  const int size = static_cast<int>(2 * radius_mm / PlateMap::kPixelMm) + 1;
+  Eigen::Matrix3d plate_from_map;
+  plate_from_map << PlateMap::kPixelMm, 0, -radius_mm, 0, -PlateMap::kPixelMm, radius_mm, 0, 0, 1;
+  const Eigen::Matrix3d pixel_from_map = pixel_from_plate * plate_from_map;
+  const cv::Matx33d warp(pixel_from_map(0, 0), pixel_from_map(0, 1), pixel_from_map(0, 2),
+                         pixel_from_map(1, 0), pixel_from_map(1, 1), pixel_from_map(1, 2),
+                         pixel_from_map(2, 0), pixel_from_map(2, 1), pixel_from_map(2, 2));
+  cv::Mat above;
+  cv::warpPerspective(picture, above, warp, {size, size}, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
+  cv::warpPerspective(cv::Mat1b(picture.size(), 255), map.seen, warp, {size, size},
+                      cv::INTER_NEAREST | cv::WARP_INVERSE_MAP);
+  cv::Mat1b within(size, size, uchar{0});
+  cv::circle(within, {size / 2, size / 2}, size / 2 - 1, 255, cv::FILLED);
+  map.seen &= within;
+  cv::GaussianBlur(above, above, {0, 0}, 1.0);
+  cv::Mat3f colours;
+  above.convertTo(colours, CV_32F);
+  colours += cv::Scalar::all(kDarkLevel);
+  cv::log(colours, colours);
+
+  Samples samples;
+  const double middle = (size - 1) / 2.0;
+  for (int y = 0; y < size; y += 4)
+    for (int x = 0; x < size; x += 4)
+      if (map.seen(y, x)) {
+        const cv::Vec3f& c = colours(y, x);
+        samples.terms.push_back(lightTerms((x - middle) / middle, (middle - y) / middle));
+        samples.colours.emplace_back(c[0], c[1], c[2]);
+      }
+  map.sherd = cv::Mat1b(size, size, uchar{0});
+  if (samples.terms.size() < 200) return map;  // hardly any of the disc is in the picture
+  float spread = 0;
+  const auto fit = fitFelt(samples, spread);
+  cv::Mat1b mask = differing(differenceFrom(colours, fit), map.seen, spread);
+  cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, disc(3));
+  cv::morphologyEx(filled(mask), map.sherd, cv::MORPH_OPEN, disc(7));
+  return map;
+}
+
+std::vector<MapPiece> piecesOf(const PlateMap& map, double smallest_mm) {
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(map.sherd, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  std::vector<MapPiece> pieces;
+  const double radius_px = map.radius_mm / PlateMap::kPixelMm;
+  for (std::vector<cv::Point>& outline : outlines) {
+    const cv::Rect box = cv::boundingRect(outline);
+    MapPiece piece;
+    piece.extent_mm = std::max(box.width, box.height) * PlateMap::kPixelMm;
+    if (piece.extent_mm < smallest_mm) continue;
+    piece.area_mm2 = cv::contourArea(outline) * PlateMap::kPixelMm * PlateMap::kPixelMm;
+    const cv::Moments m = cv::moments(outline);
+    piece.centre_mm = m.m00 > 0 ? map.plate_mm(m.m10 / m.m00, m.m01 / m.m00)
+                                : map.plate_mm(outline[0].x, outline[0].y);
+    for (const cv::Point& p : outline) {
+      // The picture ends beside this pixel, though the disc goes on.
+      const cv::Rect around = cv::Rect(p.x - 2, p.y - 2, 5, 5) & cv::Rect({0, 0}, map.seen.size());
+      const bool inner = std::hypot(p.x - radius_px, p.y - radius_px) < radius_px - 6;
+      if (inner && cv::countNonZero(map.seen(around)) < around.area()) piece.cut_off = true;
+    }
+    piece.outline = std::move(outline);
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+double gapBetween_mm(const MapPiece& a, const MapPiece& b) {
+  const cv::Rect box_a = cv::boundingRect(a.outline), box_b = cv::boundingRect(b.outline);
+  const int across = std::max(box_b.x - box_a.br().x, box_a.x - box_b.br().x),
+            down = std::max(box_b.y - box_a.br().y, box_a.y - box_b.br().y);
+  double nearest = std::max({across, down, 0});  // exact only where it matters
+  if (nearest * PlateMap::kPixelMm > kNear_mm) return nearest * PlateMap::kPixelMm;
+  nearest = std::numeric_limits<double>::infinity();
+  for (const cv::Point& p : a.outline)
+    for (const cv::Point& q : b.outline)
+      nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+  return nearest * PlateMap::kPixelMm;
+}
+
+int sherdsInPiece(const MapPiece& piece) {
+  const cv::Rect box = cv::boundingRect(piece.outline);
+  cv::Mat1b mask(box.size(), uchar{0});
+  cv::drawContours(mask, std::vector<std::vector<cv::Point>>{piece.outline}, 0, 255, cv::FILLED,
+                   cv::LINE_8, cv::noArray(), 0, -box.tl());
+  PointCloud cloud;
+  for (int y = 0; y < mask.rows; y += 2)  // 1 mm suffices for a neck
+    for (int x = 0; x < mask.cols; x += 2)
+      if (mask(y, x))
+        cloud.points.emplace_back(static_cast<float>(x * PlateMap::kPixelMm),
+                                  static_cast<float>(y * PlateMap::kPixelMm), 0.f);
+  const scan::SplitOptions usual;
+  return scan::cutTouching(cloud, usual.neck_share, usual.min_extent_mm).count;
+}
+
+}  // namespace ostraka::capture

@@ -1,0 +1,298 @@
+#include "capture/sequence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/files.h"
+#include "capture/manifest.h"
+#include "flat_rig.h"
+
+namespace ostraka::capture {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::exposureNote;
+using testing::FlatCamera;
+using testing::FlatRig;
+using testing::FlatTurntable;
+using ::testing::HasSubstr;
+using testing::makeFlatRig;
+using testing::noteOf;
+
+constexpr int kStops = 3;
+
+class Sequence : public ::testing::Test {
+ protected:
+  Sequence() {
+    folder_ = fs::temp_directory_path() /
+              ("ostraka_sequence_" + std::to_string(::getpid()) + "_" +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    options_.batch = folder_;
+    options_.stops = kStops;
+  }
+  ~Sequence() override { fs::remove_all(folder_); }
+
+  Result<SideSummary> shoot() {
+    return shootSide(
+        rig_.devices, options_,
+        [this](const CaptureEvent& event) {
+          events_.push_back(event);
+          if (on_event_) on_event_(event);
+        },
+        progress_, stop_.get_token());
+  }
+  std::string note(int stop, int camera) const {
+    const auto bytes =
+        readFile(folder_ / batch::name(options_.side) /
+                 ("cam" + std::to_string(camera) + "_pos0" + std::to_string(stop) + ".jpg"));
+    return bytes ? noteOf(*bytes) : "no file";
+  }
+  // Every file is of its own camera and stop, and the manifest knows its bytes.
+  void expectWholeSide() const {
+    const auto manifest = readManifest(folder_);
+    ASSERT_TRUE(manifest.has_value());
+    for (int s = 0; s < kStops; ++s)
+      for (int c = 0; c < static_cast<int>(rig_.cameras.size()); ++c) {
+        EXPECT_THAT(note(s, c),
+                    HasSubstr(exposureNote(batch::name(options_.side), c, s * 360.0 / kStops)));
+        const ManifestEntry* entry = manifest->find(options_.side, s, c);
+        ASSERT_NE(entry, nullptr);
+        const auto bytes = readFile(folder_ / entry->file);
+        ASSERT_TRUE(bytes.has_value());
+        EXPECT_EQ(entry->sha256, sha256(*bytes));
+        EXPECT_TRUE(entry->checked);
+      }
+  }
+  int count(CaptureEventKind kind) const {
+    return static_cast<int>(std::count_if(events_.begin(), events_.end(),
+                                          [&](const auto& e) { return e.kind == kind; }));
+  }
+
+  fs::path folder_;
+  SideOptions options_;
+  FlatRig rig_ = makeFlatRig(2);
+  std::vector<CaptureEvent> events_;
+  std::function<void(const CaptureEvent&)> on_event_;
+  QuietProgress progress_;
+  std::stop_source stop_;
+};
+
+TEST_F(Sequence, TakesEveryShotOnceAndUnderItsOwnName) {
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(done->kept, 6);
+  EXPECT_TRUE(done->flagged.empty());
+  EXPECT_EQ(done->check.sherds, 3);
+  EXPECT_TRUE(done->check.sentences.empty());
+  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_EQ(count(CaptureEventKind::ShotKept), 6);
+  EXPECT_EQ(count(CaptureEventKind::StopDone), kStops);
+  expectWholeSide();
+  EXPECT_TRUE(fs::exists(folder_ / "plate.json"));
+}
+
+TEST_F(Sequence, ShootsTheBackAfterTheFrontWithoutWindingBack) {
+  ASSERT_TRUE(shoot().has_value());
+  options_.side = batch::Side::Back;
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  expectWholeSide();
+  EXPECT_DOUBLE_EQ(rig_.truth->degrees, 360 + 240);
+}
+
+TEST_F(Sequence, DoesNotTakeAFinishedSideAgain) {
+  ASSERT_TRUE(shoot().has_value());
+  const auto again = shoot();
+  ASSERT_TRUE(again.has_value());
+  EXPECT_EQ(again->kept, 6);
+  EXPECT_EQ(rig_.truth->exposures, 6);
+}
+
+TEST_F(Sequence, GoesOnAtTheShotWhereACameraWasPulledOut) {
+  auto& faults = rig_.cameras[1]->faults;
+  faults = {FlatCamera::Fault::None, FlatCamera::Fault::None, FlatCamera::Fault::Gone};
+  const auto broken = shoot();
+  ASSERT_FALSE(broken.has_value());
+  EXPECT_EQ(broken.error().code, ErrorCode::Missing);
+  EXPECT_THAT(broken.error().what, HasSubstr("5 photographs of this side so far are safe"));
+  const auto missing = missingShots(options_, 2);
+  ASSERT_TRUE(missing.has_value());
+  ASSERT_EQ(missing->size(), 1u);
+  EXPECT_EQ(missing->front(), (ShotName{2, 1}));
+  faults.clear();
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(rig_.truth->exposures, 6) << "no finished shot is taken again";
+  expectWholeSide();
+}
+
+TEST_F(Sequence, BringsBackACameraThatWasGoneForAMoment) {
+  rig_.cameras[0]->faults = {FlatCamera::Fault::Unplugged, FlatCamera::Fault::Silent};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(rig_.cameras[0]->reopened, 2);
+  EXPECT_EQ(count(CaptureEventKind::Trouble), 2);
+  expectWholeSide();
+}
+
+TEST_F(Sequence, DropsAPhotographThatComesTooLate) {
+  rig_.cameras[1]->faults = {FlatCamera::Fault::None, FlatCamera::Fault::Late};
+  ASSERT_TRUE(shoot().has_value());
+  expectWholeSide();
+}
+
+TEST_F(Sequence, RefusesAnEarlierPhotograph) {
+  rig_.cameras[0]->faults = {FlatCamera::Fault::None, FlatCamera::Fault::Stale};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  expectWholeSide();
+  const auto refused = std::find_if(events_.begin(), events_.end(), [](const CaptureEvent& e) {
+    return e.kind == CaptureEventKind::ShotRefused;
+  });
+  ASSERT_NE(refused, events_.end());
+  EXPECT_TRUE(refused->check.has(ShotProblem::WrongStop));
+  EXPECT_TRUE(refused->check.has(ShotProblem::Repeated));
+  EXPECT_EQ(refused->stop, 1);
+  EXPECT_EQ(refused->camera, 0);
+}
+
+TEST_F(Sequence, AsksForACutOffOrBlurredPhotographAgainAtOnce) {
+  rig_.cameras[0]->faults = {FlatCamera::Fault::Truncated, FlatCamera::Fault::None,
+                             FlatCamera::Fault::Blurred};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(count(CaptureEventKind::ShotRefused), 2);
+  EXPECT_TRUE(done->flagged.empty());
+  EXPECT_TRUE(fs::exists(folder_ / "set_aside" / "front_cam0_pos00_take1.jpg"));
+  expectWholeSide();
+}
+
+TEST_F(Sequence, FailsInWordsWhenACameraStaysBad) {
+  rig_.cameras[1]->faults.assign(3, FlatCamera::Fault::Truncated);
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_THAT(done.error().what, HasSubstr("Camera B, stop 1 failed 3 times: the file is cut off"));
+}
+
+TEST_F(Sequence, ComesThroughAnUnpluggedTable) {
+  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::UnpluggedBefore,
+                        FlatTurntable::Fault::UnpluggedMidway};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_DOUBLE_EQ(rig_.truth->degrees, 240);
+  expectWholeSide();
+}
+
+TEST_F(Sequence, HomesATableThatRestarted) {
+  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::Restarted};
+  ASSERT_TRUE(shoot().has_value());
+  expectWholeSide();
+}
+
+TEST_F(Sequence, FindsThePositionByTheMarkersWhenTheTableHasNoSwitch) {
+  rig_.table->has_switch = false;
+  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::None,
+                        FlatTurntable::Fault::Restarted};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  expectWholeSide();
+}
+
+TEST_F(Sequence, CorrectsATableThatSlipped) {
+  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::Slipped};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  expectWholeSide();
+}
+
+TEST_F(Sequence, WantsAKnownPositionAtTheStart) {
+  rig_.table->has_switch = false;
+  rig_.table->faults = {FlatTurntable::Fault::Restarted};
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().code, ErrorCode::NotEnough);
+  EXPECT_EQ(rig_.truth->exposures, 0);
+}
+
+TEST_F(Sequence, StopsOnRequestAndGoesOnLater) {
+  on_event_ = [this](const CaptureEvent& e) {
+    if (e.kind == CaptureEventKind::Shooting && e.stop == 1) stop_.request_stop();
+  };
+  const auto stopped = shoot();
+  ASSERT_FALSE(stopped.has_value());
+  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  stop_ = {};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(rig_.truth->exposures, 6);
+  expectWholeSide();
+}
+
+TEST_F(Sequence, SetsAPhotographAsideThatAPersonWantsAgain) {
+  ASSERT_TRUE(shoot().has_value());
+  const std::string before = note(1, 0);
+  options_.retake = {{1, 0}};
+  ASSERT_TRUE(shoot().has_value());
+  EXPECT_NE(note(1, 0), before);
+  const auto aside = readFile(folder_ / "set_aside" / "front_cam0_pos01_take1.jpg");
+  ASSERT_TRUE(aside.has_value());
+  EXPECT_EQ(noteOf(*aside), before);
+  expectWholeSide();
+}
+
+TEST_F(Sequence, NeverTouchesAPhotographThatItDidNotTake) {
+  fs::create_directories(folder_ / "front");
+  std::ofstream(folder_ / "front" / "cam0_pos00.jpg") << "mine";
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(readFile(folder_ / "front" / "cam0_pos00.jpg").value(), "mine");
+}
+
+TEST_F(Sequence, RefusesABatchWhosePhotographWasChanged) {
+  ASSERT_TRUE(shoot().has_value());
+  std::ofstream(folder_ / "front" / "cam1_pos02.jpg", std::ios::app) << "x";
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_THAT(done.error().where, HasSubstr("cam1_pos02.jpg"));
+}
+
+TEST_F(Sequence, SaysWhenTheFolderCannotBeWritten) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "front") << "a file where a folder should be";
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().code, ErrorCode::CannotWrite);
+}
+
+TEST_F(Sequence, FlagsWhatAnotherPhotographWouldNotMend) {
+  rig_.truth->scene.shift_mm = 155;
+  rig_.truth->scene.sherds.push_back({95, 0, 14});
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_FALSE(done->flagged.empty());
+  EXPECT_THAT(done->check.sentences.back(), HasSubstr("are kept though"));
+}
+
+TEST(CompareSides, FindsALostSherdAndSherdsThatWereNotTurned) {
+  SideCheck front;
+  front.counted = true;
+  front.sherds = 3;
+  front.places = {{0, 0, 500}, {50, 0, 600}, {0, 50, 700}};
+  SideCheck back = front;
+  EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("looks like the front"));
+  back.places = {{2, 0, 500}, {50, 4, 600}};
+  back.sherds = 2;
+  EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("look for the missing one"));
+  back.places.push_back({0, 56, 700});
+  back.sherds = 3;
+  EXPECT_TRUE(compareSides(front, back).empty());
+}
+
+}  // namespace
+}  // namespace ostraka::capture

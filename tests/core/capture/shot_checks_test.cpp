@@ -1,0 +1,128 @@
+#include "capture/shot_checks.h"
+
+#include <gtest/gtest.h>
+
+#include "capture/sequence.h"
+#include "flat_rig.h"
+
+namespace ostraka::capture {
+namespace {
+
+using testing::flatPicture;
+using testing::flatPlate;
+using testing::FlatScene;
+
+PlateLook lookAt(const FlatScene& scene, int camera, double degrees) {
+  const auto look = lookAtPlate(flatPicture(scene, camera, degrees, ""), flatPlate(), {});
+  EXPECT_TRUE(look.has_value());
+  return look ? *look : PlateLook{};
+}
+
+TEST(LookAtPlate, FindsTheMarkersAndTheSherdsInTheirPlaces) {
+  const PlateLook look = lookAt({}, 1, 0);
+  EXPECT_EQ(look.width, 640);
+  EXPECT_EQ(look.markers_seen, 12);
+  EXPECT_EQ(look.markers_on_plate, 12);
+  ASSERT_EQ(look.sherds.size(), 3u);
+  // From left to right, where flat_rig.h paints them; a map's pixel is 0.5 mm.
+  const FlatScene painted;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(look.sherds[i].centre_mm.x(), painted.sherds[i].x_mm, 0.7);
+    EXPECT_NEAR(look.sherds[i].centre_mm.y(), painted.sherds[i].y_mm, 0.7);
+    EXPECT_FALSE(look.sherds[i].cut_off);
+  }
+  EXPECT_TRUE(look.too_close.empty());
+}
+
+TEST(LookAtPlate, SeesSherdsThatTouchOrNearlyDo) {
+  FlatScene scene;
+  scene.width = 1280;
+  scene.sherds = {{-30, 0, 15}, {2.7, 0, 15}, {-20, 60, 20}, {18, 60, 20}};
+  const PlateLook look = lookAt(scene, 1, 0);  // a gap of 2.7 mm; an overlap of 2 mm
+  ASSERT_EQ(look.sherds.size(), 3u);
+  ASSERT_EQ(look.too_close.size(), 2u);
+  EXPECT_EQ(look.too_close[0].first == look.too_close[0].second,
+            look.too_close[1].first != look.too_close[1].second);
+}
+
+TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {
+  FlatScene scene;
+  scene.shift_mm = 150;
+  scene.sherds = {{-60, 0, 15}, {98, 0, 15}};
+  const PlateLook look = lookAt(scene, 2, 0);
+  ASSERT_EQ(look.sherds.size(), 2u);
+  EXPECT_FALSE(look.sherds[0].cut_off);
+  EXPECT_TRUE(look.sherds[1].cut_off);
+}
+
+TEST(LookAtPlate, FindsNothingOnAnEmptyPlate) {
+  FlatScene scene;
+  scene.sherds.clear();
+  EXPECT_TRUE(lookAt(scene, 1, 0).sherds.empty());
+}
+
+TEST(LookAtPlate, MeasuresTheWidthOfEdges) {
+  FlatScene blurred;
+  blurred.blur_px = 2;
+  const double sharp = lookAt({}, 1, 0).sharpness, wide = lookAt(blurred, 1, 0).sharpness;
+  EXPECT_GT(sharp, 1);
+  // Contrast over slope of an edge blurred by sigma is sigma times the root of 2 pi: 5.2 pixels.
+  EXPECT_NEAR(wide, 5.2, 0.6);
+  EXPECT_LT(sharp, 0.6 * wide);
+}
+
+TEST(LookAtPlate, RefusesWhatIsCutOff) {
+  std::string picture = flatPicture({}, 0, 0, "");
+  picture.resize(picture.size() - 200);
+  const auto look = lookAtPlate(picture, flatPlate(), {});
+  ASSERT_FALSE(look.has_value());
+  EXPECT_EQ(look.error().code, ErrorCode::UnusableInput);
+  EXPECT_FALSE(lookAtPlate("", flatPlate(), {}).has_value());
+}
+
+TEST(TurnBetween, IsTheTableTurnWithoutAnyCalibration) {
+  const PlateLook start = lookAt({}, 0, 10);
+  for (const double turn : {0.0, 1.0, 45.0, 90.0, 170.0, -120.0}) {
+    const auto seen = turnBetween_deg(start, lookAt({}, 0, 10 + turn));
+    ASSERT_TRUE(seen.has_value());
+    EXPECT_NEAR(*seen, turn, 0.1);  // corners to 0.1 pixels at 150 pixels from the middle
+  }
+}
+
+TEST(Judge, TellsAPhotographOfAnotherStop) {
+  CameraReference reference;
+  learn(reference, lookAt({}, 0, 0), 0);
+  const ShotCheck right = judge(lookAt({}, 0, 45), 45, reference, {});
+  EXPECT_TRUE(right.good());
+  EXPECT_NEAR(*right.angle_seen_deg, 45, 0.1);
+  const ShotCheck round = judge(lookAt({}, 0, 45), 405, reference, {});
+  EXPECT_TRUE(round.good());
+  const ShotCheck wrong = judge(lookAt({}, 0, 45), 90, reference, {});
+  EXPECT_TRUE(wrong.has(ShotProblem::WrongStop));
+  EXPECT_FALSE(wrong.keepable());
+}
+
+TEST(Judge, TellsLightThatDoesNotSuffice) {
+  PlateLook look = lookAt({}, 0, 0);
+  look.dark_share = 0.5;
+  look.bright_share = 0.1;
+  const ShotCheck check = judge(look, 0, {}, {});
+  EXPECT_TRUE(check.has(ShotProblem::TooDark));
+  EXPECT_TRUE(check.has(ShotProblem::TooBright));
+  EXPECT_TRUE(check.keepable());
+  EXPECT_FALSE(check.again());
+}
+
+TEST(Judge, AsksAgainWhenMarkersAreHidden) {
+  CameraReference reference;
+  const PlateLook open = lookAt({}, 0, 0);
+  learn(reference, open, 0);
+  PlateLook hidden = open;
+  hidden.markers_seen = 5;
+  EXPECT_TRUE(judge(hidden, 0, reference, {}).again());
+  hidden.markers_seen = 6;
+  EXPECT_FALSE(judge(hidden, 0, reference, {}).again());
+}
+
+}  // namespace
+}  // namespace ostraka::capture

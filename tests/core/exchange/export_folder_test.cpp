@@ -1,0 +1,154 @@
+#include "exchange/export_folder.h"
+
+#include <gmock/gmock.h>
+
+#include "exchange/bagit.h"
+#include "exchange/csv.h"
+#include "exchange/sherd_json.h"
+#include "exported_project.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+using Export = ExportedProject;
+
+TEST_F(Export, HoldsEverythingThatWasChosenWithItsChecksum) {
+  const Result<Exported> done = exportTo("out", all);
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_EQ(done->sherds, 3);
+  EXPECT_TRUE(done->warnings.empty());
+  const fs::path data = folder_.path() / "out" / "data";
+  for (const char* name :
+       {"sherds.csv", "contexts.csv", "sherds/ARM1-T3-0012-0001.json",
+        "models/ARM1-T3-0012-0002.ply", "models/ARM1-T3-0012-0002.glb",
+        "models/ARM1-T3-0012-0002.obj", "images/ARM1-T3-0012-0003.png",
+        "photographs/B0001/front/cam0_pos00.jpg", "metadata/project.json", "metadata/places.json",
+        "metadata/batches.json", "context.jsonld", "README.txt"})
+    EXPECT_TRUE(fs::exists(data / name)) << name;
+  EXPECT_TRUE(checkBag(folder_.path() / "out", quiet, {}));
+  EXPECT_EQ(*readFile(data / "photographs/B0001/front/cam0_pos00.jpg"), "JPEG");
+}
+
+TEST_F(Export, TheTableNamesTheFilesOfEachSherd) {
+  ASSERT_TRUE(exportTo("out", all));
+  const std::string text = *readFile(folder_.path() / "out/data/sherds.csv");
+  EXPECT_TRUE(text.starts_with("\xEF\xBB\xBFnumber,uuid,"));
+  const Result<CsvTable> table = parseCsv(text, "sherds.csv");
+  ASSERT_TRUE(table) << table.error().sentence();
+  ASSERT_EQ(table->rows.size(), 3u);
+  const auto value = [&](std::size_t row, const std::string& column) {
+    const auto at = std::find(table->columns.begin(), table->columns.end(), column);
+    return table->rows[row].values[static_cast<std::size_t>(at - table->columns.begin())];
+  };
+  EXPECT_EQ(value(0, "model_file"), "models/ARM1-T3-0012-0001.ply");
+  EXPECT_EQ(value(0, "image_file"), "images/ARM1-T3-0012-0001.png");
+  EXPECT_EQ(value(0, "note"), "'=SUM(A1), \"quoted\"; Գառնի\nsecond line");
+  EXPECT_EQ(value(0, "length_mm"), "51");
+  EXPECT_EQ(value(0, "extra.drawer"), "7");
+  EXPECT_EQ(value(2, "length_mm"), "52");
+}
+
+TEST_F(Export, ARecordSaysWhereItsValuesComeFrom) {
+  ASSERT_TRUE(exportTo("out", all));
+  const std::string text = *readFile(folder_.path() / "out/data/sherds/ARM1-T3-0012-0003.json");
+  const auto json = nlohmann::ordered_json::parse(text);
+  EXPECT_EQ(json["format"], "ostraka-sherd/1");
+  EXPECT_EQ(json.begin().key(), "@context");
+  EXPECT_EQ(json["provenience"]["context"], "0012");
+  EXPECT_EQ(json["digitisation"]["batch"], "B0001");
+  EXPECT_EQ(json["pairing"]["front"], "f003");
+  EXPECT_EQ(json["pairing"]["by"], "program");
+  EXPECT_EQ(json["processing"]["program"], "ostraka 1.0.0");
+  bool by_hand = false;
+  for (const auto& m : json["measurements"])
+    by_hand |= m["kind"] == "length" && m["method"] == "calliper" && m["by"] == "AP";
+  EXPECT_TRUE(by_hand);
+  const std::string model = *readFile(folder_.path() / "out/data/models/ARM1-T3-0012-0003.ply");
+  EXPECT_EQ(json["files"][0]["sha256"], sha256(model)) << "of the file as it was exported";
+  EXPECT_TRUE(text.ends_with("}\n"));
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+}
+
+TEST_F(Export, TheSizeIsKnownBefore) {
+  ExportOptions options;
+  options.forms = {Form::Ply, Form::Photographs};
+  const Result<ExportSize> size = sizeOfExport(catalogue(), project_->folder(), rows, options);
+  ASSERT_TRUE(size);
+  EXPECT_EQ(size->sherds, 3);
+  EXPECT_EQ(size->files, 4);
+  const auto ply = fs::file_size(project_->resultsFolder("B0001") / "sherds/01/model.ply");
+  EXPECT_EQ(size->bytes, static_cast<std::int64_t>(3 * ply + 4));
+  EXPECT_EQ(size->without_model, 0);
+}
+
+TEST_F(Export, DrawingsAreTakenFromTheirPaths) {
+  put(folder_.path() / "drawn.svg", "<svg/>");
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Drawings, Form::Csv};
+  options.drawings[rows[0]] = {folder_.path() / "drawn.svg"};
+  ASSERT_TRUE(exportFolder(catalogue(), project_->folder(), rows, options, quiet, {}));
+  EXPECT_EQ(*readFile(folder_.path() / "out/data/drawings/ARM1-T3-0012-0001.svg"), "<svg/>");
+}
+
+TEST_F(Export, WhatIsMissingIsNamedAndTheRestIsWhole) {
+  fs::remove(project_->resultsFolder("B0001") / "sherds/02/preview.png");
+  const Result<Exported> done = exportTo("out", all);
+  ASSERT_TRUE(done);
+  ASSERT_EQ(done->warnings.size(), 1u);
+  EXPECT_NE(done->warnings[0].find("02/preview.png"), std::string::npos);
+  EXPECT_TRUE(checkBag(folder_.path() / "out", quiet, {}));
+}
+
+TEST_F(Export, AModelThatIsNotTheOneEnteredStopsIt) {
+  put(project_->resultsFolder("B0001") / "sherds/02/model.ply", "ply\nsomething else");
+  const Result<Exported> done = exportTo("out", all);
+  ASSERT_FALSE(done);
+  EXPECT_NE(done.error().sentence().find("not the one that was entered"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_.path() / "out"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "out.partial"));
+}
+
+TEST_F(Export, CanBeStoppedAndLeavesNothing) {
+  std::stop_source stop;
+  stop.request_stop();
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  const Result<Exported> done =
+      exportFolder(catalogue(), project_->folder(), rows, options, quiet, stop.get_token());
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::Cancelled);
+  EXPECT_FALSE(fs::exists(folder_.path() / "out.partial"));
+}
+
+TEST_F(Export, OfTheSameSherdsIsTheSameBytes) {
+  ASSERT_TRUE(exportTo("one", all));
+  ASSERT_TRUE(exportTo("two", all));
+  EXPECT_EQ(*readFile(folder_.path() / "one/manifest-sha256.txt"),
+            *readFile(folder_.path() / "two/manifest-sha256.txt"));
+}
+
+TEST_F(Export, RecordsOfStrangersAreReadWithCare) {
+  const auto why = [](const std::string& text) {
+    const Result<ReadSherdJson> read = parseSherdJson(text, "x.json");
+    return read ? std::string("accepted") : read.error().sentence();
+  };
+  EXPECT_NE(why("{}").find("no record"), std::string::npos);
+  EXPECT_NE(why("[1]").find("no record"), std::string::npos);
+  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","number":7})").find("another type"),
+            std::string::npos);
+  EXPECT_NE(
+      why(R"({"format":"ostraka-sherd/1","measurements":[{"kind":"length","value":1,"unit":"cm"}]})")
+          .find("another unit than mm"),
+      std::string::npos);
+  const Result<ReadSherdJson> own =
+      parseSherdJson(R"({"format":"ostraka-sherd/1","id":"x","mine":{"a":1}})", "x");
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->row.values.at("extra.mine"), R"({"a":1})") << "unknown keys survive";
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

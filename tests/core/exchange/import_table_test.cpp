@@ -1,0 +1,188 @@
+#include "exchange/import_table.h"
+
+#include <gmock/gmock.h>
+
+#include "exchange/csv.h"
+#include "exchange/export_folder.h"
+#include "small_project.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using namespace catalogue;
+
+class Import : public SmallProject {
+ protected:
+  ImportReport import(const std::string& text, ImportMode mode = ImportMode::Enter,
+                      UnknownPlaces places = UnknownPlaces::Refuse) {
+    const Result<ImportReport> report =
+        importTable(catalogue(), text, "t.csv", {mode, places}, anna, quiet, {});
+    EXPECT_TRUE(report) << (report ? "" : report.error().sentence());
+    return report ? *report : ImportReport{};
+  }
+  std::string why(const std::string& text) {
+    const ImportReport report = import(text);
+    return report.refusals.empty()
+               ? "accepted"
+               : std::to_string(report.refusals[0].line) + " " + report.refusals[0].column + " " +
+                     report.refusals[0].value + ": " + report.refusals[0].reason;
+  }
+  QuietProgress quiet;
+};
+
+constexpr const char* kTwo =
+    "number,site,trench,context,bag,part,weight_g,note\r\n"
+    "ARM1-T3-0012-0001,ARM1,T3,0012,4,rim; neck,\"23,4\",\"'=1+1\"\r\n"
+    "ARM1-T3-0013-0001,arm1,t3,0013,,body,,\r\n";
+
+TEST_F(Import, OfSherdsMakesThemWithAllTheirValues) {
+  const ImportReport report = import(kTwo);
+  EXPECT_EQ(report.fresh, 2);
+  EXPECT_EQ(report.refused, 0);
+  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  EXPECT_EQ(sherd.bag, bag4);
+  EXPECT_EQ(textOf(sherd, "part"), "rim; neck");
+  EXPECT_EQ(sherd.measures.at("weight"), 23.4);
+  EXPECT_EQ(sherd.note, "=1+1") << "the guard against formulas is taken off";
+  EXPECT_EQ(catalogue().history(sherd.row)->front().source, "test");
+}
+
+TEST_F(Import, TwiceGivesOnce) {
+  import(kTwo);
+  const std::int64_t history = catalogue().historyLength();
+  const ImportReport again = import(kTwo);
+  EXPECT_EQ(again.fresh, 0);
+  EXPECT_EQ(again.same, 2);
+  EXPECT_EQ(again.changed, 0);
+  EXPECT_EQ(catalogue().historyLength(), history);
+}
+
+TEST_F(Import, APreviewCountsTheSameAndChangesNothing) {
+  const std::int64_t history = catalogue().historyLength();
+  const ImportReport preview = import(kTwo, ImportMode::Preview);
+  EXPECT_EQ(preview.fresh, 2);
+  EXPECT_EQ(catalogue().historyLength(), history);
+  EXPECT_FALSE(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+}
+
+TEST_F(Import, BlankKeepsAndClearDeletes) {
+  import(kTwo);
+  const ImportReport report =
+      import("number,part,note,weight_g\nARM1-T3-0012-0001,,<clear>,<clear>\n");
+  EXPECT_EQ(report.changed, 1);
+  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  EXPECT_EQ(textOf(sherd, "part"), "rim; neck");
+  EXPECT_EQ(sherd.note, "");
+  EXPECT_TRUE(sherd.measures.empty());
+}
+
+TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
+  import(kTwo);
+  const std::string head = "number,site,trench,context,part,length_mm,munsell_out,date_edtf,uuid\n";
+  const auto row = [&](const std::string& line) { return why(head + line + "\n"); };
+  EXPECT_NE(row("X-1,ARM1,T3,0012,wing,,,,").find("2 part wing: 'wing' is no term"),
+            std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0099,,,,,").find("2 context 0099: There is no context"),
+            std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,,,,,,").find("needs its context"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,abc,,,").find("2 length_mm abc"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,0,,,").find("above 0"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,1001,,,").find("1000 mm"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,brown,,").find("2 munsell_out brown"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,600 BC,").find("2 date_edtf 600 BC"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1,T3,0012,,,,,nonsense").find("2 uuid nonsense: This is no uuid"),
+            std::string::npos);
+  EXPECT_NE(row("ARM1-T3-0012-0001,,,,,,,,019f5ff6-39c0-7b3a-9c55-2f7e8d104ab6")
+                .find("another sherd than the uuid"),
+            std::string::npos);
+  EXPECT_NE(row(",ARM1,T3,0012,,,,,").find("neither a number nor a uuid"), std::string::npos);
+  EXPECT_NE(row("X-1,ARM1").find("2  : The row has 2 values, the header 9"), std::string::npos);
+  EXPECT_NE(why(head + "Y-1,ARM1,T3,0012,,,,,\ny-1,ARM1,T3,0012,,,,,\n")
+                .find("3 number y-1: This stands in two rows"),
+            std::string::npos);
+  EXPECT_FALSE(*catalogue().sherdByNumber("X-1")) << "a refused row leaves nothing";
+  EXPECT_TRUE(*catalogue().sherdByNumber("Y-1")) << "the other rows enter";
+}
+
+TEST_F(Import, RefusalsAreATableThemselves) {
+  const ImportReport report = import("number,context\n=cmd,0012\n");
+  const Result<CsvTable> table = parseCsv(refusalsCsv(report), "r.csv");
+  ASSERT_TRUE(table);
+  EXPECT_THAT(table->columns, testing::ElementsAre("line", "column", "value", "reason"));
+  EXPECT_EQ(table->rows[0].values[0], "2");
+}
+
+TEST_F(Import, UnknownPlacesAreMadeWhenAskedFor) {
+  const std::string table = "number,site,trench,context,bag\nNEW-1,TB,A,1,7\nNEW-2,TB,A,1,7\n";
+  EXPECT_EQ(import(table).refused, 2);
+  const ImportReport report = import(table, ImportMode::Enter, UnknownPlaces::Make);
+  EXPECT_EQ(report.fresh, 2);
+  const SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("NEW-2"));
+  EXPECT_EQ(sherd.site + sherd.trench + sherd.context_number + sherd.bag_number, "TBA17");
+  EXPECT_EQ(catalogue().sites()->size(), 2u);
+}
+
+TEST_F(Import, UnknownColumnsBecomeFieldsOfOnesOwnWithAWarning) {
+  const ImportReport report = import("number,site,trench,context,drawer\nX-1,ARM1,T3,0012,7\n");
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_NE(report.warnings[0].find("'drawer'"), std::string::npos);
+  EXPECT_EQ(textOf(*catalogue().sherd(*catalogue().sherdByNumber("X-1")), "extra.drawer"), "7");
+}
+
+TEST_F(Import, OfContextsMakesAndChangesThem) {
+  const std::string table =
+      "site;trench;context;kind;excavated_on;closed;bag;weight_g\n"
+      "ARM1;T3;0012;layer;2026-07-14;yes;;\n"
+      "ARM1;T4;0001;cut;;no;1;12,5\n"
+      "ARM1;T3;0013;hole;;;;\n"
+      "ARM1;T3;0013;;14.7.2026;;;\n";
+  const ImportReport report = import(table);
+  EXPECT_EQ(report.fresh, 1);
+  EXPECT_EQ(report.changed, 1);
+  EXPECT_EQ(report.refused, 2);
+  EXPECT_EQ(report.refusals[0].line, 4);
+  EXPECT_NE(report.refusals[1].reason.find("2026-07-14"), std::string::npos);
+  const ContextRecord c = *catalogue().context(context12);
+  EXPECT_EQ(c.kind, "layer");
+  EXPECT_TRUE(c.closed);
+  EXPECT_EQ(catalogue().bags(*catalogue().contextByPlace("ARM1", "T4", "0001"))->front().weight_g,
+            12.5);
+  const ImportReport again = import(table);
+  EXPECT_EQ(again.same, 2);
+  EXPECT_EQ(again.fresh + again.changed, 0);
+}
+
+TEST_F(Import, ATableOfSomethingElseIsRefusedWhole) {
+  for (const char* text : {"a,b\n1,2\n", "number,number\n1,2\n", "number,,x\n1,2,3\n", ""})
+    EXPECT_FALSE(importTable(catalogue(), text, "t.csv", {}, anna, quiet, {})) << text;
+}
+
+TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
+  import(kTwo);
+  ASSERT_TRUE(set(*catalogue().sherdByNumber("ARM1-T3-0013-0001"), "joins", "ARM1-T3-0012-0001"));
+  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter{}, {});
+  for (const char* locale : {"C", "de_DE.UTF-8", "pl_PL.UTF-8", "pt_BR.UTF-8"}) {
+    std::setlocale(LC_ALL, locale);
+    const Result<std::string> text = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+    ASSERT_TRUE(text);
+    EXPECT_NE(text->find("23.4"), std::string::npos);
+    const ImportReport report = import(*text);
+    EXPECT_EQ(report.same, 2);
+    EXPECT_TRUE(report.warnings.empty());
+  }
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST_F(Import, CanBeStoppedAndThenEntersNothing) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Result<ImportReport> report =
+      importTable(catalogue(), kTwo, "t.csv", {ImportMode::Enter, UnknownPlaces::Refuse}, anna,
+                  quiet, stop.get_token());
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
+  EXPECT_FALSE(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

@@ -60,21 +60,49 @@ LightField::Shares seenShares(const Scene& scene, const Room& room, const Eigen:
   return shares;
 }
 
-struct AmbientSource {
-  const Scene& scene;
-  const Room& room;
-  Eigen::Vector3f plate_albedo;
+// What falls on every vertex and every cell of the plate before it goes on to others: the lamps,
+// averaged over the turns of the plate (bounced light is soft, and one field serves all stops), and
+// the sky.
+struct FirstLight {
+  std::vector<std::vector<Eigen::Vector3f>> vertices;
+  std::vector<Eigen::Vector3f> plate;
+};
+
+class AmbientSource {
+ public:
+  AmbientSource(const Scene& scene, const Room& room, const Eigen::Vector3f& plate_albedo)
+      : scene_(scene), room_(room), plate_albedo_(plate_albedo) {
+    for (int k = 0; k < kTurns; ++k) rooms_.push_back(turned(room, 2 * kPi * k / kTurns));
+  }
 
   Eigen::Vector3f openPlate() const {
-    return room.sky +
-           directLight(room, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), {1, 1, 1});
+    return room_.sky +
+           directLight(room_, Eigen::Vector3f::Zero(), Eigen::Vector3f::UnitZ(), {1, 1, 1});
   }
-  // Irradiance from the hemisphere: the sky is brighter overhead (1 + 2 cos, CIE overcast, divided
-  // by its mean over a horizontal element); what is hit sends back a share of the open light.
+
+  Eigen::Vector3f lamps(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
+                        std::uint64_t hash) const {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int k = 0; k < kTurns; ++k) {
+      LightField::Shares shares;
+      for (int l = 0; l < kLights; ++l) {
+        const Light& light = rooms_[k].lights[l];
+        const std::uint64_t h = mixed(hash, static_cast<std::uint64_t>(k * kLights + l));
+        const Eigen::Vector3d q = light.centre + (2 * unit(h, 0) - 1) * light.half_u +
+                                  (2 * unit(h, 1) - 1) * light.half_v;
+        shares[l] = scene_.blocked(p, q.cast<float>() - p, 1.f) ? 0.f : 1.f;
+      }
+      sum += directLight(rooms_[k], p, normal, shares);
+    }
+    return sum / kTurns;
+  }
+
+  // Irradiance from the hemisphere. The sky is brighter overhead (1 + 2 cos, CIE overcast, divided
+  // by its mean over a horizontal element). What is hit sends back a share of its own first light;
+  // without a first light it is black.
   Eigen::Vector3f gather(const Eigen::Vector3f& p, const Eigen::Vector3f& normal,
-                         std::uint64_t hash) const {
+                         std::uint64_t hash, const FirstLight* first) const {
     const Eigen::Vector3f u = normal.unitOrthogonal(), v = normal.cross(u);
-    const Eigen::Vector3f open = openPlate();
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (int i = 0; i < kAmbientSide * kAmbientSide; ++i) {
       const double a = (i % kAmbientSide + unit(hash, 0)) / kAmbientSide;
@@ -84,16 +112,36 @@ struct AmbientSource {
       const auto angle = static_cast<float>(2 * kPi * b);
       const Eigen::Vector3f d =
           radius * (std::cos(angle) * u + std::sin(angle) * v) + height * normal;
-      const Scene::Hit hit = scene.nearest(p, d);
-      if (hit.sherd >= 0)
-        sum += 0.4f * scene.sherds()[hit.sherd].clay.body.cwiseProduct(open);
-      else if (d.z() > 0)
-        sum += (1 + 2 * d.z()) * 3 / 7 * room.sky;
-      else
-        sum += 0.7f * plate_albedo.cwiseProduct(open);  // partly shadowed by the sherd itself
+      const Scene::Hit hit = scene_.nearest(p, d);
+      if (hit.sherd < 0 && d.z() > 0)
+        sum += (1 + 2 * d.z()) * 3 / 7 * room_.sky;
+      else if (first != nullptr)
+        sum += hit.sherd < 0 ? fromPlate(p - p.z() / d.z() * d, *first) : fromSherd(hit, *first);
     }
     return sum / (kAmbientSide * kAmbientSide);
   }
+
+ private:
+  static constexpr int kTurns = 6;  // three lamps each: 18 directions that the lamps come from
+
+  Eigen::Vector3f fromSherd(const Scene::Hit& hit, const FirstLight& first) const {
+    const auto& t = scene_.sherds()[hit.sherd].mesh.triangles[hit.triangle];
+    const auto& light = first.vertices[hit.sherd];
+    return scene_.sherds()[hit.sherd].clay.body.cwiseProduct(
+        (1 - hit.u - hit.v) * light[t[0]] + hit.u * light[t[1]] + hit.v * light[t[2]]);
+  }
+
+  Eigen::Vector3f fromPlate(const Eigen::Vector3f& p, const FirstLight& first) const {
+    constexpr int n = LightField::kGrid;
+    const int x = std::clamp(static_cast<int>(std::lround(p.x())) + n / 2, 0, n - 1),
+              y = std::clamp(static_cast<int>(std::lround(p.y())) + n / 2, 0, n - 1);
+    return plate_albedo_.cwiseProduct(first.plate[static_cast<std::size_t>(y) * n + x]);
+  }
+
+  const Scene& scene_;
+  const Room& room_;
+  Eigen::Vector3f plate_albedo_;
+  std::vector<Room> rooms_;
 };
 
 // Cells of the plate near enough to a sherd for it to shade them or to take sky from them.
@@ -179,25 +227,37 @@ LightField castShadows(const Scene& scene, const Room& room, std::uint64_t seed,
 
 AmbientField gatherAmbient(const Scene& scene, const Room& room, const PlateSurface& plate,
                            std::uint64_t seed, int threads) {
-  const AmbientSource source{scene, room, plate.felt()};
-  AmbientField field;
-  for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
-    const auto& points = scene.vertices(static_cast<int>(s));
-    const auto& normals = scene.normals(static_cast<int>(s));
-    field.vertices.emplace_back(points.size());
-    overBlocks(points.size(), threads, [&](std::size_t i) {
-      field.vertices[s][i] =
-          source.gather(points[i] + kLift * normals[i], normals[i], mixed(seed + s, i));
-    });
-  }
+  const AmbientSource source(scene, room, plate.felt());
   constexpr int n = LightField::kGrid;
   const std::vector<char> close = nearSherds(scene);
+  const auto cell = [](std::size_t i) {
+    return Eigen::Vector3f(static_cast<float>(static_cast<int>(i % n) - n / 2),
+                           static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
+  };
+  AmbientField field;
   field.plate.assign(static_cast<std::size_t>(n) * n, room.sky);
-  overBlocks(field.plate.size(), threads, [&](std::size_t i) {
-    if (!close[i]) return;
-    const Eigen::Vector3f p(static_cast<float>(static_cast<int>(i % n) - n / 2),
-                            static_cast<float>(static_cast<int>(i / n) - n / 2), 0);
-    field.plate[i] = source.gather(p, Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
+  const auto over = [&](std::vector<std::vector<Eigen::Vector3f>>& vertices,
+                        std::vector<Eigen::Vector3f>& cells, const auto& body) {
+    vertices.resize(scene.sherds().size());
+    for (std::size_t s = 0; s < scene.sherds().size(); ++s) {
+      const auto& points = scene.vertices(static_cast<int>(s));
+      const auto& normals = scene.normals(static_cast<int>(s));
+      vertices[s].resize(points.size());
+      overBlocks(points.size(), threads, [&](std::size_t i) {
+        vertices[s][i] = body(points[i] + kLift * normals[i], normals[i], mixed(seed + s, i));
+      });
+    }
+    overBlocks(cells.size(), threads, [&](std::size_t i) {
+      if (close[i]) cells[i] = body(cell(i), Eigen::Vector3f::UnitZ(), mixed(seed + 991, i));
+    });
+  };
+  FirstLight first;
+  first.plate.assign(field.plate.size(), source.openPlate());
+  over(first.vertices, first.plate, [&](const auto& p, const auto& normal, std::uint64_t hash) {
+    return Eigen::Vector3f(source.lamps(p, normal, hash) + source.gather(p, normal, hash, nullptr));
+  });
+  over(field.vertices, field.plate, [&](const auto& p, const auto& normal, std::uint64_t hash) {
+    return source.gather(p, normal, hash, &first);
   });
   return field;
 }

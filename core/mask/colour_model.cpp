@@ -1,51 +1,121 @@
 #include "mask/colour_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "base/parallel.h"
+#include "mask/plate_picture.h"
 
 namespace ostraka::mask {
 namespace {
 
-constexpr int kLevels = 18;  // of brightness, a quarter of e each: from log 4 to log 260
-constexpr int kTints = 13;   // of each colour difference, 0.08 wide: the noise in dark pixels
-constexpr int kMargin = 25;  // pixels around a group where its background is learnt
+constexpr int kLevels = 22;  // of brightness, a fifth of e each: from log 4 to log 260
+constexpr int kTints = 21;   // of each colour difference, 0.06 wide: the noise in dark pixels
+constexpr int kRounds = 2;   // the second learns from what the first was in doubt of
+constexpr float kMost = 4;   // colours learnt from the odds may outvote a doubt, not a certainty
+constexpr float kDoubt = 2;  // odds below are no certainty
+constexpr double kShadows = 0.3;  // of the plate close to a sherd that lies in some shadow
 
-void sharpenPart(const cv::Mat3f& colours, const cv::Mat1b& group, const cv::Mat1b& any,
-                 const cv::Rect& part, cv::Mat1f& log_odds) {
-  ColourHistogram sherd, ground;
-  for (int y = part.y; y < part.y + part.height; ++y)
-    for (int x = part.x; x < part.x + part.width; ++x) {
-      const float odds = log_odds(y, x);
-      if (group(y - part.y, x - part.x) != 0 && odds > 4)
-        sherd.add(ColourHistogram::bin(colours(y, x)));
-      else if (odds < -1.5F || any(y, x) == 0)
-        ground.add(ColourHistogram::bin(colours(y, x)));
+struct LogTable {
+  std::array<float, 256> values{};
+  LogTable() {
+    for (int i = 0; i < 256; ++i) values[i] = std::log(static_cast<float>(i) + kDarkLevel);
+  }
+  cv::Vec3f operator()(const cv::Vec3b& v) const {
+    return {values[v[0]], values[v[1]], values[v[2]]};
+  }
+};
+
+// Calls body(y, x) for each pixel of the group's cells.
+template <class Body>
+void overGroup(const ColourView& view, int group, const cv::Rect& box, int reduction,
+               const Body& body) {
+  for (int y = box.y * reduction; y < (box.y + box.height) * reduction; ++y)
+    for (int column = box.x; column < box.x + box.width; ++column) {
+      if (view.group(y / reduction, column) != group) continue;
+      for (int x = column * reduction; x < (column + 1) * reduction; ++x) body(y, x);
     }
+}
+
+// boxes[group] in one view's reduced picture.
+std::vector<cv::Rect> boxesOf(const cv::Mat1b& groups) {
+  std::vector<cv::Rect> boxes(256);
+  for (int y = 0; y < groups.rows; ++y)
+    for (int x = 0; x < groups.cols; ++x)
+      if (groups(y, x) != 0) {
+        cv::Rect& box = boxes[groups(y, x)];
+        box = box.empty() ? cv::Rect(x, y, 1, 1) : (box | cv::Rect(x, y, 1, 1));
+      }
+  return boxes;
+}
+
+// log P(colour | sherd) / P(colour | plate), from pixels weighted by how likely they are either.
+void learn(std::span<const ColourView> views, const std::vector<std::vector<cv::Rect>>& boxes,
+           int group, int reduction, bool certain_only, std::vector<float>& ratio) {
+  static const LogTable kLogs;
+  ColourHistogram sherd, ground;
+  for (std::size_t v = 0; v < views.size(); ++v)
+    overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
+      const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
+      const float odds = (*views[v].log_odds)(y, x) + ratio[bin];
+      const float share = 1 / (1 + std::exp(-odds));
+      if (certain_only && std::abs(odds) < kDoubt) return;
+      if (views[v].core(y / reduction, x / reduction) != 0) sherd.add(bin, share);
+      ground.add(bin, 1 - share);
+    });
+  ground.addShadows(kShadows);
   sherd.finish();
   ground.finish();
   if (sherd.total() < 100 || ground.total() < 100) return;
-  for (int y = part.y; y < part.y + part.height; ++y)
-    for (int x = part.x; x < part.x + part.width; ++x) {
-      if (group(y - part.y, x - part.x) == 0) continue;
-      const int bin = ColourHistogram::bin(colours(y, x));
-      log_odds(y, x) += std::clamp(std::log(sherd.density(bin) / ground.density(bin)), -2.F, 2.F);
-    }
+  for (int bin = 0; bin < ColourHistogram::bins(); ++bin)
+    ratio[bin] = std::clamp(std::log(sherd.density(bin) / ground.density(bin)), -kMost, kMost);
+}
+
+void sharpenGroup(std::span<const ColourView> views,
+                  const std::vector<std::vector<cv::Rect>>& boxes, int group, int reduction) {
+  static const LogTable kLogs;
+  std::vector<float> ratio(static_cast<std::size_t>(ColourHistogram::bins()), 0.F);
+  for (int round = 0; round < kRounds; ++round)
+    learn(views, boxes, group, reduction, round == 0, ratio);
+  for (std::size_t v = 0; v < views.size(); ++v)
+    overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
+      const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
+      (*views[v].log_odds)(y, x) += ratio[bin];
+    });
 }
 
 }  // namespace
 
-ColourHistogram::ColourHistogram() : counts_(kLevels * kTints * kTints, 0.F) {}
+ColourHistogram::ColourHistogram() : counts_(static_cast<std::size_t>(bins()), 0.F) {}
+
+int ColourHistogram::bins() {
+  return kLevels * kTints * kTints;
+}
 
 int ColourHistogram::bin(const cv::Vec3f& log_colour) {
   const float level = (log_colour[0] + log_colour[1] + log_colour[2]) / 3;
   const auto tint = [](float v) {
-    return std::clamp(static_cast<int>(std::floor(v / 0.08F + 0.5F * kTints)), 0, kTints - 1);
+    return std::clamp(static_cast<int>(std::floor(v / 0.06F + 0.5F * kTints)), 0, kTints - 1);
   };
-  const int row = std::clamp(static_cast<int>((level - 1.386F) * 4), 0, kLevels - 1);
+  const int row = std::clamp(static_cast<int>((level - 1.386F) * 5), 0, kLevels - 1);
   return (row * kTints + tint(log_colour[2] - log_colour[1])) * kTints +
          tint(log_colour[1] - log_colour[0]);
+}
+
+void ColourHistogram::addShadows(double share) {
+  constexpr int kPlane = kTints * kTints;
+  std::vector<float> shadows(counts_.size(), 0.F);
+  for (int tint = 0; tint < kPlane; ++tint) {
+    float above = 0;  // falls on each level below, spread evenly over them
+    for (int level = kLevels - 1; level >= 0; --level) {
+      const int i = level * kPlane + tint;
+      shadows[i] = above;
+      above += static_cast<float>(share) * counts_[i] / static_cast<float>(std::max(1, level));
+    }
+  }
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += shadows[i];
 }
 
 void ColourHistogram::finish() {
@@ -67,19 +137,12 @@ float ColourHistogram::density(int bin) const {
   return total_ > 0 ? counts_[bin] / total_ + 1e-4F : 1e-4F;
 }
 
-void sharpenByColours(const cv::Mat3f& log_colours, const cv::Mat1b& allowed, cv::Mat1f& log_odds) {
-  cv::Mat labels, stats, centres;
-  const int count = cv::connectedComponentsWithStats(allowed, labels, stats, centres, 8, CV_32S);
-  for (int label = 1; label < count; ++label) {
-    const cv::Rect tight(
-        stats.at<int>(label, cv::CC_STAT_LEFT), stats.at<int>(label, cv::CC_STAT_TOP),
-        stats.at<int>(label, cv::CC_STAT_WIDTH), stats.at<int>(label, cv::CC_STAT_HEIGHT));
-    const cv::Rect part = cv::Rect(tight.x - kMargin, tight.y - kMargin, tight.width + 2 * kMargin,
-                                   tight.height + 2 * kMargin) &
-                          cv::Rect({0, 0}, allowed.size());
-    const cv::Mat1b group = labels(part) == label;
-    sharpenPart(log_colours, group, allowed, part, log_odds);
-  }
+void sharpenByColours(std::span<const ColourView> views, int reduction, int threads) {
+  std::vector<std::vector<cv::Rect>> boxes;
+  for (const ColourView& view : views) boxes.push_back(boxesOf(view.group));
+  parallelFor(255, threads, [&](std::size_t i) {
+    sharpenGroup(views, boxes, static_cast<int>(i) + 1, reduction);
+  });
 }
 
 }  // namespace ostraka::mask

@@ -1,17 +1,21 @@
 #pragma once
 #include <opencv2/core/mat.hpp>
+#include <span>
 #include <vector>
 
 namespace ostraka::mask {
 
-/// How often colours occur: brightness in 18 steps of a quarter in the logarithm, two colour
-/// differences in 13 steps of 0.08 (the noise of dark pixels).
+/// How often colours occur: brightness in 22 steps of a fifth in the logarithm, two colour
+/// differences in 21 steps of 0.06 (the noise of dark pixels).
 class ColourHistogram {
  public:
   ColourHistogram();
   static int bin(const cv::Vec3f& log_colour);
-  void add(int bin) { counts_[bin] += 1; }
+  void add(int bin, float weight = 1) { counts_[bin] += weight; }
+  /// Adds a share of what is there once more, at all lower brightnesses alike: shadows.
+  void addShadows(double share);
   void finish();  ///< spreads counts to neighbouring bins; call before density
+  static int bins();
   float total() const { return total_; }
   float density(int bin) const;  ///< share of the samples, with a little doubt in every bin
 
@@ -20,11 +24,19 @@ class ColourHistogram {
   float total_ = 0;
 };
 
-/// Sharpens the log odds with what the certain pixels of the same photograph teach: for each group
-/// of sherds (a connected part of `allowed`), the colours of its certain sherd pixels and those of
-/// the certain plate and shadow pixels around it, as histograms of brightness and two colour
-/// differences. The histograms' log ratio is added, within +-2: they learn from the odds
-/// themselves, so they may tip the scales but not outvote them.
-void sharpenByColours(const cv::Mat3f& log_colours, const cv::Mat1b& allowed, cv::Mat1f& log_odds);
+/// One photograph's part in the learning.
+struct ColourView {
+  cv::Mat photograph;  ///< CV_8UC3
+  cv::Mat1b group;     ///< reduced: which group of sherds shows here, 0 = none
+  cv::Mat1b core;      ///< reduced: 255 where the hull is deep, so that hardly plate shows
+  cv::Mat1f* log_odds = nullptr;  ///< in and out
+};
+
+/// Sharpens the log odds with what all photographs of a side teach of each group of sherds: the
+/// colours of what is likely sherd and of what is likely plate or shadow within and close around
+/// the group's hull, as histograms of brightness and two colour differences. One photograph's doubt
+/// is settled by the others: a dark patch of the clay shows in all of them, a shadow in few. Sherd
+/// is learnt in the hull's core only, since along its foot the contact shadow lies within the hull.
+void sharpenByColours(std::span<const ColourView> views, int reduction, int threads);
 
 }  // namespace ostraka::mask

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
@@ -70,15 +71,17 @@ std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const Hul
   return voxels;
 }
 
-cv::Mat1b silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
-                           const HullView& view, const HullOptions& options) {
+Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
+                            const HullView& view, const HullOptions& options) {
   cv::Mat1b mask(view.clear.size(), uchar{0});
+  cv::Mat1f near(view.clear.size(), std::numeric_limits<float>::max()), far(near.size(), 0.F);
   const rig::PosedImage& image = *view.image;
   const Eigen::Vector3i n = space.count;
   for (int z = 0; z < n.z(); ++z)
     for (int y = 0; y < n.y(); ++y)
       for (int x = 0; x < n.x(); ++x) {
-        if (voxels[(static_cast<std::size_t>(z) * n.y() + y) * n.x() + x] == 0) continue;
+        const unsigned char value = voxels[(static_cast<std::size_t>(z) * n.y() + y) * n.x() + x];
+        if (value == 0) continue;
         const Eigen::Vector3d q =
             image.camera_from_plate * (space.low + space.pitch * Eigen::Vector3d(x, y, z));
         if (q.z() <= 0) continue;
@@ -87,12 +90,23 @@ cv::Mat1b silhouetteOfHull(const HullSpace& space, const std::vector<unsigned ch
         const auto cell = [&](double v) {
           return static_cast<int>(std::floor((v + 0.5) / options.reduction));
         };
-        const cv::Rect box(cv::Point(cell(pixel.x() - half), cell(pixel.y() - half)),
-                           cv::Point(cell(pixel.x() + half) + 1, cell(pixel.y() + half) + 1));
-        const cv::Rect part = box & cv::Rect({0, 0}, mask.size());
-        if (!part.empty()) mask(part).setTo(255);
+        const auto away = static_cast<float>(q.z());
+        const int left = std::max(0, cell(pixel.x() - half)),
+                  right = std::min(mask.cols - 1, cell(pixel.x() + half));
+        const int bottom = std::min(mask.rows - 1, cell(pixel.y() + half));
+        for (int v = std::max(0, cell(pixel.y() - half)); v <= bottom; ++v)
+          for (int u = left; u <= right; ++u) {
+            far(v, u) = std::max(far(v, u), away);
+            if (away >= near(v, u)) continue;
+            near(v, u) = away;
+            mask(v, u) = value;
+          }
       }
-  return mask;
+  cv::Mat1f depth(mask.size(), 0.F);
+  for (int v = 0; v < mask.rows; ++v)
+    for (int u = 0; u < mask.cols; ++u)
+      if (mask(v, u) != 0) depth(v, u) = far(v, u) - near(v, u);
+  return {mask, depth};
 }
 
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area) {
@@ -108,15 +122,14 @@ int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, 
   cv::Mat labels, stats, centres;
   const int groups = cv::connectedComponentsWithStats(footprint, labels, stats, centres, 8, CV_32S);
   int left = 0;
-  std::vector<char> keep(static_cast<std::size_t>(groups), 0);
-  for (int g = 1; g < groups; ++g) {
-    keep[g] = stats.at<int>(g, cv::CC_STAT_AREA) * space.pitch * space.pitch >= min_area ? 1 : 0;
-    left += keep[g];
-  }
+  std::vector<unsigned char> number(static_cast<std::size_t>(groups), 0);
+  for (int g = 1; g < groups; ++g)
+    if (stats.at<int>(g, cv::CC_STAT_AREA) * space.pitch * space.pitch >= min_area)
+      number[g] = static_cast<unsigned char>(left++ % kMostGroups + 1);
   for (int z = 0; z < n.z(); ++z)
     for (int y = 0; y < n.y(); ++y)
       for (int x = 0; x < n.x(); ++x)
-        if (keep[labels.at<int>(y, x)] == 0) voxels[index(x, y, z)] = 0;
+        if (voxels[index(x, y, z)] != 0) voxels[index(x, y, z)] = number[labels.at<int>(y, x)];
   return left;
 }
 

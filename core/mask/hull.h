@@ -34,12 +34,18 @@ struct HullOptions {
 std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const HullView> views,
                                      const HullOptions& options, std::stop_token stop);
 
-/// Where the voxels show in a view, reduced; 255 inside. Grown by half a voxel.
-cv::Mat1b silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
-                           const HullView& view, const HullOptions& options);
+/// How the hull shows in a view, reduced; grown by half a voxel.
+struct Silhouette {
+  cv::Mat1b group;  ///< the value of the nearest voxel, 0 where there is none
+  cv::Mat1f depth;  ///< from the nearest voxel to the farthest, in the cameras' unit
+};
+Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned char>& voxels,
+                            const HullView& view, const HullOptions& options);
+
+inline constexpr int kMostGroups = 255;  ///< more share numbers
 
 /// Takes away standing groups (connected seen from above) with a footprint below min_area; returns
-/// how many groups are left.
+/// how many groups are left and gives their voxels the group's number, 1, 2, ... kMostGroups.
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area);
 
 }  // namespace ostraka::mask

@@ -78,7 +78,7 @@ class HullMasker {
                      "masks.",
                      {}};
       parallelFor(views_.size(), options_.threads, [&](std::size_t i) {
-        silhouettes_[i] = silhouetteOfHull(space_, voxels_, views_[i], hull_);
+        silhouettes_[i] = silhouetteOfHull(space_, voxels_, views_[i], hull_).group;
       });
     }
     MaskResult result;

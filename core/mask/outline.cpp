@@ -73,26 +73,26 @@ void localMean(const cv::Mat3f& colours, const cv::Mat1b& where, int window, cv:
     for (int x = 0; x < mean.cols; ++x) mean(y, x) *= 1 / std::max(1.F, weight(y, x));
 }
 
-cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph) {
-  static const std::array<float, 256> kLinear = linearLight();
-  cv::Mat3f colours(cut.size());
-  for (int y = 0; y < cut.rows; ++y)
-    for (int x = 0; x < cut.cols; ++x) {
-      const cv::Vec3b& v = photograph.at<cv::Vec3b>(y, x);
-      colours(y, x) = {kLinear[v[0]], kLinear[v[1]], kLinear[v[2]]};
-    }
-  const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
-  cv::Mat1b inner, outer;
-  cv::erode(cut, inner, disc);
-  cv::dilate(cut, outer, disc);
-  const cv::Mat1b band = outer & ~inner;
+// Pixels between `from` and `to` pixels inside the cut.
+cv::Mat1b ringInside(const cv::Mat1b& cut, double from, double to) {
+  cv::Mat1f depth;
+  cv::distanceTransform(cut, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  return (depth > from) & (depth < to);
+}
+
+// The share of sherd in each pixel close to the cut, between the colours of sherd and background
+// next to it.
+cv::Mat1f sharesAlong(const cv::Mat1b& cut, const cv::Mat3f& colours) {
+  const cv::Mat1b open = ~cut;
+  const cv::Mat1b band = ringInside(cut, 0, 2.5) | ringInside(open, 0, 2.5);
   cv::Mat3f sherd, ground;
-  cv::Mat1f sherd_count, ground_count, smooth;
-  localMean(colours, inner, 9, sherd, sherd_count);
-  localMean(colours, ~outer, 9, ground, ground_count);
-  cut.convertTo(smooth, CV_32F, 1 / 255.0);
-  cv::GaussianBlur(smooth, smooth, {}, 0.7, 0.7);
-  cv::Mat1f share = smooth.clone();
+  cv::Mat1f sherd_count, ground_count, share;
+  // Beyond the lens's blur of the edge, and no farther: a broken face is a few pixels wide, and a
+  // shadow darkens towards the contact.
+  localMean(colours, ringInside(cut, 1.6, 3.2), 9, sherd, sherd_count);
+  localMean(colours, ringInside(open, 1.6, 3.2), 9, ground, ground_count);
+  cut.convertTo(share, CV_32F, 1 / 255.0);
+  cv::GaussianBlur(share, share, {}, 0.7, 0.7);
   for (int y = 0; y < cut.rows; ++y)
     for (int x = 0; x < cut.cols; ++x) {
       if (band(y, x) == 0 || sherd_count(y, x) < 3 || ground_count(y, x) < 3) continue;
@@ -104,10 +104,21 @@ cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph) {
       const float own = std::clamp(
           (colours(y, x) - ground(y, x)).dot(contrast) / std::max(strength, 1e-9F), 0.F, 1.F);
       const float trust = strength / (strength + noise * noise);
-      share(y, x) = trust * own + (1 - trust) * smooth(y, x);
+      share(y, x) = trust * own + (1 - trust) * share(y, x);
+    }
+  return share;
+}
+
+cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph) {
+  static const std::array<float, 256> kLinear = linearLight();
+  cv::Mat3f colours(cut.size());
+  for (int y = 0; y < cut.rows; ++y)
+    for (int x = 0; x < cut.cols; ++x) {
+      const cv::Vec3b& v = photograph.at<cv::Vec3b>(y, x);
+      colours(y, x) = {kLinear[v[0]], kLinear[v[1]], kLinear[v[2]]};
     }
   cv::Mat1b soft;
-  share.convertTo(soft, CV_8U, 255);
+  sharesAlong(cut, colours).convertTo(soft, CV_8U, 255);
   return soft;
 }
 

@@ -22,6 +22,9 @@ struct ViewState {
   cv::Mat3f residual;  ///< half the memory would do; 23 MB at 1600 x 1200
   cv::Mat1f log_odds;
   HullView hull;
+  cv::Mat1b group;    ///< reduced: which group's hull shows
+  cv::Mat1f depth;    ///< reduced: mm of hull behind it
+  cv::Mat1b allowed;  ///< where a sherd may be
 };
 
 Result<void> checkInput(std::span<const rig::PosedImage> images,
@@ -97,9 +100,15 @@ class PlateMasker {
     if (!carve(stop)) return stop.stop_requested() ? Error::cancelled() : nothingFound();
     progress.report(done += 2, total);
     result_.masks.resize(images_.size());
-    parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
-      if (!stop.stop_requested()) cutView(i);
-    });
+    const auto overViews = [&](void (PlateMasker::*work)(std::size_t)) {
+      parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
+        if (!stop.stop_requested()) (this->*work)(i);
+      });
+    };
+    overViews(&PlateMasker::showHull);
+    overViews(&PlateMasker::askOthers);
+    if (!stop.stop_requested()) learnColours();
+    overViews(&PlateMasker::cutView);
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(total, total);
     return std::move(result_);
@@ -191,22 +200,46 @@ class PlateMasker {
     return dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2) > 0;
   }
 
+  // Where the hull shows, and a little beyond: it is as coarse as its voxels.
+  void showHull(std::size_t index) {
+    ViewState& view = views_[index];
+    const Silhouette shown = silhouetteOfHull(space_, voxels_, view.hull, hull_);
+    view.group = shown.group;
+    view.depth = shown.depth;
+    view.hull.inside.release();
+    view.hull.clear.release();
+    cv::Mat1b silhouette;
+    cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
+               cv::INTER_NEAREST);
+    cv::dilate(silhouette, view.allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+  }
+
+  void askOthers(std::size_t index) {
+    ViewState& view = views_[index];
+    weighAgreement(
+        {&images_[index], &view.residual, &view.group, hull_.reduction}, beside(index),
+        [this](double x, double y) { return bareAt(x, y); }, view.allowed, view.log_odds);
+  }
+
+  void learnColours() {
+    std::vector<ColourView> views;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      cv::Mat1b grown;
+      cv::dilate(views_[i].group, grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+      views_[i].group.copyTo(grown, views_[i].group != 0);
+      views.push_back(
+          {photographs_[i], grown, views_[i].depth >= 3 * space_.pitch, &views_[i].log_odds});
+    }
+    sharpenByColours(views, hull_.reduction, options_.threads);
+  }
+
   void cutView(std::size_t index) {
     ViewState& view = views_[index];
-    const cv::Mat1b coarse = silhouetteOfHull(space_, voxels_, view.hull, hull_);
-    cv::Mat1b allowed;
-    cv::resize(coarse, allowed, photographs_[index].size(), 0, 0, cv::INTER_NEAREST);
-    cv::Mat1b wide;
-    cv::dilate(allowed, wide, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
     CutOptions cut_options;
     const double mm = millimetresPerPixel(images_[index]);
     const double sine = std::abs(images_[index].centre().normalized().z());
     cut_options.min_area_px = options_.min_sherd_area_mm2 * sine / (mm * mm);
-    const std::vector<PlateView> others = beside(index);
-    const auto bare_at = [this](double x, double y) { return bareAt(x, y); };
-    weighAgreement({&images_[index], &view.residual}, others, bare_at, wide, view.log_odds);
-    sharpenByColours(logColours(photographs_[index]), wide, view.log_odds);
-    const cv::Mat1b cut = cutOutline(view.log_odds, wide, view.residual, cut_options);
+    const cv::Mat1b cut = cutOutline(view.log_odds, view.allowed, view.residual, cut_options);
     result_.masks[index] = softenOutline(cut, photographs_[index]);
     view.log_odds.release();
   }
@@ -226,7 +259,7 @@ class PlateMasker {
     for (std::size_t i = 0; i < images_.size(); ++i)
       if (i != index && images_[i].stop == images_[index].stop &&
           images_[i].camera != images_[index].camera)
-        others.push_back({&images_[i], &views_[i].residual});
+        others.push_back({&images_[i], &views_[i].residual, &views_[i].group, hull_.reduction});
     return others;
   }
 

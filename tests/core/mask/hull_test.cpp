@@ -72,7 +72,7 @@ TEST_F(Hull, IsTheSameForAnyNumberOfThreads) {
 
 TEST_F(Hull, SilhouetteCoversWhatWasSeen) {
   const auto voxels = carveHull(space_, views_, {}, {});
-  const cv::Mat1b shown = silhouetteOfHull(space_, voxels, views_[0], {});
+  const cv::Mat1b shown = silhouetteOfHull(space_, voxels, views_[0], {}).group;
   int missed = 0;
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 80; ++x)
@@ -81,12 +81,25 @@ TEST_F(Hull, SilhouetteCoversWhatWasSeen) {
   EXPECT_EQ(shown(2, 2), 0);
 }
 
+TEST_F(Hull, IsAsDeepBehindItsMiddleAsTheBallIsThick) {
+  const auto voxels = carveHull(space_, views_, {}, {});
+  const Silhouette shown = silhouetteOfHull(space_, voxels, views_[0], {});
+  const Eigen::Vector2d middle =
+      images_[0].intrinsics.project(images_[0].camera_from_plate * Eigen::Vector3d(0, 0, 12));
+  const int x = static_cast<int>(middle.x()) / 4, y = static_cast<int>(middle.y()) / 4;
+  EXPECT_NEAR(shown.depth(y, x), 20, 4);  // two voxels, and what no camera sees of the hull
+  EXPECT_EQ(shown.depth(2, 2), 0);
+}
+
 TEST_F(Hull, SmallGroupsGoAndLargeOnesStay) {
   std::vector<unsigned char> voxels(41 * 41 * 30, 0);
   for (int y = 5; y < 15; ++y)
     for (int x = 5; x < 15; ++x) voxels[index(x, y, 0)] = 1;
   voxels[index(30, 30, 2)] = 1;
-  EXPECT_EQ(dropSmallGroups(space_, voxels, 25), 1);
+  for (int y = 25; y < 35; ++y)
+    for (int x = 5; x < 15; ++x) voxels[index(x, y, 0)] = 1;
+  EXPECT_EQ(dropSmallGroups(space_, voxels, 25), 2);
+  EXPECT_EQ(voxels[index(7, 27, 0)], 2);
   EXPECT_EQ(voxels[index(30, 30, 2)], 0);
   EXPECT_EQ(voxels[index(7, 7, 0)], 1);
 }

@@ -23,25 +23,43 @@ struct Pair {
   cv::Mat3f other_residual = own_residual.clone();
   cv::Mat1b allowed = cv::Mat1b(30, 40, uchar{255});
   cv::Mat1f log_odds = cv::Mat1f(30, 40, 1.F);
+  cv::Mat1b own_hull = cv::Mat1b(7, 10, uchar{0}), other_hull = own_hull.clone();
 
   // At the pixel that sees the plate's centre.
   float weigh(bool bare) {
-    const std::array<PlateView, 1> others{PlateView{&other, &other_residual}};
+    const std::array<PlateView, 1> others{PlateView{&other, &other_residual, &other_hull, 4}};
     weighAgreement(
-        {&own, &own_residual}, others, [bare](double, double) { return bare; }, allowed, log_odds);
+        {&own, &own_residual, &own_hull, 4}, others, [bare](double, double) { return bare; },
+        allowed, log_odds);
     return log_odds(15, 20);
   }
 };
 
 TEST(PlateAgreement, TheSameDarkeningInBothCamerasIsAShadow) {
-  EXPECT_FLOAT_EQ(Pair().weigh(true), 1 - 6);  // the most that a pair may say
+  // Equal residuals of -0.5: 1 / ((2 pi)^1.5 sqrt(0.0034) 0.001025) = 1062 against a shadow of any
+  // depth, 0.2 / (3 * 2 pi * 0.001525) = 6.96, and a sherd, 0.066.
+  EXPECT_NEAR(Pair().weigh(true), 1 - std::log(0.03 + 0.97 * 1062 / 7.02), 0.01);
 }
 
 TEST(PlateAgreement, LitPlateInTheOtherCameraSpeaksForASherd) {
   Pair pair;
   pair.other_residual.setTo(0);
-  // What is left is that something hides the plate from the other camera, three times in ten.
-  EXPECT_NEAR(pair.weigh(true), 1 - std::log(0.3), 1e-3);
+  // What is left is that the line of sight was not open after all, three times in a hundred.
+  EXPECT_NEAR(pair.weigh(true), 1 - std::log(0.03), 1e-3);
+}
+
+TEST(PlateAgreement, LitPlateBesideLitPlateIsHardlyNews) {
+  Pair pair;
+  pair.own_residual.setTo(0);
+  pair.other_residual.setTo(0);
+  // Half of all that a camera sees is lit plate, so the second witness counts twice at most.
+  EXPECT_NEAR(pair.weigh(true), 1 - std::log(2), 0.05);
+}
+
+TEST(PlateAgreement, ACameraThatMaySeeASherdInsteadIsNoWitness) {
+  Pair pair;
+  pair.other_hull.setTo(3);
+  EXPECT_EQ(pair.weigh(true), 1);
 }
 
 TEST(PlateAgreement, SaysNothingWhereASherdMayStand) {
@@ -51,12 +69,6 @@ TEST(PlateAgreement, SaysNothingWhereASherdMayStand) {
 TEST(PlateAgreement, SaysNothingOutsideTheAllowedPart) {
   Pair pair;
   pair.allowed.setTo(0);
-  EXPECT_EQ(pair.weigh(true), 1);
-}
-
-TEST(PlateAgreement, SaysNothingOfLitPixels) {
-  Pair pair;
-  pair.own_residual.setTo(0.2F);
   EXPECT_EQ(pair.weigh(true), 1);
 }
 

@@ -1,0 +1,65 @@
+#include "mask/colour_model.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace ostraka::mask {
+namespace {
+
+// Three photographs of 80 x 80 pixels of one sherd on a grey plate: red clay with a dark patch in
+// the left half, lit plate in the right half with a dark shadow in its lowest rows.
+struct Sides {
+  std::vector<cv::Mat> photographs;
+  std::vector<cv::Mat1f> log_odds;
+  std::vector<ColourView> views;
+
+  Sides() {
+    for (int k = 0; k < 3; ++k) {
+      cv::Mat photograph(80, 80, CV_8UC3, cv::Scalar(110, 110, 110));
+      cv::Mat1f odds(80, 80, -6.F);
+      photograph.colRange(0, 40) = cv::Scalar(60, 80, 150);
+      odds.colRange(0, 40) = 6.F;
+      photograph(cv::Rect(5, 5, 20, 20)) = cv::Scalar(45, 45, 52);
+      photograph(cv::Rect(40, 70, 40, 10)) = cv::Scalar(12, 12, 12);
+      odds(cv::Rect(40, 70, 40, 10)) = 0.F;  // too dark to tell
+      photographs.push_back(photograph);
+      log_odds.push_back(odds);
+    }
+    log_odds[2](cv::Rect(5, 5, 20, 20)) = -1.F;  // the third photograph is in doubt of the patch
+    for (int k = 0; k < 3; ++k)
+      views.push_back({photographs[k], cv::Mat1b(20, 20, uchar{1}), cv::Mat1b(20, 20, uchar{255}),
+                       &log_odds[k]});
+  }
+};
+
+TEST(ColourModel, OnePhotographsDoubtIsSettledByTheOthers) {
+  Sides sides;
+  sharpenByColours(sides.views, 4, 1);
+  EXPECT_GT(sides.log_odds[2](15, 15), 1);
+}
+
+TEST(ColourModel, DarkNeutralPixelsBesideABrightSherdAreShadow) {
+  Sides sides;
+  sharpenByColours(sides.views, 4, 1);
+  for (const cv::Mat1f& odds : sides.log_odds) EXPECT_LT(odds(75, 60), -1);
+}
+
+TEST(ColourModel, TheHullsFootTeachesNothingOfTheSherd) {
+  Sides sides;
+  for (ColourView& view : sides.views) view.core.setTo(0);
+  sharpenByColours(sides.views, 4, 1);
+  EXPECT_EQ(sides.log_odds[2](15, 15), -1);
+}
+
+TEST(ColourModel, IsTheSameForAnyNumberOfThreads) {
+  Sides one, many;
+  sharpenByColours(one.views, 4, 1);
+  sharpenByColours(many.views, 4, 3);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(cv::countNonZero(one.log_odds[k] != many.log_odds[k]), 0) << k;
+}
+
+}  // namespace
+}  // namespace ostraka::mask

@@ -1,0 +1,223 @@
+// The same promises for both runners: the threaded one of the program, the inline one of tests.
+#include "ui/jobs/job.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+#include <atomic>
+#include <semaphore>
+#include <stdexcept>
+#include <thread>
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+namespace {
+
+std::unique_ptr<JobRunner> runnerOf(const QString& name) {
+  if (name == QLatin1String("inline")) return std::make_unique<InlineJobRunner>();
+  return std::make_unique<ThreadedJobRunner>();
+}
+
+// Collects what a handle says.
+struct Heard {
+  explicit Heard(JobHandle* handle) {
+    QObject::connect(handle, &JobHandle::progressed, handle,
+                     [this](const JobProgress& p) { progress.push_back(p); });
+    QObject::connect(handle, &JobHandle::noted, handle,
+                     [this](NoteLevel, const QString& text) { notes.push_back(text); });
+    QObject::connect(handle, &JobHandle::finished, handle, [this](const JobOutcome& outcome) {
+      outcomes.push_back(outcome);
+      window_thread = QThread::currentThread() == qApp->thread();
+    });
+  }
+  std::vector<JobProgress> progress;
+  std::vector<QString> notes;
+  std::vector<JobOutcome> outcomes;
+  bool window_thread = false;
+};
+
+}  // namespace
+
+class JobTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void bothRunners_data() {
+    QTest::addColumn<QString>("runner");
+    QTest::newRow("inline") << "inline";
+    QTest::newRow("threaded") << "threaded";
+  }
+  void aValueArrivesInTheWindowsThread_data() { bothRunners_data(); }
+  void aValueArrivesInTheWindowsThread() {
+    QFETCH(QString, runner);
+    const auto jobs = runnerOf(runner);
+    JobHandle* job = jobs->start(makeJob("sum",
+                                         [](Progress& progress, std::stop_token) -> Result<int> {
+                                           progress.begin("adding", 0.5);
+                                           progress.report(1, 2);
+                                           progress.note(NoteLevel::Warning, "one of two");
+                                           return 42;
+                                         }),
+                                 this);
+    Heard heard(job);
+    QVERIFY(job->isRunning());
+    QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});
+    QVERIFY(heard.window_thread);
+    QVERIFY(!job->isRunning());
+    QCOMPARE(*outcomeAs<int>(heard.outcomes[0]), 42);
+    QCOMPARE(heard.notes, std::vector<QString>{"one of two"});
+    QVERIFY(!heard.progress.empty());
+    QCOMPARE(heard.progress[0].stage, QString("adding"));
+  }
+
+  void anErrorAndAnExceptionArriveAsSentences_data() { bothRunners_data(); }
+  void anErrorAndAnExceptionArriveAsSentences() {
+    QFETCH(QString, runner);
+    const auto jobs = runnerOf(runner);
+    Heard refused(jobs->start(makeJob("a",
+                                      [](Progress&, std::stop_token) -> Result<void> {
+                                        return Error{ErrorCode::Missing, "Not there.", "camera B"};
+                                      }),
+                              this));
+    Heard thrown(jobs->start(makeJob("b",
+                                     [](Progress&, std::stop_token) -> Result<void> {
+                                       throw std::runtime_error("index 7");
+                                     }),
+                             this));
+    QTRY_COMPARE(refused.outcomes.size() + thrown.outcomes.size(), std::size_t{2});
+    QCOMPARE(refused.outcomes[0].error().sentence(), std::string("camera B: Not there."));
+    QCOMPARE(thrown.outcomes[0].error().code, ErrorCode::Failed);
+    QVERIFY(thrown.outcomes[0].error().what.find("index 7") != std::string::npos);
+  }
+
+  void aJobCancelledBeforeItBeganDoesNotRun_data() { bothRunners_data(); }
+  void aJobCancelledBeforeItBeganDoesNotRun() {
+    QFETCH(QString, runner);
+    const auto jobs = runnerOf(runner);
+    // Both threads of the threaded runner are held, so that the third job has to wait.
+    std::counting_semaphore<> go(0);
+    if (runner == "threaded")
+      for (int i = 0; i < 2; ++i)
+        jobs->start(makeJob("hold",
+                            [&go](Progress&, std::stop_token) -> Result<void> {
+                              go.acquire();
+                              return {};
+                            }),
+                    this);
+    std::atomic<bool> ran = false;
+    JobHandle* job = jobs->start(makeJob("never",
+                                         [&ran](Progress&, std::stop_token) -> Result<void> {
+                                           ran = true;
+                                           return {};
+                                         }),
+                                 this);
+    Heard heard(job);
+    job->cancel();
+    go.release(2);
+    QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});
+    QCOMPARE(heard.outcomes[0].error().code, ErrorCode::Cancelled);
+    QVERIFY(!ran);
+  }
+
+  void progressComesAtMostTenTimesASecond() {
+    ThreadedJobRunner jobs;
+    const auto start = std::chrono::steady_clock::now();
+    Heard heard(jobs.start(makeJob("fast",
+                                   [](Progress& progress, std::stop_token) -> Result<int> {
+                                     for (int i = 0; i < 200000; ++i) progress.report(i, 200000);
+                                     return 0;
+                                   }),
+                           this));
+    QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    QVERIFY(static_cast<double>(heard.progress.size()) <= 10 * seconds + 2);
+  }
+
+  void aPausedJobStandsStillAndGoesOn() {
+    ThreadedJobRunner jobs;
+    std::binary_semaphore begun(0), go(0);
+    std::atomic<int> steps = 0;
+    JobHandle* job = jobs.start(makeJob("steps",
+                                        [&](Progress& progress, std::stop_token) -> Result<int> {
+                                          begun.release();
+                                          go.acquire();
+                                          progress.report(1, 2);  // stands still here
+                                          ++steps;
+                                          return 7;
+                                        }),
+                                this);
+    Heard heard(job);
+    begun.acquire();
+    job->pause();
+    QVERIFY(job->isPaused());
+    go.release();
+    QCoreApplication::processEvents();
+    QCOMPARE(steps.load(), 0);
+    job->resume();
+    QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});
+    QCOMPARE(steps.load(), 1);
+    QCOMPARE(*outcomeAs<int>(heard.outcomes[0]), 7);
+  }
+
+  void aPausedJobCanBeCancelled() {
+    ThreadedJobRunner jobs;
+    JobHandle* job =
+        jobs.start(makeJob("loop",
+                           [](Progress& progress, std::stop_token stop) -> Result<int> {
+                             while (!stop.stop_requested()) progress.report(0, 1);
+                             return Error::cancelled();
+                           }),
+                   this);
+    Heard heard(job);
+    job->pause();
+    job->cancel();
+    QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});
+    QCOMPARE(heard.outcomes[0].error().code, ErrorCode::Cancelled);
+  }
+
+  void aDeletedHandleStopsItsJobAndNothingArrives() {
+    std::atomic<bool> stopped = false;
+    {
+      ThreadedJobRunner jobs;
+      auto* owner = new QObject;
+      std::binary_semaphore begun(0);
+      JobHandle* job = jobs.start(makeJob("watch",
+                                          [&](Progress&, std::stop_token stop) -> Result<int> {
+                                            begun.release();
+                                            while (!stop.stop_requested())
+                                              std::this_thread::yield();
+                                            stopped = true;
+                                            return 1;
+                                          }),
+                                  owner);
+      QSignalSpy spy(job, &QObject::destroyed);
+      begun.acquire();
+      delete owner;
+      QCOMPARE(spy.count(), 1);
+    }  // the runner waits for its threads
+    QVERIFY(stopped);
+    QCoreApplication::processEvents();
+  }
+
+  void theEndOfTheRunnerStopsAllJobs() {
+    std::atomic<int> stopped = 0;
+    {
+      ThreadedJobRunner jobs;
+      for (const JobPriority priority : {JobPriority::Quick, JobPriority::Background})
+        jobs.start(makeJob(
+                       "watch",
+                       [&stopped](Progress&, std::stop_token stop) -> Result<int> {
+                         while (!stop.stop_requested()) std::this_thread::yield();
+                         return ++stopped;
+                       },
+                       priority),
+                   this);
+    }
+    QVERIFY(stopped <= 2);  // a job that had not begun does not begin
+    QCoreApplication::processEvents();
+  }
+};
+
+QTEST_GUILESS_MAIN(JobTest)
+#include "job_test.moc"

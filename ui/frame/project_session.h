@@ -2,12 +2,14 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
 namespace ostraka::catalogue {
 class Project;
-}
+struct Act;
+}  // namespace ostraka::catalogue
 
 namespace ostraka::ui {
 
@@ -34,6 +36,9 @@ class ProjectSession final : public QObject {
   /// Who decides and edits, as in the history: "AP". Empty until the person said so.
   const QString& initials() const { return initials_; }
   void setInitials(const QString& initials);
+  /// Who does something now, for calls that change the catalogue. Makes the person's row when the
+  /// project does not know the initials yet.
+  catalogue::Act act(const QString& why = {});
 
   /// To be called by who changed a batch or sherds; they emit the signals below.
   void tellBatchChanged(const QString& number) { emit batchChanged(number); }
@@ -50,6 +55,7 @@ class ProjectSession final : public QObject {
   JobRunner& runner_;
   QUndoStack undo_;
   QString initials_;
+  std::int64_t person_row_ = 0;  ///< of initials_; 0: not looked up yet
 };
 
 }  // namespace ostraka::ui

@@ -45,6 +45,10 @@ class JobMessenger final : public Progress {
     post([level, words](JobHandle* handle) { emit handle->noted(level, words); });
   }
 
+  void tellValue(std::any value) {
+    post([value = std::move(value)](JobHandle* handle) { emit handle->told(value); });
+  }
+
   void end(const JobOutcome& outcome) {
     post([outcome](JobHandle* handle) { handle->settle(outcome); });
   }
@@ -180,6 +184,11 @@ JobHandle* JobRunner::start(Job job, QObject* parent) {
       },
       handle->shared_->stop, handle);
   return handle;
+}
+
+void tell(Progress& progress, std::any value) {
+  if (auto* messenger = dynamic_cast<JobMessenger*>(&progress))
+    messenger->tellValue(std::move(value));
 }
 
 void InlineJobRunner::run(JobPriority, std::function<void()> body, std::stop_source,

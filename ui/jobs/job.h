@@ -57,6 +57,7 @@ class JobHandle : public QObject {
  signals:
   void progressed(const ostraka::ui::JobProgress& progress);  ///< at most 10 times a second
   void noted(ostraka::NoteLevel level, const QString& text);
+  void told(const std::any& value);                       ///< what the work said through tell()
   void finished(const ostraka::ui::JobOutcome& outcome);  ///< exactly once, last of all
 
  private:
@@ -122,6 +123,10 @@ Job makeJob(QString title, Function function, JobPriority priority = JobPriority
           },
           priority};
 }
+
+/// Called in a job with the progress that it was handed: the value arrives as JobHandle::told, in
+/// order. With any other progress nothing happens.
+void tell(Progress& progress, std::any value);
 
 /// The value of a job made by makeJob, as the Result<T> that its function returned.
 template <class T>

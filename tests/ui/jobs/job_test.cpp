@@ -70,6 +70,24 @@ class JobTest : public QObject {
     QCOMPARE(heard.progress[0].stage, QString("adding"));
   }
 
+  void whatTheWorkTellsArrivesInOrderBeforeTheEnd_data() { bothRunners_data(); }
+  void whatTheWorkTellsArrivesInOrderBeforeTheEnd() {
+    QFETCH(QString, runner);
+    const auto jobs = runnerOf(runner);
+    JobHandle* job = jobs->start(makeJob("count",
+                                         [](Progress& progress, std::stop_token) -> Result<int> {
+                                           for (int i = 0; i < 5; ++i) tell(progress, i);
+                                           return 5;
+                                         }),
+                                 this);
+    std::vector<int> heard;
+    connect(job, &JobHandle::told, this,
+            [&](const std::any& v) { heard.push_back(std::any_cast<int>(v)); });
+    connect(job, &JobHandle::finished, this,
+            [&](const JobOutcome& o) { heard.push_back(*outcomeAs<int>(o)); });
+    QTRY_COMPARE(heard, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  }
+
   void anErrorAndAnExceptionArriveAsSentences_data() { bothRunners_data(); }
   void anErrorAndAnExceptionArriveAsSentences() {
     QFETCH(QString, runner);

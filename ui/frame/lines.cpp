@@ -1,0 +1,119 @@
+#include "ui/frame/lines.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/frame/look.h"
+#include "ui/frame/state_colours.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kFewBatches = 5;
+constexpr int kSaidFor_ms = 12000;
+
+QLabel* label(QWidget* parent, const QString& name, const QString& object) {
+  auto* made = new QLabel(parent);
+  made->setObjectName(object);
+  made->setAccessibleName(name);
+  made->setTextFormat(Qt::PlainText);
+  return made;
+}
+
+void tint(QLabel* words, State state, bool plain) {
+  QPalette colours = QApplication::palette();
+  if (!plain) colours.setColor(QPalette::WindowText, StateColours(colours).of(state));
+  words->setPalette(colours);
+}
+
+QToolButton* button(QWidget* parent, QAction* action) {
+  auto* made = new QToolButton(parent);
+  made->setDefaultAction(action);
+  made->setObjectName(action->objectName() + QStringLiteral("FootButton"));
+  made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  made->setAccessibleName(action->text());
+  return made;
+}
+
+}  // namespace
+
+QString timeLeftWords(double seconds) {
+  if (seconds < 0 || !std::isfinite(seconds)) return {};
+  if (seconds < 55)
+    return QCoreApplication::translate("Time", "%n s left", nullptr,
+                                       std::max(5, static_cast<int>(std::lround(seconds / 5)) * 5));
+  const int minutes = std::max(1, static_cast<int>(std::lround(seconds / 60)));
+  if (minutes < 60) return QCoreApplication::translate("Time", "%n min left", nullptr, minutes);
+  return QCoreApplication::translate("Time", "%1 h %2 min left")
+      .arg(minutes / 60)
+      .arg(minutes % 60);
+}
+
+HeaderLine::HeaderLine(QWidget* parent)
+    : QFrame(parent),
+      where_(label(this, tr("Where"), QStringLiteral("headerWhere"))),
+      rig_(label(this, tr("Rig"), QStringLiteral("headerRig"))),
+      room_(label(this, tr("Room on the disk"), QStringLiteral("headerRoom"))) {
+  QFont bold = where_->font();
+  bold.setBold(true);
+  where_->setFont(bold);
+  auto* row = new QHBoxLayout(this);
+  row->addWidget(where_, 3);
+  row->addWidget(rig_, 2, Qt::AlignCenter);
+  row->addWidget(room_, 2, Qt::AlignRight);
+}
+
+void HeaderLine::setWhere(const QString& words) {
+  where_->setText(words);
+}
+
+void HeaderLine::setRig(const QString& words, bool ready) {
+  rig_->setText(words.isEmpty() ? QString() : tr("Rig: %1").arg(words));
+  tint(rig_, State::Ask, ready);
+}
+
+void HeaderLine::setRoom(int batches) {
+  room_->setText(batches < 0 ? QString()
+                             : tr("Disk: room for %n batch(es)", nullptr, std::min(batches, 9999)));
+  tint(room_, State::Failed, batches < 0 || batches > kFewBatches);
+}
+
+FooterLine::FooterLine(QAction* pause, QAction* log, QWidget* parent)
+    : QFrame(parent),
+      work_(label(this, tr("What the computer does"), QStringLiteral("footerWork"))),
+      bar_(new QProgressBar(this)),
+      said_(label(this, tr("What was done"), QStringLiteral("footerSaid"))) {
+  bar_->setRange(0, 1000);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Progress of the computation"));
+  bar_->setMaximumWidth(fontMetrics().averageCharWidth() * 24);
+  auto* row = new QHBoxLayout(this);
+  row->addWidget(work_);
+  row->addWidget(bar_);
+  row->addStretch(1);
+  row->addWidget(said_, 2, Qt::AlignRight);
+  row->addWidget(button(this, pause));
+  row->addWidget(button(this, log));
+  setWork({}, -1);
+}
+
+void FooterLine::setWork(const QString& words, double fraction) {
+  work_->setText(words.isEmpty() ? tr("Nothing to compute") : words);
+  bar_->setVisible(fraction >= 0);
+  bar_->setValue(static_cast<int>(std::lround(1000 * std::clamp(fraction, 0.0, 1.0))));
+}
+
+void FooterLine::say(const QString& sentence) {
+  said_->setText(sentence);
+  QTimer::singleShot(kSaidFor_ms, said_, [label = said_, sentence] {
+    if (label->text() == sentence) label->clear();
+  });
+}
+
+}  // namespace ostraka::ui

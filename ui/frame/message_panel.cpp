@@ -1,0 +1,145 @@
+#include "ui/frame/message_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/frame/big_button.h"
+#include "ui/frame/look.h"
+#include "ui/frame/state_colours.h"
+
+namespace ostraka::ui {
+
+QString sentenceOf(const Error& error) {
+  return QString::fromStdString(error.sentence());
+}
+
+MessagePanel::MessagePanel(QWidget* parent)
+    : QFrame(parent),
+      picture_(new QLabel(this)),
+      headline_(new QLabel(this)),
+      words_(new QLabel(this)),
+      act_(new BigButton(this)),
+      second_(new QPushButton(this)) {
+  setFrameShape(QFrame::StyledPanel);
+  setAutoFillBackground(true);
+  setObjectName(QStringLiteral("message"));
+  headline_->setWordWrap(true);
+  headline_->setTextFormat(Qt::PlainText);
+  words_->setWordWrap(true);
+  words_->setTextFormat(Qt::PlainText);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  words_->setAccessibleName(tr("What happened"));
+  act_->setObjectName(QStringLiteral("messageAct"));
+  second_->setObjectName(QStringLiteral("messageSecondAct"));
+  second_->hide();
+  auto* text = new QVBoxLayout;
+  text->addWidget(headline_);
+  text->addWidget(words_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(picture_, 0, Qt::AlignTop);
+  row->addLayout(text, 1);
+  row->addWidget(second_, 0, Qt::AlignVCenter);
+  row->addWidget(act_, 0, Qt::AlignVCenter);
+  setLayout(row);
+  connect(act_, &QPushButton::clicked, this, &MessagePanel::acted);
+  connect(second_, &QPushButton::clicked, this, &MessagePanel::actedSecond);
+  lay();
+}
+
+void MessagePanel::showError(const Error& error, const QString& act, const QString& key) {
+  failed_ = error.code != ErrorCode::Cancelled;
+  showWords(error.where.empty() ? QString() : QString::fromStdString(error.where),
+            QString::fromStdString(error.what), act, key);
+}
+
+void MessagePanel::showWords(const QString& headline, const QString& words, const QString& act,
+                             const QString& key) {
+  headline_->setText(headline);
+  headline_->setVisible(!headline.isEmpty());
+  words_->setText(words);
+  act_->setText(act);
+  act_->setKeyHint(key);
+  act_->setVisible(!act.isEmpty());
+  setAccessibleName(headline.isEmpty() ? words : headline + QStringLiteral(": ") + words);
+  lay();
+  show();
+}
+
+void MessagePanel::setSecondAct(const QString& act) {
+  second_->setText(act);
+  second_->setVisible(!act.isEmpty());
+}
+
+QString MessagePanel::headline() const {
+  return headline_->text();
+}
+
+QString MessagePanel::words() const {
+  return words_->text();
+}
+
+void MessagePanel::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationPaletteChange)
+    lay();
+}
+
+void MessagePanel::lay() {
+  const StateColours colours(QApplication::palette());
+  QPalette ground = QApplication::palette();
+  ground.setColor(QPalette::Window, colours.behind(failed_ ? State::Failed : State::Ask));
+  if (ground.color(QPalette::Window) != palette().color(QPalette::Window)) setPalette(ground);
+  headline_->setFont(scaledFont(*this, 1.4));
+  words_->setFont(scaledFont(*this, 1.25));
+  const int size = fontMetrics().height() * 2;
+  picture_->setPixmap(
+      icon(failed_ ? QStringLiteral("error") : QStringLiteral("warning")).pixmap(size, size));
+  second_->setMinimumHeight(targetSize(*this));
+}
+
+EmptyState::EmptyState(const QString& icon_name, const QString& headline, const QString& words,
+                       QWidget* parent)
+    : QWidget(parent) {
+  auto* picture = new QLabel(this);
+  const int size = fontMetrics().height() * 5;
+  picture->setPixmap(icon(icon_name).pixmap(size, size));
+  picture->setAlignment(Qt::AlignCenter);
+  auto* title = new QLabel(headline, this);
+  title->setFont(scaledFont(*this, 1.6));
+  title->setAlignment(Qt::AlignCenter);
+  title->setWordWrap(true);
+  auto* text = new QLabel(words, this);
+  text->setAlignment(Qt::AlignCenter);
+  text->setWordWrap(true);
+  text->setMaximumWidth(fontMetrics().averageCharWidth() * 70);
+  auto* acts = new QHBoxLayout;
+  acts->addStretch();
+  acts->addStretch();
+  acts_ = acts;
+  auto* column = new QVBoxLayout(this);
+  column->addStretch(2);
+  column->addWidget(picture);
+  column->addWidget(title);
+  column->addWidget(text, 0, Qt::AlignHCenter);
+  column->addSpacing(fontMetrics().height());
+  column->addLayout(acts);
+  column->addStretch(3);
+}
+
+QPushButton* EmptyState::addAct(const QString& text, const QString& object_name) {
+  auto* row = static_cast<QHBoxLayout*>(acts_);
+  QPushButton* button = nullptr;
+  if (row->count() == 2)
+    button = new BigButton(this);
+  else
+    button = new QPushButton(this);
+  button->setText(text);
+  button->setObjectName(object_name);
+  button->setMinimumHeight(targetSize(*this));
+  row->insertWidget(row->count() - 1, button);
+  return button;
+}
+
+}  // namespace ostraka::ui

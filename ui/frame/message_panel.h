@@ -1,0 +1,65 @@
+#pragma once
+#include <QFrame>
+
+#include "base/result.h"
+
+class QLabel;
+class QPushButton;
+
+namespace ostraka::ui {
+
+class BigButton;
+
+/// What went wrong, to which thing, and one act that mends it; in place, never modal. Large enough
+/// to be read from across the room.
+class MessagePanel final : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit MessagePanel(QWidget* parent = nullptr);
+
+  /// act: the text of the button, with its key; empty hides the button.
+  void showError(const Error& error, const QString& act = {}, const QString& key = {});
+  void showWords(const QString& headline, const QString& words, const QString& act = {},
+                 const QString& key = {});
+  /// A second, smaller act; empty hides it.
+  void setSecondAct(const QString& act);
+  QString headline() const;
+  QString words() const;
+
+ signals:
+  void acted();
+  void actedSecond();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void lay();
+
+  QLabel* picture_;
+  QLabel* headline_;
+  QLabel* words_;
+  BigButton* act_;
+  QPushButton* second_;
+  bool failed_ = true;
+};
+
+/// A screen without contents says what to do first: a picture, a sentence, one button or several.
+class EmptyState final : public QWidget {
+  Q_OBJECT
+
+ public:
+  EmptyState(const QString& icon_name, const QString& headline, const QString& words,
+             QWidget* parent = nullptr);
+  /// The first is the big one.
+  QPushButton* addAct(const QString& text, const QString& object_name);
+
+ private:
+  QLayout* acts_;
+};
+
+/// A sentence of an error as people read it, beginning with what it happened to.
+QString sentenceOf(const Error& error);
+
+}  // namespace ostraka::ui

@@ -1,0 +1,111 @@
+#include "ui/frame/rail.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/frame/look.h"
+#include "ui/frame/station.h"
+
+namespace ostraka::ui {
+
+Rail::Rail(QWidget* parent)
+    : QFrame(parent), group_(new QActionGroup(this)), column_(new QVBoxLayout(this)) {
+  setObjectName(QStringLiteral("rail"));
+  setAccessibleName(tr("Stations"));
+  column_->setContentsMargins(4, 4, 4, 4);
+  column_->setSpacing(2);
+  column_->addStretch(1);
+}
+
+QToolButton* Rail::addButton(QAction* action, int at) {
+  auto* button = new QToolButton(this);
+  button->setDefaultAction(action);
+  button->setObjectName(action->objectName() + QStringLiteral("Button"));
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setAutoRaise(true);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  button->setFocusPolicy(Qt::TabFocus);
+  column_->insertWidget(at, button);
+  buttons_.push_back(button);
+  lay();
+  return button;
+}
+
+QAction* Rail::addStation(Station* station) {
+  auto* action = new QAction(icon(station->iconName()), station->title(), this);
+  action->setObjectName(QStringLiteral("station_") + station->iconName());
+  action->setCheckable(true);
+  const int index = stations_++;
+  action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + index)));
+  group_->addAction(action);
+  QToolButton* button = addButton(action, index);
+  connect(action, &QAction::triggered, this, [this, index] { emit selectedChanged(index); });
+  connect(station, &Station::waitingChanged, this,
+          [this, station, action, button] { showCount(station, action, button); });
+  showCount(station, action, button);
+  return action;
+}
+
+QAction* Rail::addFoot(const QString& icon_name, const QString& text, const QKeySequence& key) {
+  auto* action = new QAction(icon(icon_name), text, this);
+  action->setObjectName(QStringLiteral("foot_") + icon_name);
+  action->setShortcut(key);
+  QToolButton* button = addButton(action, column_->count());
+  button->setAccessibleName(text);
+  button->setToolTip(QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
+  return action;
+}
+
+void Rail::select(int index) {
+  if (index < 0 || index >= stations_) return;
+  QAction* action = group_->actions().at(index);
+  if (!action->isChecked()) action->setChecked(true);
+}
+
+int Rail::selected() const {
+  return group_->checkedAction() == nullptr
+             ? -1
+             : static_cast<int>(group_->actions().indexOf(group_->checkedAction()));
+}
+
+void Rail::showCount(Station* station, QAction* action, QToolButton* button) {
+  const int count = station->waiting();
+  const QString key = action->shortcut().toString(QKeySequence::NativeText);
+  action->setText(count > 0 ? tr("%1  %2").arg(station->title()).arg(count) : station->title());
+  button->setAccessibleName(count > 0 && !station->waitingText().isEmpty()
+                                ? tr("%1: %2").arg(station->title(), station->waitingText())
+                                : station->title());
+  action->setToolTip(count > 0 ? QStringLiteral("%1 (%2)").arg(station->waitingText(), key)
+                               : QStringLiteral("%1 (%2)").arg(station->title(), key));
+  QFont font = button->font();
+  font.setBold(count > 0);
+  button->setFont(font);
+  lay();
+}
+
+void Rail::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::FontChange) lay();
+}
+
+void Rail::lay() {
+  const int height = targetSize(*this);
+  const int picture = fontMetrics().height() * 3 / 2;
+  // Wide enough for the longest word with a count of three digits, so that nothing moves.
+  int width = 0;
+  for (const QToolButton* button : buttons_) {
+    QFont bold = button->font();
+    bold.setBold(true);
+    const QString word = button->text().section(QStringLiteral("  "), 0, 0);
+    width = qMax(width, QFontMetrics(bold).horizontalAdvance(word + QStringLiteral("  000")));
+  }
+  for (QToolButton* button : buttons_) {
+    button->setMinimumSize(width + picture + fontMetrics().height() * 3 / 2, height);
+    button->setIconSize(QSize(picture, picture));
+  }
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,45 @@
+#pragma once
+#include <QFrame>
+#include <vector>
+
+class QAction;
+class QActionGroup;
+class QToolButton;
+class QVBoxLayout;
+
+namespace ostraka::ui {
+
+class Station;
+
+/// The column of stations at the left. Each is an action with Ctrl+1..9; a count that wants a
+/// person stands beside its word, and in words for screen readers.
+class Rail final : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Rail(QWidget* parent = nullptr);
+
+  QAction* addStation(Station* station);
+  /// At the foot of the rail: settings, help.
+  QAction* addFoot(const QString& icon_name, const QString& text, const QKeySequence& key);
+  void select(int index);
+  int selected() const;
+
+ signals:
+  void selectedChanged(int index);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QToolButton* addButton(QAction* action, int at);
+  void showCount(Station* station, QAction* action, QToolButton* button);
+  void lay();
+
+  QActionGroup* group_;
+  QVBoxLayout* column_;
+  std::vector<QToolButton*> buttons_;
+  int stations_ = 0;
+};
+
+}  // namespace ostraka::ui

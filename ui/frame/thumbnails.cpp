@@ -1,0 +1,55 @@
+#include "ui/frame/thumbnails.h"
+
+#include <QImageReader>
+
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kKept_kib = 64 * 1024;
+
+}  // namespace
+
+QImage readScaled(const QString& file, const QSize& size) {
+  QImageReader reader(file);
+  reader.setAutoTransform(false);  // outlines and poses are of the pixels as they stand in the file
+  const QSize whole = reader.size();
+  if (whole.isValid() && (whole.width() > size.width() || whole.height() > size.height()))
+    reader.setScaledSize(whole.scaled(size, Qt::KeepAspectRatio));
+  QImage image = reader.read();
+  if (!image.isNull() && (image.width() > size.width() || image.height() > size.height()))
+    image = image.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  return image;
+}
+
+Thumbnails::Thumbnails(JobRunner& runner, QObject* parent)
+    : QObject(parent), runner_(runner), kept_(kKept_kib) {}
+
+QPixmap Thumbnails::get(const QString& file, const QSize& size) {
+  const QString key = QStringLiteral("%1@%2x%3").arg(file).arg(size.width()).arg(size.height());
+  if (const QPixmap* kept = kept_.object(key)) return *kept;
+  if (file.isEmpty() || on_the_way_.contains(key) || unreadable_.contains(key)) return {};
+  on_the_way_.insert(key);
+  JobHandle* job =
+      runner_.start(makeJob(tr("Picture"),
+                            [file, size](Progress&, std::stop_token) -> Result<QImage> {
+                              return readScaled(file, size);
+                            }),
+                    this);
+  connect(job, &JobHandle::finished, this, [this, job, key, file](const JobOutcome& outcome) {
+    job->deleteLater();
+    on_the_way_.remove(key);
+    const Result<QImage> image = outcomeAs<QImage>(outcome);
+    if (!image || image->isNull()) {
+      unreadable_.insert(key);
+      return;
+    }
+    const auto cost = static_cast<int>(image->sizeInBytes() / 1024 + 1);
+    kept_.insert(key, new QPixmap(QPixmap::fromImage(*image)), cost);
+    emit ready(file);
+  });
+  return {};
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,422 @@
+#include "ui/capture/capture_wizard.h"
+
+#include <algorithm>
+
+#include "base/files.h"
+#include "catalogue/project.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/thumbnails.h"
+
+namespace ostraka::ui {
+namespace {
+
+using catalogue::BatchState;
+
+constexpr int kBetweenLooks_ms = 150;  // a live picture is looked at again after as short a rest
+constexpr std::uintmax_t kLargestPhotograph_bytes = std::uintmax_t{200} << 20;
+const QSize kFrontPicture(1800, 1400);  // as large as it is ever shown
+
+// The picture and what the plate shows, outlines in the pixels of the picture that is shown.
+Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate) {
+  PlatePicture seen;
+  if (!seen.image.loadFromData(reinterpret_cast<const uchar*>(bytes.data()),
+                               static_cast<int>(bytes.size())))
+    return Error{ErrorCode::UnusableInput, "The camera's picture cannot be read.", {}};
+  Result<capture::PlateLook> look = capture::lookAtPlate(bytes, plate, {});
+  if (!look) return look.error();
+  seen.look = std::move(*look);
+  if (seen.look.width > kFrontPicture.width() || seen.look.height > kFrontPicture.height())
+    seen.image = seen.image.scaled(kFrontPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  return seen;
+}
+
+}  // namespace
+
+CaptureWizard::CaptureWizard(QObject* parent) : QObject(parent) {
+  live_timer_.setSingleShot(true);
+  connect(&live_timer_, &QTimer::timeout, this, &CaptureWizard::lookLive);
+}
+
+CaptureWizard::~CaptureWizard() = default;
+
+void CaptureWizard::setSession(ProjectSession* session) {
+  if (work_ != nullptr) work_->deleteLater();
+  if (live_job_ != nullptr) live_job_->deleteLater();
+  work_ = live_job_ = nullptr;
+  after_live_ = {};
+  session_ = session;
+  clearRig();
+}
+
+void CaptureWizard::clearRig() {
+  source_ = {};
+  devices_.reset();
+  number_.clear();
+  batch_row_ = 0;
+  enter(CapturePhase::NoRig);
+}
+
+void CaptureWizard::setRig(RigSource source) {
+  source_ = std::move(source);
+  devices_.reset();
+  resumeBatch();
+  openRig();
+}
+
+JobHandle* CaptureWizard::start(Job job) {
+  JobHandle* handle = session_->jobs().start(std::move(job), this);
+  connect(handle, &JobHandle::finished, handle, &QObject::deleteLater);
+  return handle;
+}
+
+int CaptureWizard::batchIndex() const {
+  QString number = number_;
+  if (number.isEmpty() && session_ != nullptr)
+    if (const auto next = session_->project().catalogue().nextBatchNumber())
+      number = QString::fromStdString(*next);
+  number.remove(QLatin1Char('B'));
+  return number.toInt();
+}
+
+void CaptureWizard::openRig() {
+  if (session_ == nullptr || !source_.open) return;
+  if (devices_ != nullptr && !source_.anew_for_each_batch) return enter(CapturePhase::Place);
+  enter(CapturePhase::Opening);
+  work_ = start(makeJob(tr("Opening the rig"),
+                        [open = source_.open, batch = batchIndex()](
+                            Progress&, std::stop_token stop) { return open(batch, stop); }));
+  connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    work_ = nullptr;
+    const auto opened = outcomeAs<std::shared_ptr<capture::RigDevices>>(outcome);
+    if (!opened) {
+      fail(opened.error(), {});
+      return;
+    }
+    devices_ = *opened;
+    camera_ = std::clamp(camera_ < 0 ? cameras() - 1 : camera_, 0, cameras() - 1);
+    if (number_.isEmpty() || batch_row_ == 0) return enter(CapturePhase::Place);
+    const auto batch = session_->project().catalogue().batch({batch_row_});
+    const BatchState state = batch ? batch->state : BatchState::Placed;
+    if (state == BatchState::Back) return queueBatch();
+    enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
+    emit said(tr("%1 goes on where it was.").arg(number_));
+  });
+}
+
+// A batch whose photographs are not whole was interrupted: it goes on.
+void CaptureWizard::resumeBatch() {
+  number_.clear();
+  batch_row_ = 0;
+  if (session_ == nullptr) return;
+  const auto batches = session_->project().catalogue().batches();
+  if (!batches || batches->empty()) return;
+  const catalogue::BatchRecord& last = batches->front();
+  if (last.state > BatchState::Back) return;
+  number_ = QString::fromStdString(last.number);
+  batch_row_ = last.row.value;
+}
+
+void CaptureWizard::setLive(bool on) {
+  live_on_ = on;
+  if (on)
+    lookLive();
+  else
+    live_timer_.stop();
+}
+
+int CaptureWizard::cameras() const {
+  return devices_ == nullptr ? 0 : static_cast<int>(devices_->cameras.size());
+}
+
+void CaptureWizard::setCamera(int camera) {
+  if (camera < 0 || camera >= cameras() || camera == camera_) return;
+  camera_ = camera;
+  live_missing_ = false;
+  emit changed();
+  lookLive();
+}
+
+void CaptureWizard::setPlace(const PlaceText& place) {
+  if (place == place_) return;
+  place_ = place;
+  emit changed();
+}
+
+void CaptureWizard::enter(CapturePhase phase) {
+  phase_ = phase;
+  fault_.reset();
+  if (phase == CapturePhase::Place) {
+    doubts_.clear();
+    shots_.clear();
+    summary_[0].reset();
+    summary_[1].reset();
+    front_picture_.reset();
+    queued_ = false;
+    stop_ = -1;
+    stops_done_ = 0;
+    emit shotsChanged();
+  }
+  live_missing_ = false;
+  if (phase == CapturePhase::Flip) lookAtFront();
+  emit changed();
+  lookLive();
+}
+
+bool CaptureWizard::canGoOn() const {
+  if (session_ == nullptr || isBusy()) return false;
+  return fault_.has_value() || phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip ||
+         phase_ == CapturePhase::Done;
+}
+
+void CaptureWizard::next() {
+  if (!canGoOn()) return;
+  if (fault_ && (phase_ == CapturePhase::Opening || phase_ == CapturePhase::NoRig)) {
+    devices_.reset();
+    return openRig();
+  }
+  switch (phase_) {
+    case CapturePhase::Place:
+      return shoot(batch::Side::Front, {});
+    case CapturePhase::ShootFront:
+      return shoot(batch::Side::Front, {});  // after a fault
+    case CapturePhase::Flip:
+    case CapturePhase::ShootBack:
+      return shoot(batch::Side::Back, {});
+    case CapturePhase::Done:
+      if (!queued_) return queueBatch();
+      number_.clear();
+      batch_row_ = 0;
+      return openRig();
+    case CapturePhase::NoRig:
+    case CapturePhase::Opening:
+      return;
+  }
+}
+
+void CaptureWizard::stop() {
+  if (work_ == nullptr || devices_ == nullptr) return;
+  devices_->turntable->stopNow();
+  work_->cancel();
+}
+
+void CaptureWizard::again() {
+  const bool back = phase_ == CapturePhase::Done;
+  if ((!back && phase_ != CapturePhase::Flip) || isBusy()) return;
+  const auto& summary = summary_[back ? 1 : 0];
+  std::vector<capture::ShotName> retake;
+  if (summary) retake = summary->flagged;
+  if (retake.empty())  // the whole side: something was moved or lost
+    for (int stop = 0; stop < stops(); ++stop)
+      for (int camera = 0; camera < cameras(); ++camera) retake.push_back({stop, camera});
+  shoot(back ? batch::Side::Back : batch::Side::Front, std::move(retake));
+}
+
+Result<void> CaptureWizard::makeBatch() {
+  if (batch_row_ != 0) return {};
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  const catalogue::Act act = session_->act();
+  const Result<std::int64_t> bag = bagRowOf(rows, place_, act);
+  if (!bag) return bag.error();
+  catalogue::BatchRecord batch;
+  if (*bag != 0) batch.bags.push_back({*bag});
+  batch.operator_ = act.person;
+  batch.started_ms = rows.now();
+  const auto row = rows.addBatch(batch, act);
+  if (!row) return row.error();
+  const auto made = rows.batch(*row);
+  if (!made) return made.error();
+  batch_row_ = row->value;
+  number_ = QString::fromStdString(made->number);
+  session_->tellBatchChanged(number_);
+  return {};
+}
+
+void CaptureWizard::setState(int state) {
+  const Result<void> set = session_->project().catalogue().setBatchState(
+      {batch_row_}, static_cast<BatchState>(state), session_->act());
+  if (!set) emit said(sentenceOf(set.error()));
+  session_->tellBatchChanged(number_);
+}
+
+void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retake) {
+  if (const Result<void> made = makeBatch(); !made) return fail(made.error(), {});
+  phase_ = side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
+  fault_.reset();
+  doubts_.clear();
+  shots_.clear();
+  stop_ = -1;
+  stops_done_ = 0;
+  if (side == batch::Side::Back) setState(static_cast<int>(BatchState::Flipped));
+  emit changed();
+  emit shotsChanged();
+  live_timer_.stop();
+  if (live_job_ == nullptr) return startShooting(side, std::move(retake));
+  // A camera does one thing at a time: the live picture ends first.
+  live_job_->cancel();
+  after_live_ = [this, side, retake = std::move(retake)] { startShooting(side, retake); };
+}
+
+void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotName> retake) {
+  capture::SideOptions options;
+  options.batch = session_->project().batchFolder(number_.toStdString());
+  options.side = side;
+  options.stops = source_.stops;
+  options.retake = std::move(retake);
+  const auto work = [devices = devices_, prepare = source_.prepare, batch = batchIndex(), options](
+                        Progress& progress, std::stop_token stop) -> Result<capture::SideSummary> {
+    if (options.side == batch::Side::Front)
+      if (const Result<void> done = prepare(options.batch, batch, progress, stop); !done)
+        return done.error();
+    if (devices->side_placed) devices->side_placed(options.side);
+    return capture::shootSide(
+        *devices, options,
+        [&progress](const capture::CaptureEvent& event) { tell(progress, event); }, progress, stop);
+  };
+  work_ = start(makeJob(tr("Photographs of %1").arg(number_), work));
+  connect(work_, &JobHandle::told, this, [this](const std::any& event) {
+    hear(std::any_cast<const capture::CaptureEvent&>(event));
+  });
+  connect(work_, &JobHandle::finished, this, [this, side](const JobOutcome& outcome) {
+    work_ = nullptr;
+    finishSide(side, outcomeAs<capture::SideSummary>(outcome));
+  });
+  emit changed();
+}
+
+void CaptureWizard::hear(const capture::CaptureEvent& event) {
+  using Kind = capture::CaptureEventKind;
+  if (event.stop >= 0) stop_ = event.stop;
+  if (event.kind == Kind::StopDone) stops_done_ = std::max(stops_done_, event.stop + 1);
+  if (event.kind == Kind::ShotKept || event.kind == Kind::ShotRefused) {
+    TakenShot shot{event.stop, event.camera,
+                   event.take, QString::fromStdString(event.file.string()),
+                   {},         event.kind == Kind::ShotRefused};
+    for (const capture::ShotProblem problem : event.check.problems)
+      shot.problems << QString::fromStdString(capture::words(problem));
+    if (shot.refused && !event.trouble.empty())
+      shot.problems << QString::fromStdString(event.trouble);
+    std::erase_if(shots_, [&](const TakenShot& old) {
+      return old.stop == shot.stop && old.camera == shot.camera;
+    });
+    shots_.push_back(std::move(shot));
+  }
+  if (event.kind == Kind::Trouble) emit said(QString::fromStdString(event.trouble));
+  if (event.kind == Kind::PressShutter)
+    emit said(tr("Press the shutter of camera %1.")
+                  .arg(QString::fromStdString(capture::placeName(event.camera))));
+  emit shotsChanged();
+}
+
+void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSummary>& summary) {
+  const bool back = side == batch::Side::Back;
+  if (!summary) {
+    const auto safe = static_cast<int>(std::count_if(
+        shots_.begin(), shots_.end(), [](const TakenShot& shot) { return !shot.refused; }));
+    return fail(summary.error(),
+                tr("The %n photograph(s) of this side so far are safe.", nullptr, safe));
+  }
+  summary_[back ? 1 : 0] = *summary;
+  setState(static_cast<int>(back ? BatchState::Back : BatchState::Front));
+  enter(back ? CapturePhase::Done : CapturePhase::Flip);
+  for (const capture::ShotName& shot : summary->flagged) {
+    const auto at = std::find_if(shots_.begin(), shots_.end(), [&](const TakenShot& taken) {
+      return taken.stop == shot.stop && taken.camera == shot.camera;
+    });
+    const QString why = at == shots_.end() ? QString() : at->problems.join(QStringLiteral(", "));
+    doubts_ << tr("Camera %1 at stop %2: %3")
+                   .arg(QString::fromStdString(capture::placeName(shot.camera)))
+                   .arg(shot.stop + 1)
+                   .arg(why);
+  }
+  for (const std::string& sentence : summary->check.sentences)
+    doubts_ << QString::fromStdString(sentence);
+  if (back && summary_[0])
+    for (const std::string& sentence :
+         capture::compareSides(summary_[0]->check, summary_[1]->check))
+      doubts_ << QString::fromStdString(sentence);
+  if (back && doubts_.isEmpty()) return queueBatch();
+  emit changed();
+}
+
+void CaptureWizard::queueBatch() {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  if (auto batch = rows.batch({batch_row_})) {
+    batch->ended_ms = rows.now();
+    if (summary_[0]) batch->counted = summary_[0]->check.sherds;
+    if (const Result<void> saved = rows.saveBatch(*batch, session_->act()); !saved)
+      emit said(sentenceOf(saved.error()));
+  }
+  queued_ = true;
+  doubts_.clear();
+  const QString number = number_;
+  setState(static_cast<int>(BatchState::Queued));
+  if (phase_ == CapturePhase::Done)
+    emit changed();
+  else
+    enter(CapturePhase::Done);
+  emit batchQueued(number);
+}
+
+void CaptureWizard::fail(const Error& error, const QString& safe) {
+  Error shown = error;
+  if (!safe.isEmpty()) shown.what += " " + safe.toStdString();
+  fault_ = shown;
+  stop_ = -1;
+  emit changed();
+}
+
+void CaptureWizard::lookLive() {
+  const bool useful = phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip;
+  if (!live_on_ || !useful || devices_ == nullptr || session_ == nullptr || isBusy() ||
+      live_missing_ || live_job_ != nullptr)
+    return;
+  live_job_ = start(makeJob(tr("Live picture"),
+                            [devices = devices_, camera = camera_](
+                                Progress&, std::stop_token stop) -> Result<PlatePicture> {
+                              const Result<std::string> picture =
+                                  devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
+                              if (!picture) return picture.error();
+                              return lookAt(*picture, devices->plate);
+                            }));
+  connect(live_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    live_job_ = nullptr;
+    if (after_live_) return std::exchange(after_live_, {})();
+    if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome)) {
+      live_ = std::move(*picture);
+    } else if (picture.error().code != ErrorCode::Cancelled) {
+      // No live picture is no fault: the photographs will tell.
+      live_missing_ = picture.error().code == ErrorCode::Missing;
+      live_.reset();
+    }
+    emit liveChanged();
+    if (live_on_) live_timer_.start(kBetweenLooks_ms);
+  });
+}
+
+void CaptureWizard::lookAtFront() {
+  if (devices_ == nullptr) return;
+  const std::filesystem::path side =
+      session_->project().batchFolder(number_.toStdString()) / batch::name(batch::Side::Front);
+  std::filesystem::path file;
+  for (const char* ending : {".jpg", ".png", ".tif"})
+    if (std::filesystem::path found =
+            side / ("cam" + std::to_string(cameras() - 1) + "_pos00" + ending);
+        std::filesystem::exists(found))
+      file = found;
+  if (file.empty()) return;
+  JobHandle* job = start(
+      makeJob(tr("Front picture"),
+              [file, plate = devices_->plate](Progress&, std::stop_token) -> Result<PlatePicture> {
+                const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
+                if (!bytes) return bytes.error();
+                return lookAt(*bytes, plate);
+              }));
+  connect(job, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome))
+      front_picture_ = std::move(*picture);
+    emit liveChanged();
+  });
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,141 @@
+#pragma once
+#include <QImage>
+#include <QObject>
+#include <QPointer>
+#include <QStringList>
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "capture/sequence.h"
+#include "ui/capture/place_text.h"
+#include "ui/capture/rig_source.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+enum class CapturePhase {
+  NoRig,    ///< no rig was chosen, or it does not answer
+  Opening,  ///< the devices are being opened
+  Place,    ///< sherds are laid on the plate
+  ShootFront,
+  Flip,  ///< a person turns the sherds over
+  ShootBack,
+  Done  ///< the plate may be cleared, unless there are doubts
+};
+
+/// A picture of the plate and what is seen on it.
+struct PlatePicture {
+  QImage image;
+  capture::PlateLook look;
+};
+
+/// One photograph of the side that is being shot.
+struct TakenShot {
+  int stop = 0, camera = 0, take = 0;
+  QString file;
+  QStringList problems;  ///< in words; none: good
+  bool refused = false;  ///< not kept: it is being taken again
+};
+
+/// A line of the facts beside the live picture.
+struct CaptureFact {
+  bool good = true;
+  QString words;
+};
+
+/// Place - Shoot - Flip - Shoot - Done, as a person goes through it; no widget. What was done
+/// stands in the catalogue (the batch's state) and in the batch's folder, so that a capture that
+/// was interrupted goes on where it was.
+class CaptureWizard final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CaptureWizard(QObject* parent = nullptr);
+  ~CaptureWizard() override;
+
+  void setSession(ProjectSession* session);  ///< null closes
+  void setRig(RigSource source);
+  void clearRig();
+  /// Live pictures are taken only while somebody looks.
+  void setLive(bool on);
+
+  CapturePhase phase() const { return phase_; }
+  bool isBusy() const { return work_ != nullptr; }
+  bool canGoOn() const;
+  QString headline() const;     ///< readable from three metres
+  QString instruction() const;  ///< one or two sentences
+  QString buttonText() const;   ///< of the one big button
+  std::vector<CaptureFact> facts() const;
+  /// What went wrong; it takes the place of the button. Space tries again.
+  const std::optional<Error>& fault() const { return fault_; }
+  /// What a person should look at before going on; Space goes on all the same, R takes again.
+  const QStringList& doubts() const { return doubts_; }
+
+  const std::optional<PlatePicture>& live() const { return live_; }
+  const std::optional<PlatePicture>& frontPicture() const { return front_picture_; }
+  int camera() const { return camera_; }
+  int cameras() const;
+  int stops() const { return source_.stops; }
+  int currentStop() const { return stop_; }  ///< -1: none
+  int stopsDone() const { return stops_done_; }
+  const std::vector<TakenShot>& shots() const { return shots_; }
+  QString batchNumber() const { return number_; }
+  const PlaceText& place() const { return place_; }
+  QString rigWords() const { return source_.words; }
+
+ public slots:
+  void setPlace(const ostraka::ui::PlaceText& place);
+  void next();   ///< Space
+  void stop();   ///< Esc: the table stands still at once
+  void again();  ///< R: the photographs with problems
+  void setCamera(int camera);
+
+ signals:
+  void changed();      ///< phase, texts, fault, doubts
+  void liveChanged();  ///< the live or the front picture
+  void shotsChanged();
+  void batchQueued(const QString& number);
+  void said(const QString& sentence);
+
+ private:
+  void openRig();
+  void resumeBatch();
+  void enter(CapturePhase phase);
+  void shoot(batch::Side side, std::vector<capture::ShotName> retake);
+  void startShooting(batch::Side side, std::vector<capture::ShotName> retake);
+  void hear(const capture::CaptureEvent& event);
+  void finishSide(batch::Side side, const Result<capture::SideSummary>& summary);
+  Result<void> makeBatch();
+  void setState(int state);
+  void queueBatch();
+  void lookLive();
+  void lookAtFront();
+  void fail(const Error& error, const QString& safe);
+  JobHandle* start(Job job);
+  int batchIndex() const;
+
+  QPointer<ProjectSession> session_;
+  RigSource source_;
+  std::shared_ptr<capture::RigDevices> devices_;
+  CapturePhase phase_ = CapturePhase::NoRig;
+  QPointer<JobHandle> work_, live_job_;
+  QTimer live_timer_;
+  bool live_on_ = false, live_missing_ = false;
+  std::function<void()> after_live_;  ///< waits until the camera is free
+  std::optional<Error> fault_;
+  QStringList doubts_;
+  std::optional<PlatePicture> live_, front_picture_;
+  std::optional<capture::SideSummary> summary_[2];
+  std::vector<TakenShot> shots_;
+  int camera_ = -1, stop_ = -1, stops_done_ = 0;
+  PlaceText place_;
+  QString number_;
+  qint64 batch_row_ = 0;
+  bool queued_ = false;
+};
+
+}  // namespace ostraka::ui

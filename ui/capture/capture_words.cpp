@@ -1,0 +1,107 @@
+// What the wizard says in each phase.
+#include "ui/capture/capture_wizard.h"
+
+namespace ostraka::ui {
+
+QString CaptureWizard::headline() const {
+  switch (phase_) {
+    case CapturePhase::NoRig:
+      return tr("No rig yet");
+    case CapturePhase::Opening:
+      return tr("The rig is being opened");
+    case CapturePhase::Place:
+      return tr("Lay the sherds on the plate");
+    case CapturePhase::ShootFront:
+      return work_ == nullptr ? tr("Stopped") : tr("Photographing the fronts");
+    case CapturePhase::Flip:
+      return tr("Turn each sherd over where it lies");
+    case CapturePhase::ShootBack:
+      return work_ == nullptr ? tr("Stopped") : tr("Photographing the backs");
+    case CapturePhase::Done:
+      return doubts_.isEmpty() ? tr("You may clear the plate.")
+                               : tr("Look at the plate before you clear it");
+  }
+  return {};
+}
+
+QString CaptureWizard::instruction() const {
+  switch (phase_) {
+    case CapturePhase::Place:
+      return tr("Fronts up, a finger's width apart, the marks at the edge of the plate free.");
+    case CapturePhase::ShootFront:
+    case CapturePhase::ShootBack:
+      return tr("Hands off the table. Esc stops it at once.");
+    case CapturePhase::Flip:
+      return tr("Shifting is fine, swapping is fine, losing one is not.");
+    case CapturePhase::Done:
+      return queued_ ? tr("%1 is in the queue; the next batch is one key away.").arg(number_)
+                     : tr("Space goes on all the same, R photographs the backs again.");
+    case CapturePhase::NoRig:
+    case CapturePhase::Opening:
+      break;
+  }
+  return {};
+}
+
+QString CaptureWizard::buttonText() const {
+  if (fault_) return tr("Try again");
+  switch (phase_) {
+    case CapturePhase::Place:
+      return tr("Shoot the fronts");
+    case CapturePhase::Flip:
+      return tr("All turned: shoot the backs");
+    case CapturePhase::Done:
+      return queued_ ? tr("Next batch") : tr("It is right: into the queue");
+    case CapturePhase::ShootFront:
+    case CapturePhase::ShootBack:
+      return tr("Stop %1 of %2").arg(qMax(stop_, 0) + 1).arg(stops());
+    case CapturePhase::NoRig:
+    case CapturePhase::Opening:
+      break;
+  }
+  return tr("One moment");
+}
+
+std::vector<CaptureFact> CaptureWizard::facts() const {
+  std::vector<CaptureFact> facts;
+  if (phase_ == CapturePhase::Flip && summary_[0]) {
+    const int front = summary_[0]->check.sherds;
+    const int now = live_ ? static_cast<int>(live_->look.sherds.size()) : -1;
+    facts.push_back({now < 0 || now == front,
+                     now < 0 ? tr("Front: %n sherd(s)", nullptr, front)
+                             : tr("Front: %1 sherds, now %2 are seen").arg(front).arg(now)});
+  }
+  if (phase_ == CapturePhase::Done && summary_[0] && summary_[1]) {
+    const int front = summary_[0]->check.sherds, back = summary_[1]->check.sherds;
+    facts.push_back({front == back, tr("Front %1, back %2").arg(front).arg(back)});
+    facts.push_back(
+        {true, tr("%n photograph(s) are safe", nullptr, summary_[0]->kept + summary_[1]->kept)});
+    return facts;
+  }
+  if (!live_ || (phase_ != CapturePhase::Place && phase_ != CapturePhase::Flip)) {
+    if (live_missing_) facts.push_back({true, tr("This camera shows no live picture.")});
+    return facts;
+  }
+  const capture::PlateLook& look = live_->look;
+  if (phase_ == CapturePhase::Place)
+    facts.push_back({!look.sherds.empty(),
+                     tr("%n sherd(s) seen", nullptr, static_cast<int>(look.sherds.size()))});
+  for (const auto& [a, b] : look.too_close)
+    facts.push_back({false, tr("%1 and %2 nearly touch").arg(a + 1).arg(b + 1)});
+  for (std::size_t i = 0; i < look.sherds.size(); ++i)
+    if (look.sherds[i].cut_off)
+      facts.push_back({false, tr("%1 reaches out of the picture").arg(i + 1)});
+  facts.push_back({look.markers_seen * 2 >= look.markers_on_plate,
+                   tr("Marks %1 of %2").arg(look.markers_seen).arg(look.markers_on_plate)});
+  if (look.dark_share > 0.02)
+    facts.push_back(
+        {false, tr("%1 % of the sherds is too dark").arg(qRound(100 * look.dark_share))});
+  if (look.bright_share > 0.02)
+    facts.push_back(
+        {false, tr("%1 % of the sherds is too bright").arg(qRound(100 * look.bright_share))});
+  if (look.dark_share <= 0.02 && look.bright_share <= 0.02 && !look.sherds.empty())
+    facts.push_back({true, tr("Light is right")});
+  return facts;
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace ostraka::ui {
+
+enum class ImportKind { Photographs, Scans };
+
+struct ImportOptions {
+  std::filesystem::path from;  ///< a batch folder, or one with front/*.ply and back/*.ply
+  std::filesystem::path project;
+  ImportKind kind = ImportKind::Photographs;
+};
+
+struct Imported {
+  std::filesystem::path folder;  ///< a whole copy beside the project's batches, not yet one of them
+  int files = 0;
+};
+
+/// Checks the folder and copies what belongs to the batch (never truth/) into PROJECT/batches under
+/// a name that is no batch's. What is there is read only. Errors: UnusableInput, CannotWrite,
+/// Cancelled; then nothing is left behind.
+Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std::stop_token stop);
+
+}  // namespace ostraka::ui

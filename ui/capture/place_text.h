@@ -1,0 +1,33 @@
+#pragma once
+#include <QString>
+#include <cstdint>
+#include <optional>
+
+#include "base/result.h"
+
+namespace ostraka::catalogue {
+class Catalogue;
+struct Act;
+}  // namespace ostraka::catalogue
+
+namespace ostraka::ui {
+
+/// Where the sherds on the plate come from, as typed or scanned from a bag's label.
+struct PlaceText {
+  QString site, trench, context, bag;
+  bool operator==(const PlaceText&) const = default;
+  bool isEmpty() const { return site.isEmpty() && context.isEmpty() && bag.isEmpty(); }
+  /// "ARM1 / T3 / 0012 bag 4".
+  QString words() const;
+};
+
+/// Reads "ARM1-T3-0012-4", "ARM1 / T3 / 0012 bag 4" and the text of a bag's QR code,
+/// "OST1:B:ARM1-T3-0012-4:7F3K9Q2M". Nothing when it is none of them.
+std::optional<PlaceText> readPlaceText(const QString& text);
+
+/// The row of the bag, made with its context, trench and site where they are new; 0 and no error
+/// when nothing was given.
+Result<std::int64_t> bagRowOf(catalogue::Catalogue& catalogue, const PlaceText& place,
+                              const catalogue::Act& act);
+
+}  // namespace ostraka::ui

@@ -1,0 +1,108 @@
+#include "ui/capture/rig_source.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "base/files.h"
+#include "capture/rig_devices.h"
+#include "virtualrig/virtual_camera.h"
+
+namespace ostraka::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+virtualrig::VirtualDevicesOptions virtualOptions(const RigChoice& choice, int batch) {
+  virtualrig::VirtualDevicesOptions options;
+  options.seed = choice.seed + static_cast<std::uint64_t>(batch);
+  options.sherds = choice.sherds;
+  options.width = choice.width_px;
+  options.lookalikes = choice.lookalikes ? 1 : 0;
+  return options;
+}
+
+Result<void> copyWhole(const fs::path& from, const fs::path& to) {
+  const Result<std::string> bytes = readFile(from);
+  if (!bytes) return bytes.error();
+  return writeFileAtomically(to, *bytes);
+}
+
+QString ageWords(const fs::path& rig_file) {
+  const QFileInfo file(QString::fromStdString(rig_file.string()));
+  if (!file.exists()) return QCoreApplication::translate("Rig", "its file is missing");
+  const auto days = static_cast<int>(file.lastModified().daysTo(QDateTime::currentDateTime()));
+  return days <= 0 ? QCoreApplication::translate("Rig", "ready (calibrated today)")
+                   : QCoreApplication::translate("Rig", "ready (%n day(s) old)", nullptr, days);
+}
+
+}  // namespace
+
+QString RigChoice::toJson() const {
+  QJsonObject object;
+  object[QStringLiteral("kind")] = kind == Kind::Virtual ? QStringLiteral("virtual")
+                                   : kind == Kind::File  ? QStringLiteral("file")
+                                                         : QStringLiteral("none");
+  object[QStringLiteral("file")] = QString::fromStdString(file.string());
+  object[QStringLiteral("sherds")] = sherds;
+  object[QStringLiteral("width_px")] = width_px;
+  object[QStringLiteral("seed")] = QString::number(seed);
+  object[QStringLiteral("lookalikes")] = lookalikes;
+  return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
+RigChoice RigChoice::fromJson(const QString& text) {
+  const QJsonObject object = QJsonDocument::fromJson(text.toUtf8()).object();
+  RigChoice choice;
+  const QString kind = object[QStringLiteral("kind")].toString();
+  if (kind == QLatin1String("virtual")) choice.kind = Kind::Virtual;
+  if (kind == QLatin1String("file")) choice.kind = Kind::File;
+  choice.file = object[QStringLiteral("file")].toString().toStdString();
+  choice.sherds = qBound(1, object[QStringLiteral("sherds")].toInt(choice.sherds), 20);
+  choice.width_px = qBound(400, object[QStringLiteral("width_px")].toInt(choice.width_px), 6000);
+  choice.seed = object[QStringLiteral("seed")].toString(QStringLiteral("1")).toULongLong();
+  choice.lookalikes = object[QStringLiteral("lookalikes")].toBool();
+  return choice;
+}
+
+RigSource virtualRigSource(const RigChoice& choice) {
+  RigSource source;
+  source.anew_for_each_batch = true;
+  source.words = QCoreApplication::translate("Rig", "virtual");
+  source.open = [choice](int batch,
+                         std::stop_token) -> Result<std::shared_ptr<capture::RigDevices>> {
+    Result<capture::RigDevices> devices = virtualrig::openVirtualRig(virtualOptions(choice, batch));
+    if (!devices) return devices.error();
+    return std::make_shared<capture::RigDevices>(std::move(*devices));
+  };
+  source.prepare = [choice](const fs::path& folder, int batch, Progress& progress,
+                            std::stop_token stop) {
+    return virtualrig::writeVirtualCalibration(virtualOptions(choice, batch), folder, progress,
+                                               stop);
+  };
+  return source;
+}
+
+RigSource fileRigSource(const fs::path& rig_file) {
+  RigSource source;
+  source.words = ageWords(rig_file);
+  source.open = [rig_file](int,
+                           std::stop_token stop) -> Result<std::shared_ptr<capture::RigDevices>> {
+    Result<capture::RigDevices> devices = capture::openRigDevices(rig_file, stop);
+    if (!devices) return devices.error();
+    return std::make_shared<capture::RigDevices>(std::move(*devices));
+  };
+  source.prepare = [rig_file](const fs::path& folder, int, Progress&,
+                              std::stop_token) -> Result<void> {
+    const Result<capture::DevicesFile> devices = capture::readDevices(rig_file);
+    if (!devices) return devices.error();
+    const fs::path plate = rig_file.parent_path() / devices->plate;
+    if (const Result<void> done = copyWhole(plate, folder / "plate.json"); !done) return done;
+    return copyWhole(rig_file, folder / "rig.json");
+  };
+  return source;
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,45 @@
+#pragma once
+#include <QString>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "capture/sequence.h"
+
+namespace ostraka::ui {
+
+/// Which rig a project photographs with; kept in the catalogue as JSON under "rig".
+struct RigChoice {
+  enum class Kind { None, Virtual, File };
+  Kind kind = Kind::None;
+  std::filesystem::path file;  ///< RIG.json
+  int sherds = 6;              ///< of the virtual rig
+  int width_px = 1600;         ///< of its photographs
+  std::uint64_t seed = 1;
+  bool lookalikes = false;  ///< two of the virtual sherds look alike
+
+  QString toJson() const;
+  static RigChoice fromJson(const QString& text);
+};
+
+/// How the wizard comes to its devices: a real rig stays open, the virtual one breaks another pot
+/// for each batch.
+struct RigSource {
+  std::function<Result<std::shared_ptr<capture::RigDevices>>(int batch, std::stop_token)> open;
+  /// Puts into a new batch folder what belongs to the rig: plate, board, calibration.
+  std::function<Result<void>(const std::filesystem::path& folder, int batch, Progress&,
+                             std::stop_token)>
+      prepare;
+  bool anew_for_each_batch = false;
+  int stops = 8;
+  QString words;  ///< for the line at the head: "ready (2 days old)"
+};
+
+RigSource virtualRigSource(const RigChoice& choice);
+RigSource fileRigSource(const std::filesystem::path& rig_file);
+
+}  // namespace ostraka::ui

@@ -1,0 +1,411 @@
+#include "ui/queue/batch_queue.h"
+
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTime>
+#include <algorithm>
+
+#include "catalogue/project.h"
+#include "ui/frame/lines.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+
+namespace ostraka::ui {
+namespace {
+
+using catalogue::BatchState;
+
+constexpr int kKeptLogLines = 2000;
+constexpr const char* kPausedKey = "queue.paused";
+
+std::string failureKey(const QString& number) {
+  return "queue.failure." + number.toStdString();
+}
+std::string figuresKey(const QString& number) {
+  return "queue.figures." + number.toStdString();
+}
+
+QueueState stateOf(BatchState state) {
+  switch (state) {
+    case BatchState::Placed:
+    case BatchState::Front:
+    case BatchState::Flipped:
+    case BatchState::Back:
+      return QueueState::Shooting;
+    case BatchState::Queued:
+    case BatchState::Computed:
+      return QueueState::Waiting;
+    case BatchState::Review:
+      return QueueState::Review;
+    case BatchState::Done:
+      return QueueState::Done;
+    case BatchState::Failed:
+      return QueueState::Failed;
+  }
+  return QueueState::Waiting;
+}
+
+QString jsonText(const QJsonObject& object) {
+  return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
+QJsonObject jsonSetting(const catalogue::Catalogue& rows, const std::string& key) {
+  const Result<std::string> text = rows.setting(key);
+  if (!text || text->empty()) return {};
+  return QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object();
+}
+
+// The highest camera sees most of the plate.
+QString pictureOf(const std::filesystem::path& batch) {
+  const QDir front(QString::fromStdString((batch / "front").string()));
+  const QStringList files =
+      front.entryList({QStringLiteral("cam*_pos00.*")}, QDir::Files, QDir::Name | QDir::Reversed);
+  return files.isEmpty() ? QString() : front.filePath(files.first());
+}
+
+}  // namespace
+
+BatchQueue::BatchQueue(QObject* parent) : QAbstractListModel(parent), work_(computeBatch) {}
+
+void BatchQueue::setWork(
+    std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work) {
+  work_ = std::move(work);
+}
+
+void BatchQueue::setSession(ProjectSession* session) {
+  if (job_ != nullptr) {
+    // Two computations must not write into the same folder when the project opens again at once.
+    job_->disconnect(this);
+    job_->cancel();
+    leaving_ = job_;
+    connect(leaving_, &JobHandle::finished, this, [this] {
+      leaving_->deleteLater();
+      leaving_ = nullptr;
+      startNext();
+    });
+    job_ = nullptr;
+  }
+  if (session_ != nullptr) session_->disconnect(this);
+  busy_number_.clear();
+  log_.clear();
+  trouble_.clear();
+  session_ = session;
+  paused_ = false;
+  if (session_ != nullptr) {
+    const Result<std::string> paused = session_->project().catalogue().setting(kPausedKey);
+    paused_ = paused && *paused == "yes";
+    connect(session_, &ProjectSession::batchChanged, this, &BatchQueue::refresh);
+  }
+  refresh();
+  emit workChanged();
+}
+
+void BatchQueue::refresh() {
+  std::vector<QueueRow> fresh;
+  if (session_ != nullptr) {
+    const catalogue::Project& project = session_->project();
+    const auto batches = project.catalogue().batches();
+    for (const catalogue::BatchRecord& batch :
+         batches ? *batches : std::vector<catalogue::BatchRecord>()) {
+      QueueRow row;
+      row.number = QString::fromStdString(batch.number);
+      row.batch_row = batch.row.value;
+      row.state = stateOf(batch.state);
+      if (row.number == busy_number_) {
+        row.state = paused_ ? QueueState::Paused : QueueState::Busy;
+        if (job_ != nullptr) row.progress = job_->progress();
+      }
+      if (row.state == QueueState::Failed) {
+        const QJsonObject failure = jsonSetting(project.catalogue(), failureKey(row.number));
+        row.failure = failure[QStringLiteral("sentence")].toString();
+        row.cancelled = failure[QStringLiteral("cancelled")].toBool();
+      }
+      const QJsonObject figures = jsonSetting(project.catalogue(), figuresKey(row.number));
+      if (!figures.isEmpty())
+        row.figures = BatchFigures{figures[QStringLiteral("sherds")].toInt(),
+                                   figures[QStringLiteral("sure")].toInt(),
+                                   figures[QStringLiteral("ask")].toInt(),
+                                   figures[QStringLiteral("uncertainty_mm")].toDouble(),
+                                   figures[QStringLiteral("seconds")].toDouble()};
+      row.picture = pictureOf(project.batchFolder(batch.number));
+      fresh.push_back(std::move(row));
+    }
+  }
+  const bool same =
+      fresh.size() == rows_.size() &&
+      std::equal(fresh.begin(), fresh.end(), rows_.begin(),
+                 [](const QueueRow& a, const QueueRow& b) { return a.number == b.number; });
+  if (same) {
+    rows_ = std::move(fresh);
+    if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
+  } else {
+    beginResetModel();
+    rows_ = std::move(fresh);
+    endResetModel();
+  }
+  startNext();
+}
+
+int BatchQueue::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant BatchQueue::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const QueueRow& shown = row(index.row());
+  switch (role) {
+    case Qt::DisplayRole:
+    case NumberRole:
+      return shown.number;
+    case StateRole:
+      return static_cast<int>(shown.state);
+    case FractionRole:
+      return shown.progress.fraction;
+    case FailureRole:
+      return shown.failure;
+    case PictureRole:
+      return shown.picture;
+    case Qt::AccessibleTextRole: {
+      QString words = tr("%1: %2").arg(shown.number, queueStateWords(shown.state));
+      if (!shown.failure.isEmpty()) words += QStringLiteral(". ") + shown.failure;
+      return words;
+    }
+    default:
+      return {};
+  }
+}
+
+int BatchQueue::rowOf(const QString& number) const {
+  const auto at = std::find_if(rows_.begin(), rows_.end(),
+                               [&](const QueueRow& r) { return r.number == number; });
+  return at == rows_.end() ? -1 : static_cast<int>(at - rows_.begin());
+}
+
+QueueRow* BatchQueue::find(const QString& number) {
+  const int at = rowOf(number);
+  return at < 0 ? nullptr : &rows_[static_cast<std::size_t>(at)];
+}
+
+void BatchQueue::touch(const QString& number) {
+  const int at = rowOf(number);
+  if (at >= 0) emit dataChanged(index(at), index(at));
+}
+
+void BatchQueue::startNext() {
+  if (session_ == nullptr || paused_ || isBusy() || leaving_ != nullptr) return;
+  // Oldest first: rows are newest first.
+  const auto next = std::find_if(rows_.rbegin(), rows_.rend(), [](const QueueRow& row) {
+    return row.state == QueueState::Waiting;
+  });
+  if (next == rows_.rend()) return;
+  ComputeOptions options;
+  options.project = session_->folder();
+  options.number = next->number.toStdString();
+  options.threads = threads_;
+  busy_number_ = next->number;
+  busy_since_ = QDateTime::currentDateTime();
+  cancel_asked_ = false;
+  next->state = QueueState::Busy;
+  next->progress = {};
+  log_.clear();
+  job_ =
+      session_->jobs().start(makeJob(
+                                 tr("Batch %1").arg(busy_number_),
+                                 [work = work_, options](Progress& progress, std::stop_token stop) {
+                                   return work(options, progress, stop);
+                                 },
+                                 JobPriority::Background),
+                             this);
+  connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
+    if (QueueRow* row = find(busy_number_)) row->progress = progress;
+    touch(busy_number_);
+    emit workChanged();
+  });
+  connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
+    log(level == NoteLevel::Warning ? tr("Warning: %1").arg(text) : text);
+  });
+  connect(job_, &JobHandle::finished, this,
+          [this](const JobOutcome& outcome) { finish(busy_number_, outcome); });
+  touch(busy_number_);
+  emit workChanged();
+}
+
+void BatchQueue::finish(const QString& number, const JobOutcome& outcome) {
+  job_->deleteLater();
+  job_ = nullptr;
+  busy_number_.clear();
+  const Result<BatchFigures> figures = outcomeAs<BatchFigures>(outcome);
+  if (figures) {
+    QJsonObject kept;
+    kept[QStringLiteral("sherds")] = figures->sherds;
+    kept[QStringLiteral("sure")] = figures->sure;
+    kept[QStringLiteral("ask")] = figures->ask;
+    kept[QStringLiteral("uncertainty_mm")] = figures->uncertainty_mm;
+    kept[QStringLiteral("seconds")] = figures->seconds;
+    (void)session_->project().catalogue().setSetting(figuresKey(number),
+                                                     jsonText(kept).toStdString());
+    log(tr("%1 is computed: %n sherd(s).", nullptr, figures->sherds).arg(number));
+  } else if (figures.error().code == ErrorCode::CannotWrite) {
+    // A full disk is a pause: the batch stays in the queue and goes on from its last whole stage.
+    paused_ = true;
+    trouble_ = sentenceOf(figures.error());
+    log(sentenceOf(figures.error()));
+    emit batchFailed(number, sentenceOf(figures.error()));
+  } else if (figures.error().code != ErrorCode::Cancelled || cancel_asked_) {
+    const bool cancelled = figures.error().code == ErrorCode::Cancelled;
+    const QString sentence = cancelled ? tr("You stopped it. What was computed so far is kept.")
+                                       : sentenceOf(figures.error());
+    keepFailure(number, sentence, cancelled);
+    log(sentence);
+    if (!cancelled) emit batchFailed(number, sentence);
+  }
+  emit workChanged();
+  if (figures) emit batchComputed(number);
+  session_->tellBatchChanged(number);  // refreshes, and the next one starts
+  if (figures) session_->tellSherdsChanged();
+}
+
+void BatchQueue::keepFailure(const QString& number, const QString& sentence, bool cancelled) {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  QJsonObject failure;
+  failure[QStringLiteral("sentence")] = sentence;
+  failure[QStringLiteral("cancelled")] = cancelled;
+  (void)rows.setSetting(failureKey(number), jsonText(failure).toStdString());
+  if (const QueueRow* row = find(number))
+    (void)rows.setBatchState({row->batch_row}, BatchState::Failed, session_->act(sentence));
+}
+
+void BatchQueue::setPaused(bool paused) {
+  if (session_ == nullptr || paused == paused_) return;
+  paused_ = paused;
+  trouble_.clear();
+  (void)session_->project().catalogue().setSetting(kPausedKey, paused ? "yes" : "");
+  if (job_ != nullptr) {
+    if (paused)
+      job_->pause();
+    else
+      job_->resume();
+    if (QueueRow* row = find(busy_number_))
+      row->state = paused ? QueueState::Paused : QueueState::Busy;
+    touch(busy_number_);
+  }
+  emit workChanged();
+  startNext();
+}
+
+void BatchQueue::cancel(const QString& number) {
+  if (number == busy_number_ && job_ != nullptr) {
+    cancel_asked_ = true;
+    job_->cancel();
+    return;
+  }
+  const QueueRow* row = find(number);
+  if (row == nullptr || row->state != QueueState::Waiting) return;
+  keepFailure(number, tr("You took it out of the queue."), true);
+  session_->tellBatchChanged(number);
+}
+
+void BatchQueue::retry(const QString& number) {
+  const QueueRow* row = find(number);
+  if (session_ == nullptr || row == nullptr || row->state == QueueState::Busy ||
+      row->state == QueueState::Shooting)
+    return;
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  (void)rows.setSetting(failureKey(number), "");
+  (void)rows.setBatchState({row->batch_row}, BatchState::Queued, session_->act(tr("again")));
+  session_->tellBatchChanged(number);
+}
+
+double BatchQueue::secondsOf(const QString& number) const {
+  return number == busy_number_
+             ? static_cast<double>(busy_since_.secsTo(QDateTime::currentDateTime()))
+             : 0;
+}
+
+int BatchQueue::waitingToCompute() const {
+  return static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [](const QueueRow& row) {
+    return row.state == QueueState::Waiting || row.state == QueueState::Busy ||
+           row.state == QueueState::Paused;
+  }));
+}
+
+int BatchQueue::failed() const {
+  return static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [](const QueueRow& row) {
+    return row.state == QueueState::Failed && !row.cancelled;
+  }));
+}
+
+QString BatchQueue::workWords() const {
+  if (!isBusy()) {
+    const int waiting = waitingToCompute();
+    if (paused_ && waiting > 0) return tr("Paused; %n batch(es) wait.", nullptr, waiting);
+    return {};
+  }
+  const int at = rowOf(busy_number_);
+  const JobProgress progress = at < 0 ? JobProgress() : row(at).progress;
+  if (paused_) return tr("%1: paused").arg(busy_number_);
+  QString words = tr("%1: %2, %3 %")
+                      .arg(busy_number_, stageWords(progress.stage))
+                      .arg(static_cast<int>(100 * progress.fraction));
+  const QString left = timeLeftWords(progress.seconds_left);
+  return left.isEmpty() ? words : words + QStringLiteral(", ") + left;
+}
+
+double BatchQueue::workFraction() const {
+  const int at = isBusy() ? rowOf(busy_number_) : -1;
+  return at < 0 ? -1 : row(at).progress.fraction;
+}
+
+void BatchQueue::log(const QString& line) {
+  const QString stamped = QTime::currentTime().toString(QStringLiteral("HH:mm:ss  ")) + line;
+  log_.append(stamped);
+  if (log_.size() > kKeptLogLines) log_.removeFirst();
+  emit logged(stamped);
+}
+
+QString queueStateWords(QueueState state) {
+  switch (state) {
+    case QueueState::Shooting:
+      return BatchQueue::tr("being photographed");
+    case QueueState::Waiting:
+      return BatchQueue::tr("waits for its turn");
+    case QueueState::Busy:
+      return BatchQueue::tr("is being computed");
+    case QueueState::Paused:
+      return BatchQueue::tr("paused");
+    case QueueState::Failed:
+      return BatchQueue::tr("stopped");
+    case QueueState::Review:
+      return BatchQueue::tr("wants your eye");
+    case QueueState::Done:
+      return BatchQueue::tr("done");
+  }
+  return {};
+}
+
+QString stageWords(const QString& stage) {
+  struct Words {
+    const char* stage;
+    const char* words;
+  };
+  static constexpr Words kStages[] = {
+      {"cameras", QT_TRANSLATE_NOOP("Stage", "cameras")},
+      {"masks of the front side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, front")},
+      {"masks of the back side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, back")},
+      {"stereo of the front side", QT_TRANSLATE_NOOP("Stage", "surface, front")},
+      {"stereo of the back side", QT_TRANSLATE_NOOP("Stage", "surface, back")},
+      {"scans of the front side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, front")},
+      {"scans of the back side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, back")},
+      {"pairs", QT_TRANSLATE_NOOP("Stage", "which back belongs to which front")},
+      {"models", QT_TRANSLATE_NOOP("Stage", "models")},
+      {"report", QT_TRANSLATE_NOOP("Stage", "report")},
+      {"catalogue", QT_TRANSLATE_NOOP("Stage", "catalogue")}};
+  if (stage.isEmpty()) return QCoreApplication::translate("Stage", "begins");
+  for (const Words& known : kStages)
+    if (stage == QLatin1String(known.stage))
+      return QCoreApplication::translate("Stage", known.words);
+  return stage;
+}
+
+}  // namespace ostraka::ui

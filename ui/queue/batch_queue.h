@@ -1,0 +1,116 @@
+#pragma once
+#include <QAbstractListModel>
+#include <QDateTime>
+#include <QPointer>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "ui/jobs/job.h"
+#include "ui/queue/compute_batch.h"
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+enum class QueueState {
+  Shooting,  ///< its photographs are not whole yet
+  Waiting,
+  Busy,
+  Paused,
+  Failed,  ///< did not succeed, or was cancelled
+  Review,  ///< a person must decide
+  Done
+};
+
+/// One batch as the queue shows it.
+struct QueueRow {
+  QString number;
+  qint64 batch_row = 0;
+  QueueState state = QueueState::Waiting;
+  JobProgress progress;
+  QString failure;  ///< the sentence of the error, of Failed
+  bool cancelled = false;
+  std::optional<BatchFigures> figures;
+  QString picture;  ///< a photograph of the front; empty when there is none
+};
+
+/// The batches of the project, newest first, and their computation one after the other. What is
+/// to be done stands in the catalogue, so that it outlives the window: a batch whose state is
+/// Queued or Computed is computed as soon as the queue is open and not paused.
+class BatchQueue final : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  enum Role { NumberRole = Qt::UserRole, StateRole, FractionRole, FailureRole, PictureRole };
+
+  explicit BatchQueue(QObject* parent = nullptr);
+
+  /// Null closes: a computation is asked to stop and goes on when the project is opened again.
+  void setSession(ProjectSession* session);
+  /// Unset: computeBatch. For tests.
+  void setWork(
+      std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work);
+  void setThreads(int threads) { threads_ = threads; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  const QueueRow& row(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
+  int rowOf(const QString& number) const;  ///< -1: none
+
+  bool isPaused() const { return paused_; }
+  bool isBusy() const { return !busy_number_.isEmpty(); }
+  /// Why the queue stopped by itself (the disk is full); empty otherwise.
+  const QString& trouble() const { return trouble_; }
+  /// What the computer does now, for the line at the foot.
+  QString workWords() const;
+  double workFraction() const;  ///< below 0: nothing is computed
+  int waitingToCompute() const;
+  int failed() const;
+  /// The log of the batch that is computed or was computed last, newest line last.
+  const QStringList& log() const { return log_; }
+
+  /// Asks only if much work would be lost: how long the batch has been computed, in seconds.
+  double secondsOf(const QString& number) const;
+
+ public slots:
+  void setPaused(bool paused);
+  void togglePaused() { setPaused(!paused_); }
+  void cancel(const QString& number);
+  void retry(const QString& number);
+  /// The catalogue's batches changed.
+  void refresh();
+
+ signals:
+  void workChanged();  ///< what is computed, how far, or whether it is paused
+  void logged(const QString& line);
+  void batchComputed(const QString& number);
+  void batchFailed(const QString& number, const QString& sentence);
+
+ private:
+  void startNext();
+  void finish(const QString& number, const JobOutcome& outcome);
+  void keepFailure(const QString& number, const QString& sentence, bool cancelled);
+  void touch(const QString& number);
+  QueueRow* find(const QString& number);
+  void log(const QString& line);
+
+  QPointer<ProjectSession> session_;
+  std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work_;
+  std::vector<QueueRow> rows_;
+  QPointer<JobHandle> job_;
+  QPointer<JobHandle> leaving_;  ///< of a session that closed: nothing starts before it ended
+  QString busy_number_;
+  QDateTime busy_since_;
+  bool cancel_asked_ = false;
+  bool paused_ = false;
+  int threads_ = 0;
+  QString trouble_;
+  QStringList log_;
+};
+
+/// What a person reads for a state and for a stage of the chain.
+QString queueStateWords(QueueState state);
+QString stageWords(const QString& stage);
+
+}  // namespace ostraka::ui

@@ -1,0 +1,149 @@
+#include "ui/queue/compute_batch.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "catalogue/enter_results.h"
+#include "catalogue/project.h"
+#include "pipeline/process_batch.h"
+#include "pipeline/register_scans.h"
+
+namespace ostraka::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using catalogue::BatchState;
+
+// Before a batch of this project was computed: 54 photographs of 8 MB and as much again for masks,
+// depth and models.
+constexpr double kUsualBatch_bytes = 1.0e9;
+// Below this the next stage would fail half-way on any camera; the queue waits for space instead.
+constexpr double kLeastFree_bytes = 300.0e6;
+
+double sizeOf(const fs::path& folder) {
+  double bytes = 0;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error))
+    if (at->is_regular_file(error)) bytes += static_cast<double>(at->file_size(error));
+  return bytes;
+}
+
+bool holdsScans(const fs::path& batch) {
+  std::error_code error;
+  for (fs::directory_iterator at(batch / "front", error), end; !error && at != end;
+       at.increment(error))
+    if (at->path().extension() == ".ply") return true;
+  return false;
+}
+
+Result<BatchFigures> fromPhotographs(const ComputeOptions& options, const fs::path& batch,
+                                     const fs::path& output, Progress& progress,
+                                     const std::stop_token& stop) {
+  pipeline::ProcessOptions process;
+  process.batch = batch;
+  process.output = output;
+  process.threads = options.threads;
+  process.dense = options.dense == "colmap"    ? pipeline::DenseMethod::Colmap
+                  : options.dense == "openmvs" ? pipeline::DenseMethod::OpenMvs
+                                               : pipeline::DenseMethod::Builtin;
+  if (fs::exists(batch / "rig.json")) process.rig = batch / "rig.json";
+  const Result<pipeline::ProcessSummary> done = pipeline::processBatch(process, progress, stop);
+  if (!done) return done.error();
+  BatchFigures figures;
+  figures.sherds = static_cast<int>(done->sherds.size());
+  figures.ask = done->ambiguous();
+  figures.sure = figures.sherds - figures.ask;
+  figures.seconds = done->seconds;
+  for (const pipeline::SherdSummary& sherd : done->sherds)
+    figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);
+  return figures;
+}
+
+Result<BatchFigures> fromScans(const ComputeOptions& options, const fs::path& batch,
+                               const fs::path& output, Progress& progress,
+                               const std::stop_token& stop) {
+  pipeline::RegisterOptions scans;
+  scans.front = batch / "front";
+  scans.back = batch / "back";
+  scans.output = output;
+  scans.threads = options.threads;
+  const Result<pipeline::RegisterSummary> done = pipeline::registerScans(scans, progress, stop);
+  if (!done) return done.error();
+  BatchFigures figures;
+  figures.sherds = static_cast<int>(done->pairs.size());
+  figures.ask = done->ambiguous();
+  figures.sure = figures.sherds - figures.ask;
+  figures.seconds = done->seconds;
+  for (const pipeline::RegisterSummary::Pair& pair : done->pairs)
+    figures.uncertainty_mm = std::max(figures.uncertainty_mm, pair.uncertainty_mm);
+  return figures;
+}
+
+Result<void> hasSpace(const fs::path& project) {
+  std::error_code error;
+  const fs::space_info space = fs::space(project, error);
+  if (error || static_cast<double>(space.available) > kLeastFree_bytes) return {};
+  return Error{ErrorCode::CannotWrite,
+               "The disk has only " + std::to_string(space.available / 1000000) +
+                   " MB left; a batch needs more. Nothing is lost: make room, then go on.",
+               project.string()};
+}
+
+}  // namespace
+
+Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
+                                  std::stop_token stop) {
+  if (const Result<void> space = hasSpace(options.project); !space) return space.error();
+  Result<catalogue::Project> project = catalogue::Project::open(options.project);
+  if (!project) return project.error();
+  catalogue::Catalogue& rows = project->catalogue();
+  const Result<catalogue::BatchRecord> record = rows.batchByNumber(options.number);
+  if (!record) return record.error();
+  const fs::path batch = project->batchFolder(options.number);
+  const fs::path output = project->resultsFolder(options.number);
+
+  const bool scans = holdsScans(batch);
+  Result<BatchFigures> figures = scans ? fromScans(options, batch, output, progress, stop)
+                                       : fromPhotographs(options, batch, output, progress, stop);
+  if (!figures) return figures.error();
+
+  const catalogue::Act act{{}, "process", {}};
+  progress.begin("catalogue", 0.01);
+  if (const auto set = rows.setBatchState(record->row, BatchState::Computed, act); !set)
+    return set.error();
+  if (!scans)
+    if (const auto entered =
+            catalogue::enterPhotographs(rows, project->folder(), record->row, act, progress, stop);
+        !entered)
+      return entered.error();
+  const Result<catalogue::EnteredResults> entered =
+      catalogue::enterResults(rows, project->folder(), record->row, output, act, progress, stop);
+  if (!entered) return entered.error();
+  if (const auto backup = project->backUp(); !backup)
+    progress.note(NoteLevel::Warning, backup.error().sentence());
+  return figures;
+}
+
+double bytesPerBatch(const fs::path& project) {
+  double bytes = 0;
+  int batches = 0;
+  std::error_code error;
+  for (fs::directory_iterator at(project / "results", error), end; !error && at != end;
+       at.increment(error)) {
+    if (!fs::exists(at->path() / "report.json")) continue;
+    bytes += sizeOf(at->path()) + sizeOf(project / "batches" / at->path().filename());
+    if (++batches == 10) break;
+  }
+  return batches == 0 ? kUsualBatch_bytes : bytes / batches;
+}
+
+int roomForBatches(const fs::path& project) {
+  std::error_code error;
+  const fs::space_info space = fs::space(project, error);
+  if (error) return -1;
+  const double usable = std::max(0.0, static_cast<double>(space.available) - kLeastFree_bytes);
+  return static_cast<int>(std::min(usable / bytesPerBatch(project), 1.0e6));
+}
+
+}  // namespace ostraka::ui

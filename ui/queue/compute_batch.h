@@ -1,0 +1,37 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+
+namespace ostraka::ui {
+
+struct ComputeOptions {
+  std::filesystem::path project;
+  std::string number;             ///< B0031
+  std::string dense = "builtin";  ///< builtin, colmap or openmvs
+  int threads = 0;                ///< 0: all
+};
+
+/// What the queue shows of a batch that was computed.
+struct BatchFigures {
+  int sherds = 0;
+  int sure = 0, ask = 0;
+  double uncertainty_mm = 0;  ///< the largest of its sherds; 0: none has one
+  double seconds = 0;         ///< of this run
+};
+
+/// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the
+/// last whole stage; at the end the catalogue is backed up. Opens the project by itself: callable
+/// in any thread. The batch's state becomes Computed, then Review or Done; on an error it stays.
+Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
+                                  std::stop_token stop);
+
+/// Bytes that a batch and its results take, as those on the disk do on average.
+double bytesPerBatch(const std::filesystem::path& project);
+/// How many more batches fit; -1 when the disk does not say.
+int roomForBatches(const std::filesystem::path& project);
+
+}  // namespace ostraka::ui

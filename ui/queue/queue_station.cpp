@@ -1,0 +1,231 @@
+#include "ui/queue/queue_station.h"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QHBoxLayout>
+#include <QItemSelectionModel>
+#include <QListView>
+#include <QPlainTextEdit>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/thumbnails.h"
+#include "ui/queue/batch_delegate.h"
+#include "ui/queue/batch_queue.h"
+
+namespace ostraka::ui {
+namespace {
+
+// Below this much work a stop loses so little that nobody is asked.
+constexpr double kAskBeforeLosing_s = 3600;
+
+}  // namespace
+
+QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
+    : Station(parent),
+      queue_(queue),
+      list_(new QListView(this)),
+      delegate_(new BatchDelegate(*queue, this)),
+      log_(new QPlainTextEdit(this)),
+      message_(new MessagePanel(this)),
+      pages_(new QStackedWidget(this)) {
+  setObjectName(QStringLiteral("queue"));
+  pause_ = addAct(QStringLiteral("queuePause"), QStringLiteral("pause"), tr("Pause"),
+                  QKeySequence(Qt::Key_Space));
+  again_ = addAct(QStringLiteral("queueAgain"), QStringLiteral("retry"), tr("Compute again"),
+                  QKeySequence(Qt::Key_R));
+  cancel_ = addAct(QStringLiteral("queueCancel"), QStringLiteral("cancel"), tr("Stop this batch"),
+                   QKeySequence(Qt::Key_Delete));
+  report_ = addAct(QStringLiteral("queueReport"), QStringLiteral("report"), tr("Report"),
+                   QKeySequence(Qt::Key_Return));
+  review_ = addAct(QStringLiteral("queueReview"), QStringLiteral("review"), tr("Review it"),
+                   QKeySequence(Qt::Key_V));
+  log_action_ =
+      addAct(QStringLiteral("queueLog"), QStringLiteral("log"), tr("Log"), QKeySequence(Qt::Key_L));
+  log_action_->setCheckable(true);
+  buildLayout();
+
+  connect(pause_, &QAction::triggered, queue_, &BatchQueue::togglePaused);
+  connect(again_, &QAction::triggered, this, [this] { queue_->retry(selected()); });
+  connect(cancel_, &QAction::triggered, this, &QueueStation::askOrCancel);
+  connect(report_, &QAction::triggered, this, &QueueStation::openReport);
+  connect(review_, &QAction::triggered, this,
+          [this] { emit wantsStation(QStringLiteral("review"), selected()); });
+  connect(log_action_, &QAction::toggled, log_, &QWidget::setVisible);
+  connect(queue_, &BatchQueue::logged, log_, &QPlainTextEdit::appendPlainText);
+  connect(queue_, &BatchQueue::workChanged, this, &QueueStation::follow);
+  connect(queue_, &QAbstractItemModel::modelReset, this, &QueueStation::follow);
+  connect(queue_, &QAbstractItemModel::dataChanged, this, &QueueStation::follow);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          &QueueStation::follow);
+  connect(list_, &QListView::activated, this, &QueueStation::openReport);
+  follow();
+}
+
+QAction* QueueStation::addAct(const QString& name, const QString& icon_name, const QString& text,
+                              const QKeySequence& key) {
+  auto* action = new QAction(icon(icon_name), text, this);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  addAction(action);
+  return action;
+}
+
+void QueueStation::buildLayout() {
+  list_->setModel(queue_);
+  list_->setItemDelegate(delegate_);
+  list_->setObjectName(QStringLiteral("queueList"));
+  list_->setAccessibleName(tr("Batches"));
+  list_->setUniformItemSizes(true);
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  log_->setReadOnly(true);
+  log_->setObjectName(QStringLiteral("queueLogText"));
+  log_->setAccessibleName(tr("Log of the computation"));
+  log_->setMaximumBlockCount(2000);
+  log_->hide();
+  message_->hide();
+
+  auto* empty = new EmptyState(QStringLiteral("queue"), tr("No batch yet"),
+                               tr("What you photograph or import is computed here, one batch "
+                                  "after the other, while you go on working."),
+                               this);
+  connect(empty->addAct(tr("Photograph the first batch"), QStringLiteral("queueToCapture")),
+          &QPushButton::clicked, this,
+          [this] { emit wantsStation(QStringLiteral("capture"), {}); });
+
+  auto* bar = new QHBoxLayout;
+  for (QAction* action : {pause_, again_, cancel_, report_, review_, log_action_}) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setObjectName(action->objectName() + QStringLiteral("Button"));
+    button->setAccessibleName(action->text());
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setMinimumHeight(targetSize(*this));
+    bar->addWidget(button);
+  }
+  bar->addStretch(1);
+
+  auto* split = new QSplitter(Qt::Vertical, this);
+  split->addWidget(list_);
+  split->addWidget(log_);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 2);
+  auto* page = new QWidget(this);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(message_);
+  column->addWidget(split, 1);
+  column->addLayout(bar);
+  pages_->addWidget(page);
+  pages_->addWidget(empty);
+  auto* all = new QVBoxLayout(this);
+  all->addWidget(pages_);
+  connect(message_, &MessagePanel::acted, this, [this] {
+    message_->hide();
+    queue_->trouble().isEmpty() ? queue_->cancel(selected()) : queue_->setPaused(false);
+  });
+  connect(message_, &MessagePanel::actedSecond, message_, &QWidget::hide);
+}
+
+QString QueueStation::title() const {
+  return tr("Queue");
+}
+QString QueueStation::iconName() const {
+  return QStringLiteral("queue");
+}
+QString QueueStation::manualPage() const {
+  return QStringLiteral("queue");
+}
+
+void QueueStation::openProject(ProjectSession& session) {
+  session_ = &session;
+  thumbnails_ = new Thumbnails(session.jobs(), this);
+  delegate_->setThumbnails(thumbnails_);
+  connect(thumbnails_, &Thumbnails::ready, list_->viewport(),
+          [this] { list_->viewport()->update(); });
+  queue_->setSession(&session);
+  log_->setPlainText(queue_->log().join(QLatin1Char('\n')));
+  if (queue_->rowCount() > 0) list_->setCurrentIndex(queue_->index(0));
+  follow();
+}
+
+void QueueStation::closeProject() {
+  queue_->setSession(nullptr);
+  delegate_->setThumbnails(nullptr);
+  if (thumbnails_ != nullptr) thumbnails_->deleteLater();
+  thumbnails_ = nullptr;
+  session_ = nullptr;
+}
+
+int QueueStation::waiting() const {
+  return queue_->failed() + (queue_->trouble().isEmpty() ? 0 : 1);
+}
+
+QString QueueStation::waitingText() const {
+  return queue_->trouble().isEmpty() ? tr("%n batch(es) stopped and need you", nullptr, waiting())
+                                     : queue_->trouble();
+}
+
+void QueueStation::showItem(const QString& batch) {
+  const int row = queue_->rowOf(batch);
+  if (row >= 0) list_->setCurrentIndex(queue_->index(row));
+}
+
+QString QueueStation::selected() const {
+  const QModelIndex at = list_->currentIndex();
+  return at.isValid() && at.row() < queue_->rowCount() ? queue_->row(at.row()).number : QString();
+}
+
+void QueueStation::follow() {
+  pages_->setCurrentIndex(queue_->rowCount() == 0 ? 1 : 0);
+  if (!list_->currentIndex().isValid() && queue_->rowCount() > 0)
+    list_->setCurrentIndex(queue_->index(0));
+  pause_->setText(queue_->isPaused() ? tr("Go on") : tr("Pause"));
+  pause_->setIcon(icon(queue_->isPaused() ? QStringLiteral("play") : QStringLiteral("pause")));
+  pause_->setEnabled(queue_->isPaused() || queue_->waitingToCompute() > 0);
+  const int at = queue_->rowOf(selected());
+  const QueueState state = at < 0 ? QueueState::Shooting : queue_->row(at).state;
+  cancel_->setEnabled(state == QueueState::Busy || state == QueueState::Paused ||
+                      state == QueueState::Waiting);
+  again_->setEnabled(state == QueueState::Failed || state == QueueState::Done ||
+                     state == QueueState::Review);
+  report_->setEnabled(state == QueueState::Done || state == QueueState::Review ||
+                      state == QueueState::Failed);
+  review_->setEnabled(state == QueueState::Review || state == QueueState::Done);
+  if (!queue_->trouble().isEmpty())
+    message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}}, tr("Go on"));
+  emit waitingChanged();
+}
+
+void QueueStation::openReport() {
+  if (session_ == nullptr || selected().isEmpty()) return;
+  const std::filesystem::path results = session_->folder() / "results" / selected().toStdString();
+  for (const char* file : {"report.html", "log.txt"})
+    if (std::filesystem::exists(results / file)) {
+      QDesktopServices::openUrl(
+          QUrl::fromLocalFile(QString::fromStdString((results / file).string())));
+      return;
+    }
+  emit said(tr("%1 has no report yet.").arg(selected()));
+}
+
+void QueueStation::askOrCancel() {
+  if (queue_->secondsOf(selected()) < kAskBeforeLosing_s) {
+    queue_->cancel(selected());
+    return;
+  }
+  message_->showWords(tr("Stop %1?").arg(selected()),
+                      tr("It has been computed for more than an hour. Whole stages are kept, the "
+                         "present one is lost."),
+                      tr("Stop it"));
+  message_->setSecondAct(tr("Let it go on"));
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,57 @@
+#pragma once
+#include <QPointer>
+
+#include "ui/frame/station.h"
+
+class QAction;
+class QListView;
+class QPlainTextEdit;
+class QStackedWidget;
+
+namespace ostraka::ui {
+
+class BatchDelegate;
+class BatchQueue;
+class MessagePanel;
+class Thumbnails;
+
+/// The queue on the screen: a row a batch, pause, cancel, again, report, log.
+class QueueStation final : public Station {
+  Q_OBJECT
+
+ public:
+  explicit QueueStation(BatchQueue* queue, QWidget* parent = nullptr);
+
+  QString title() const override;
+  QString iconName() const override;
+  QString manualPage() const override;
+  void openProject(ProjectSession& session) override;
+  void closeProject() override;
+  int waiting() const override;
+  QString waitingText() const override;
+  void showItem(const QString& batch) override;
+
+  QAction* pauseAction() const { return pause_; }
+  QAction* logAction() const { return log_action_; }
+
+ private:
+  void buildLayout();
+  QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
+                  const QKeySequence& key);
+  QString selected() const;
+  void follow();
+  void openReport();
+  void askOrCancel();
+
+  BatchQueue* queue_;
+  QPointer<ProjectSession> session_;
+  Thumbnails* thumbnails_ = nullptr;
+  QListView* list_;
+  BatchDelegate* delegate_;
+  QPlainTextEdit* log_;
+  MessagePanel* message_;
+  QStackedWidget* pages_;
+  QAction *pause_, *cancel_, *again_, *report_, *review_, *log_action_;
+};
+
+}  // namespace ostraka::ui

@@ -360,7 +360,8 @@ void CaptureWizard::queueBatch() {
 
 void CaptureWizard::fail(const Error& error, const QString& safe) {
   Error shown = error;
-  if (!safe.isEmpty()) shown.what += " " + safe.toStdString();
+  if (!safe.isEmpty())
+    shown.what = tr("%1 %2").arg(QString::fromStdString(shown.what), safe).toStdString();
   fault_ = shown;
   stop_ = -1;
   emit changed();

@@ -1,0 +1,72 @@
+#include "ui/capture/batch_importer.h"
+
+#include <system_error>
+
+#include "catalogue/project.h"
+#include "ui/frame/project_session.h"
+
+namespace ostraka::ui {
+
+void BatchImporter::setSession(ProjectSession* session) {
+  if (job_ != nullptr) job_->deleteLater();
+  job_ = nullptr;
+  session_ = session;
+}
+
+void BatchImporter::start(const QString& folder, ImportKind kind, const PlaceText& place) {
+  if (session_ == nullptr || isBusy()) return;
+  const ImportOptions options{folder.toStdString(), session_->folder(), kind};
+  job_ = session_->jobs().start(makeJob(
+                                    tr("Import of %1").arg(folder),
+                                    [options](Progress& progress, std::stop_token stop) {
+                                      return copyBatch(options, progress, stop);
+                                    },
+                                    JobPriority::Background),
+                                this);
+  connect(job_, &JobHandle::progressed, this,
+          [this](const JobProgress& progress) { emit progressed(progress.fraction); });
+  connect(job_, &JobHandle::finished, this, [this, place](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_ = nullptr;
+    const Result<Imported> copied = outcomeAs<Imported>(outcome);
+    const Result<QString> number = copied ? enter(*copied, place) : copied.error();
+    if (!number) {
+      emit failed(number.error());
+      return;
+    }
+    emit imported(*number, copied->files);
+    session_->tellBatchChanged(*number);
+  });
+}
+
+void BatchImporter::cancel() {
+  if (job_ != nullptr) job_->cancel();
+}
+
+Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& place) {
+  catalogue::Project& project = session_->project();
+  catalogue::Catalogue& rows = project.catalogue();
+  catalogue::Act act = session_->act();
+  act.source = "import";
+  const Result<std::int64_t> bag = bagRowOf(rows, place, act);
+  if (!bag) return bag.error();
+  catalogue::BatchRecord batch;
+  if (*bag != 0) batch.bags.push_back({*bag});
+  batch.operator_ = act.person;
+  batch.started_ms = batch.ended_ms = rows.now();
+  batch.state = catalogue::BatchState::Failed;  // until its files are in place
+  const auto row = rows.addBatch(batch, act);
+  if (!row) return row.error();
+  const auto made = rows.batch(*row);
+  if (!made) return made.error();
+  std::error_code error;
+  std::filesystem::rename(copied.folder, project.batchFolder(made->number), error);
+  if (error)
+    return Error{ErrorCode::CannotWrite, error.message(),
+                 project.batchFolder(made->number).string()};
+  if (const auto queued = rows.setBatchState(*row, catalogue::BatchState::Queued, act); !queued)
+    return queued.error();
+  return QString::fromStdString(made->number);
+}
+
+}  // namespace ostraka::ui

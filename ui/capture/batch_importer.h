@@ -1,0 +1,40 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+
+#include "ui/capture/import_batch.h"
+#include "ui/capture/place_text.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+/// A batch that was photographed elsewhere, or scanned, becomes one of the project's and goes into
+/// the queue.
+class BatchImporter final : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+  void setSession(ProjectSession* session);
+  bool isBusy() const { return job_ != nullptr; }
+
+ public slots:
+  void start(const QString& folder, ostraka::ui::ImportKind kind,
+             const ostraka::ui::PlaceText& place);
+  void cancel();
+
+ signals:
+  void progressed(double fraction);
+  void imported(const QString& number, int files);
+  void failed(const ostraka::Error& error);
+
+ private:
+  Result<QString> enter(const Imported& copied, const PlaceText& place);
+
+  QPointer<ProjectSession> session_;
+  QPointer<JobHandle> job_;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,357 @@
+#include "ui/capture/capture_station.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "catalogue/project.h"
+#include "ui/capture/batch_importer.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/capture/plate_view.h"
+#include "ui/capture/rig_page.h"
+#include "ui/capture/stop_board.h"
+#include "ui/frame/big_button.h"
+#include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/state_colours.h"
+#include "ui/frame/thumbnails.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr const char* kRigKey = "rig";
+constexpr const char* kPlaceKey = "capture.place";
+constexpr int kMostCameras = 3;
+
+}  // namespace
+
+CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
+    : Station(parent),
+      wizard_(wizard),
+      importer_(new BatchImporter(this)),
+      pages_(new QStackedWidget(this)),
+      rig_page_(new RigPage(this)) {
+  setObjectName(QStringLiteral("capture"));
+  buildActions();
+  pages_->addWidget(rig_page_);
+  pages_->addWidget(buildWorkPage());
+  auto* all = new QVBoxLayout(this);
+  all->addWidget(pages_);
+
+  connect(wizard_, &CaptureWizard::changed, this, &CaptureStation::follow);
+  connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureStation::followLive);
+  connect(wizard_, &CaptureWizard::shotsChanged, board_, &StopBoard::follow);
+  connect(wizard_, &CaptureWizard::shotsChanged, this,
+          [this] { button_->setText(wizard_->buttonText()); });
+  connect(wizard_, &CaptureWizard::said, this, &Station::said);
+  connect(wizard_, &CaptureWizard::batchQueued, this,
+          [this](const QString& number) { emit said(tr("%1 is in the queue.").arg(number)); });
+  connect(rig_page_, &RigPage::chosen, this, &CaptureStation::chooseRig);
+  connect(rig_page_, &RigPage::importPhotographs, import_photographs_, &QAction::trigger);
+  connect(rig_page_, &RigPage::importScans, import_scans_, &QAction::trigger);
+  connect(importer_, &BatchImporter::imported, this, [this](const QString& number, int files) {
+    emit said(tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number));
+  });
+  connect(importer_, &BatchImporter::failed, this, [this](const Error& error) {
+    fault_->showError(error, tr("All right"));
+    emit said(sentenceOf(error));
+  });
+  follow();
+}
+
+QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, const QString& text,
+                                const QKeySequence& key) {
+  auto* action = new QAction(icon(icon_name), text, this);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  addAction(action);
+  return action;
+}
+
+void CaptureStation::buildActions() {
+  next_ = addAct(QStringLiteral("captureNext"), QStringLiteral("next"), tr("The next thing"),
+                 QKeySequence(Qt::Key_Space));
+  stop_ = addAct(QStringLiteral("captureStop"), QStringLiteral("stop"), tr("Stop the table"),
+                 QKeySequence(Qt::Key_Escape));
+  again_ = addAct(QStringLiteral("captureAgain"), QStringLiteral("again"), tr("Photograph again"),
+                  QKeySequence(Qt::Key_R));
+  import_photographs_ = addAct(QStringLiteral("importPhotographs"), QStringLiteral("import"),
+                               tr("Import photographs…"), {});
+  import_scans_ =
+      addAct(QStringLiteral("importScans"), QStringLiteral("import"), tr("Import scans…"), {});
+  change_rig_ =
+      addAct(QStringLiteral("changeRig"), QStringLiteral("turntable"), tr("Another rig…"), {});
+  for (int camera = 0; camera < kMostCameras; ++camera) {
+    const QString letter = QString::fromStdString(capture::placeName(camera));
+    QAction* action =
+        addAct(QStringLiteral("camera") + letter, QStringLiteral("camera"),
+               tr("Camera %1").arg(letter), QKeySequence(static_cast<Qt::Key>(Qt::Key_A + camera)));
+    action->setIconText(letter);
+    action->setCheckable(true);
+    connect(action, &QAction::triggered, this, [this, camera] { wizard_->setCamera(camera); });
+    cameras_.push_back(action);
+  }
+  connect(next_, &QAction::triggered, wizard_, &CaptureWizard::next);
+  connect(stop_, &QAction::triggered, wizard_, &CaptureWizard::stop);
+  connect(again_, &QAction::triggered, wizard_, &CaptureWizard::again);
+  connect(import_photographs_, &QAction::triggered, this,
+          [this] { chooseImport(ImportKind::Photographs); });
+  connect(import_scans_, &QAction::triggered, this, [this] { chooseImport(ImportKind::Scans); });
+  connect(change_rig_, &QAction::triggered, wizard_, &CaptureWizard::clearRig);
+}
+
+QWidget* CaptureStation::buildWorkPage() {
+  auto* page = new QWidget(this);
+  headline_ = new QLabel(page);
+  headline_->setObjectName(QStringLiteral("captureHeadline"));
+  instruction_ = new QLabel(page);
+  instruction_->setWordWrap(true);
+  middle_ = new QStackedWidget(page);
+  plate_ = new PlateView(middle_);
+  board_ = new StopBoard(wizard_, middle_);
+  middle_->addWidget(plate_);
+  middle_->addWidget(board_);
+  auto* side = new QWidget(page);
+  side->setMinimumWidth(fontMetrics().averageCharWidth() * 26);
+  facts_ = new QVBoxLayout(side);
+  facts_->addStretch(1);
+  auto* row = new QHBoxLayout;
+  row->addWidget(middle_, 1);
+  row->addWidget(side);
+  doubts_ = new MessagePanel(page);
+  doubts_->setObjectName(QStringLiteral("captureDoubts"));
+  doubts_->hide();
+  fault_ = new MessagePanel(page);
+  fault_->setObjectName(QStringLiteral("captureFault"));
+  fault_->hide();
+  connect(fault_, &MessagePanel::acted, this, [this] {
+    fault_->hide();
+    wizard_->next();
+  });
+  connect(doubts_, &MessagePanel::acted, again_, &QAction::trigger);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(headline_);
+  column->addWidget(instruction_);
+  column->addLayout(row, 1);
+  column->addWidget(doubts_);
+  column->addWidget(fault_);
+  column->addWidget(buildFoot());
+  return page;
+}
+
+QWidget* CaptureStation::buildFoot() {
+  auto* foot = new QWidget(this);
+  auto* label = new QLabel(tr("&Bag"), foot);
+  place_ = new QLineEdit(foot);
+  place_->setObjectName(QStringLiteral("capturePlace"));
+  place_->setPlaceholderText(tr("scan its label, or ARM1-T3-0012-4"));
+  place_->setAccessibleDescription(tr("Site, trench, context and bag"));
+  place_->setMinimumHeight(targetSize(*this));
+  label->setBuddy(place_);
+  place_note_ = new QLabel(foot);
+  button_ = new BigButton(foot);
+  button_->setObjectName(QStringLiteral("captureButton"));
+  button_->setKeyHint(tr("Space"));
+  connect(button_, &QPushButton::clicked, next_, &QAction::trigger);
+  connect(place_, &QLineEdit::returnPressed, button_, qOverload<>(&QWidget::setFocus));
+  connect(place_, &QLineEdit::textEdited, this, &CaptureStation::placeTyped);
+  auto* more = new QToolButton(foot);
+  more->setObjectName(QStringLiteral("captureMore"));
+  more->setText(tr("More"));
+  more->setAccessibleName(tr("Import, another rig"));
+  more->setPopupMode(QToolButton::InstantPopup);
+  more->setMinimumHeight(targetSize(*this));
+  auto* menu = new QMenu(more);
+  menu->addActions({import_photographs_, import_scans_, change_rig_});
+  more->setMenu(menu);
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(label);
+  row->addWidget(place_, 1);
+  row->addWidget(place_note_);
+  for (QAction* camera : cameras_) {
+    auto* button = new QToolButton(foot);
+    button->setDefaultAction(camera);
+    button->setObjectName(camera->objectName() + QStringLiteral("Button"));
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setAccessibleName(camera->text());
+    button->setMinimumSize(targetSize(*this), targetSize(*this));
+    row->addWidget(button);
+  }
+  auto* stop = new QToolButton(foot);
+  stop->setDefaultAction(stop_);
+  stop->setObjectName(QStringLiteral("captureStopButton"));
+  stop->setAccessibleName(stop_->text());
+  stop->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  stop->setMinimumHeight(targetSize(*this));
+  row->addWidget(stop);
+  row->addWidget(more);
+  row->addWidget(button_, 2);
+  return foot;
+}
+
+QString CaptureStation::title() const {
+  return tr("Capture");
+}
+QString CaptureStation::iconName() const {
+  return QStringLiteral("capture");
+}
+QString CaptureStation::manualPage() const {
+  return QStringLiteral("capture");
+}
+QString CaptureStation::rigWords() const {
+  return wizard_->phase() == CapturePhase::NoRig ? QString() : wizard_->rigWords();
+}
+QString CaptureStation::placeWords() const {
+  return wizard_->place().words();
+}
+
+void CaptureStation::openProject(ProjectSession& session) {
+  session_ = &session;
+  thumbnails_ = new Thumbnails(session.jobs(), this);
+  board_->setThumbnails(thumbnails_);
+  importer_->setSession(&session);
+  wizard_->setSession(&session);
+  const catalogue::Catalogue& rows = session.project().catalogue();
+  const Result<std::string> place = rows.setting(kPlaceKey);
+  place_->setText(place ? QString::fromStdString(*place) : QString());
+  placeTyped();
+  const Result<std::string> rig = rows.setting(kRigKey);
+  const RigChoice choice = RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
+  rig_page_->setChoice(choice);
+  if (choice.kind != RigChoice::Kind::None) chooseRig(choice);
+  follow();
+}
+
+void CaptureStation::closeProject() {
+  wizard_->setLive(false);
+  wizard_->setSession(nullptr);
+  importer_->setSession(nullptr);
+  board_->setThumbnails(nullptr);
+  if (thumbnails_ != nullptr) thumbnails_->deleteLater();
+  thumbnails_ = nullptr;
+  session_ = nullptr;
+}
+
+void CaptureStation::setInFront(bool in_front) {
+  wizard_->setLive(in_front);
+  if (in_front && pages_->currentIndex() == 1) button_->setFocus();
+}
+
+void CaptureStation::chooseRig(const RigChoice& choice) {
+  if (session_ == nullptr) return;
+  (void)session_->project().catalogue().setSetting(kRigKey, choice.toJson().toStdString());
+  wizard_->setRig(choice.kind == RigChoice::Kind::Virtual ? virtualRigSource(choice)
+                                                          : fileRigSource(choice.file));
+  button_->setFocus();
+}
+
+void CaptureStation::chooseImport(ImportKind kind) {
+  auto* dialog =
+      new QFileDialog(this, kind == ImportKind::Scans ? tr("Folder with front/ and back/ scans")
+                                                      : tr("Folder of a batch"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, kind](const QString& folder) {
+    importer_->start(folder, kind, wizard_->place());
+  });
+  dialog->open();
+}
+
+void CaptureStation::placeTyped() {
+  const QString typed = place_->text();
+  const std::optional<PlaceText> place = readPlaceText(typed);
+  place_note_->setText(place                       ? place->words()
+                       : typed.trimmed().isEmpty() ? tr("no bag: no numbers yet")
+                                                   : tr("site-trench-context-bag, please"));
+  wizard_->setPlace(place.value_or(PlaceText()));
+  if (session_ != nullptr && (place || typed.isEmpty()))
+    (void)session_->project().catalogue().setSetting(kPlaceKey, typed.toStdString());
+  emit lineChanged();
+}
+
+void CaptureStation::follow() {
+  const CapturePhase phase = wizard_->phase();
+  const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
+  pages_->setCurrentIndex(no_rig ? 0 : 1);
+  const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
+  middle_->setCurrentWidget(shooting ? static_cast<QWidget*>(board_) : plate_);
+  headline_->setText(wizard_->headline());
+  headline_->setFont(scaledFont(*this, phase == CapturePhase::Done ? 3.0 : 1.8));
+  instruction_->setText(wizard_->instruction());
+  instruction_->setFont(scaledFont(*this, 1.2));
+  button_->setText(wizard_->buttonText());
+  button_->setEnabled(wizard_->canGoOn());
+  button_->setVisible(!wizard_->fault());
+  next_->setEnabled(wizard_->canGoOn());
+  stop_->setEnabled(wizard_->isBusy() && shooting);
+  again_->setEnabled(!wizard_->isBusy() &&
+                     (phase == CapturePhase::Flip || phase == CapturePhase::Done));
+  place_->setEnabled(phase == CapturePhase::Place || phase == CapturePhase::Opening);
+  for (std::size_t i = 0; i < cameras_.size(); ++i) {
+    cameras_[i]->setEnabled(static_cast<int>(i) < wizard_->cameras());
+    cameras_[i]->setChecked(static_cast<int>(i) == wizard_->camera());
+  }
+  showTrouble();
+  followLive();
+  emit lineChanged();
+}
+
+void CaptureStation::followLive() {
+  const CapturePhase phase = wizard_->phase();
+  const bool front = phase == CapturePhase::Flip && wizard_->frontPicture();
+  plate_->setPicture(
+      front                                                           ? wizard_->frontPicture()
+      : (phase == CapturePhase::Place || phase == CapturePhase::Flip) ? wizard_->live()
+                                                                      : std::nullopt,
+      phase == CapturePhase::Done ? wizard_->instruction() : tr("The picture is on its way."));
+  plate_->setVisible(phase != CapturePhase::Done || wizard_->doubts().isEmpty());
+  showFacts();
+}
+
+void CaptureStation::showFacts() {
+  const std::vector<CaptureFact> facts = wizard_->facts();
+  const StateColours colours(palette());
+  while (facts_->count() > static_cast<int>(facts.size()) + 1) {
+    const std::unique_ptr<QLayoutItem> item(facts_->takeAt(facts_->count() - 2));
+    item->widget()->deleteLater();
+  }
+  while (facts_->count() < static_cast<int>(facts.size()) + 1) {
+    auto* label = new QLabel(this);
+    label->setWordWrap(true);
+    facts_->insertWidget(facts_->count() - 1, label);
+  }
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    auto* label = static_cast<QLabel*>(facts_->itemAt(static_cast<int>(i))->widget());
+    label->setText((facts[i].good ? QStringLiteral("✓  ") : QStringLiteral("!  ")) +
+                   facts[i].words);
+    QPalette ink = palette();
+    if (!facts[i].good) ink.setColor(QPalette::WindowText, colours.of(State::Ask));
+    label->setPalette(ink);
+    label->setFont(scaledFont(*this, 1.15));
+  }
+}
+
+void CaptureStation::showTrouble() {
+  if (wizard_->fault())
+    fault_->showError(*wizard_->fault(), wizard_->buttonText(), tr("Space"));
+  else
+    fault_->hide();
+  if (wizard_->doubts().isEmpty() || wizard_->fault())
+    doubts_->hide();
+  else
+    doubts_->showWords(tr("Look at this first"), wizard_->doubts().join(QLatin1Char('\n')),
+                       tr("Photograph again"), tr("R"));
+}
+
+}  // namespace ostraka::ui

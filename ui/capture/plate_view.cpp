@@ -1,0 +1,116 @@
+#include "ui/capture/plate_view.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include "ui/frame/look.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr double kScaleBar_mm = 50;
+
+// Words on a photograph: a dark halo keeps them readable on clay, plate and paper.
+void drawOnPhotograph(QPainter& painter, const QPainterPath& shape, const QColor& ink,
+                      double line) {
+  painter.strokePath(
+      shape, QPen(QColor(0, 0, 0, 170), line * 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.fillPath(shape, ink);
+}
+
+}  // namespace
+
+PlateView::PlateView(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setAccessibleName(tr("Picture of the plate"));
+}
+
+QSize PlateView::sizeHint() const {
+  return {fontMetrics().height() * 28, fontMetrics().height() * 18};
+}
+
+void PlateView::setPicture(const std::optional<PlatePicture>& picture, const QString& otherwise) {
+  picture_ = picture;
+  otherwise_ = otherwise;
+  setAccessibleDescription(
+      picture_ ? tr("%n sherd(s) seen", nullptr, static_cast<int>(picture_->look.sherds.size()))
+               : otherwise);
+  update();
+}
+
+void PlateView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  painter.fillRect(rect(), palette().color(QPalette::Base));
+  if (!picture_ || picture_->image.isNull()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.setFont(scaledFont(*this, 1.3));
+    painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
+                     otherwise_);
+    return;
+  }
+  const QSizeF fit = QSizeF(picture_->image.size()).scaled(QSizeF(size()), Qt::KeepAspectRatio);
+  const QRectF target(QPointF((width() - fit.width()) / 2, (height() - fit.height()) / 2), fit);
+  painter.drawImage(target, picture_->image);
+  if (picture_->look.width <= 0) return;
+  const double scale = fit.width() / picture_->look.width;
+  painter.save();
+  painter.translate(target.topLeft());
+  drawSherds(painter, scale);
+  painter.restore();
+  drawScaleBar(painter, target, scale);
+}
+
+void PlateView::drawSherds(QPainter& painter, double scale) const {
+  const double line = lineWidth(*this, 2);
+  // On a photograph the colours for dark grounds are the readable ones.
+  const QColor good(0x62, 0xb8, 0xf5), bad(0xff, 0x94, 0x66);
+  const auto& sherds = picture_->look.sherds;
+  std::vector<QPointF> centres;
+  for (const capture::SeenSherd& sherd : sherds) {
+    QPolygonF outline;
+    for (const Eigen::Vector2f& p : sherd.outline_px)
+      outline << QPointF(static_cast<double>(p.x()), static_cast<double>(p.y())) * scale;
+    centres.push_back(outline.boundingRect().center());
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 150), line * 2));
+    painter.drawPolygon(outline);
+    painter.setPen(
+        QPen(sherd.cut_off ? bad : good, line, sherd.cut_off ? Qt::DashLine : Qt::SolidLine));
+    painter.drawPolygon(outline);
+  }
+  for (const auto& [a, b] : picture_->look.too_close) {
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    if (i >= centres.size() || j >= centres.size()) continue;
+    painter.setPen(QPen(bad, line * 3, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(centres[i], centres[j]);
+  }
+  const QFont font = scaledFont(*this, 1.8);
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const QString number = QString::number(i + 1);
+    QPainterPath path;
+    const QFontMetricsF metrics(font);
+    path.addText(centres[i].x() - metrics.horizontalAdvance(number) / 2,
+                 centres[i].y() + metrics.capHeight() / 2, font, number);
+    drawOnPhotograph(painter, path, Qt::white, line);
+  }
+}
+
+void PlateView::drawScaleBar(QPainter& painter, const QRectF& picture, double scale) const {
+  if (!picture_->look.pixel_from_plate) return;
+  const Eigen::Matrix3d& h = *picture_->look.pixel_from_plate;
+  const Eigen::Vector2d left = (h * Eigen::Vector3d(-kScaleBar_mm / 2, 0, 1)).hnormalized();
+  const Eigen::Vector2d right = (h * Eigen::Vector3d(kScaleBar_mm / 2, 0, 1)).hnormalized();
+  const double length = (right - left).norm() * scale;
+  const double line = lineWidth(*this, 3), margin = fontMetrics().height() / 2.0;
+  const QPointF end(picture.right() - margin, picture.bottom() - margin * 1.5);
+  painter.setPen(QPen(QColor(0, 0, 0, 170), line * 2));
+  painter.drawLine(end - QPointF(length, 0), end);
+  painter.setPen(QPen(Qt::white, line));
+  painter.drawLine(end - QPointF(length, 0), end);
+  QPainterPath words;
+  words.addText(end - QPointF(length, margin * 0.6), font(), tr("5 cm"));
+  drawOnPhotograph(painter, words, Qt::white, line);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,30 @@
+#pragma once
+#include <QWidget>
+#include <optional>
+
+#include "ui/capture/capture_wizard.h"
+
+namespace ostraka::ui {
+
+/// A picture of the plate with the sherds' outlines and numbers; two that nearly touch are tied by
+/// a thick line. Without a picture it says why.
+class PlateView final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlateView(QWidget* parent = nullptr);
+  void setPicture(const std::optional<PlatePicture>& picture, const QString& otherwise);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void drawSherds(QPainter& painter, double scale) const;
+  void drawScaleBar(QPainter& painter, const QRectF& picture, double scale) const;
+
+  std::optional<PlatePicture> picture_;
+  QString otherwise_;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,89 @@
+#include "ui/capture/rig_page.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
+
+namespace ostraka::ui {
+
+RigPage::RigPage(QWidget* parent)
+    : QWidget(parent),
+      sherds_(new QSpinBox(this)),
+      width_(new QComboBox(this)),
+      lookalikes_(new QCheckBox(tr("Two of them look alike"), this)) {
+  auto* empty = new EmptyState(
+      QStringLiteral("turntable"), tr("What do you photograph with?"),
+      tr("The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig "
+         "file (RIG.json) names your cameras and your turntable."),
+      this);
+  connect(empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig")),
+          &QPushButton::clicked, this, &RigPage::chooseVirtual);
+  connect(empty->addAct(tr("Choose a rig file…"), QStringLiteral("chooseRigFile")),
+          &QPushButton::clicked, this, &RigPage::chooseFile);
+  connect(empty->addAct(tr("Import photographs…"), QStringLiteral("importPhotographsButton")),
+          &QPushButton::clicked, this, &RigPage::importPhotographs);
+  connect(empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton")),
+          &QPushButton::clicked, this, &RigPage::importScans);
+
+  auto* box = new QGroupBox(tr("The virtual rig"), this);
+  sherds_->setRange(1, 20);
+  sherds_->setObjectName(QStringLiteral("virtualSherds"));
+  width_->addItem(tr("small: a batch in a minute or two"), 800);
+  width_->addItem(tr("normal"), 1600);
+  width_->addItem(tr("fine: as a real camera"), 2400);
+  width_->setObjectName(QStringLiteral("virtualWidth"));
+  lookalikes_->setObjectName(QStringLiteral("virtualLookalikes"));
+  for (QWidget* field : {static_cast<QWidget*>(sherds_), static_cast<QWidget*>(width_),
+                         static_cast<QWidget*>(lookalikes_)})
+    field->setMinimumHeight(targetSize(*this) * 2 / 3);
+  auto* form = new QFormLayout(box);
+  form->addRow(tr("&Sherds on the plate"), sherds_);
+  form->addRow(tr("&Photographs"), width_);
+  form->addRow(lookalikes_);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(empty, 3);
+  column->addWidget(box, 0, Qt::AlignHCenter);
+  column->addStretch(1);
+  setChoice({});
+}
+
+void RigPage::setChoice(const RigChoice& choice) {
+  choice_ = choice;
+  sherds_->setValue(choice.sherds);
+  int at = width_->findData(choice.width_px);
+  if (at < 0) {
+    width_->addItem(tr("%1 pixels wide").arg(choice.width_px), choice.width_px);
+    at = width_->count() - 1;
+  }
+  width_->setCurrentIndex(at);
+  lookalikes_->setChecked(choice.lookalikes);
+}
+
+void RigPage::chooseVirtual() {
+  choice_.kind = RigChoice::Kind::Virtual;
+  choice_.sherds = sherds_->value();
+  choice_.width_px = width_->currentData().toInt();
+  choice_.lookalikes = lookalikes_->isChecked();
+  emit chosen(choice_);
+}
+
+void RigPage::chooseFile() {
+  auto* dialog = new QFileDialog(this, tr("Rig file"), {}, tr("Rig (*.json)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    choice_.kind = RigChoice::Kind::File;
+    choice_.file = file.toStdString();
+    emit chosen(choice_);
+  });
+  dialog->open();
+}
+
+}  // namespace ostraka::ui

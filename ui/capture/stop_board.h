@@ -1,0 +1,32 @@
+#pragma once
+#include <QPointer>
+#include <QWidget>
+
+namespace ostraka::ui {
+
+class CaptureWizard;
+class Thumbnails;
+
+/// While a side is shot: a ring of stops filling up, and the photographs as they arrive, a row a
+/// camera. One with a problem is framed, with its reason below.
+class StopBoard final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StopBoard(const CaptureWizard* wizard, QWidget* parent = nullptr);
+  void setThumbnails(Thumbnails* thumbnails);
+  void follow();  ///< the wizard's shots changed
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void drawRing(QPainter& painter, const QRectF& ring) const;
+  void drawShots(QPainter& painter, const QRectF& board) const;
+
+  const CaptureWizard* wizard_;
+  QPointer<Thumbnails> thumbnails_;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,88 @@
+#include "ui/main/help_page.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSet>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "ui/frame/look.h"
+
+// A static library's resources are linked in only when somebody asks for them.
+static void initialiseManual() {
+  Q_INIT_RESOURCE(manual);
+}
+
+namespace ostraka::ui {
+
+HelpPage::HelpPage(QWidget* parent) : QWidget(parent), text_(new QTextBrowser(this)) {
+  initialiseManual();
+  setObjectName(QStringLiteral("help"));
+  text_->setObjectName(QStringLiteral("helpText"));
+  text_->setAccessibleName(tr("Manual"));
+  text_->setSearchPaths({QStringLiteral(":/manual")});
+  text_->setOpenExternalLinks(true);
+  auto* bar = new QHBoxLayout;
+  const auto add = [this, bar](const QString& text, const QString& object) {
+    auto* button = new QPushButton(text, this);
+    button->setObjectName(object);
+    button->setMinimumHeight(targetSize(*this) * 3 / 4);
+    bar->addWidget(button);
+    return button;
+  };
+  connect(add(tr("&Contents"), QStringLiteral("helpContents")), &QPushButton::clicked, this,
+          [this] { showManual(QStringLiteral("index")); });
+  connect(add(tr("All &keys"), QStringLiteral("helpKeys")), &QPushButton::clicked, this,
+          &HelpPage::shortcutsWanted);
+  connect(add(tr("&About"), QStringLiteral("helpAbout")), &QPushButton::clicked, this,
+          &HelpPage::showAbout);
+  bar->addStretch(1);
+  auto* close = add(tr("Back to work (Esc)"), QStringLiteral("helpClose"));
+  close->setShortcut(QKeySequence(Qt::Key_Escape));
+  connect(close, &QPushButton::clicked, this, &HelpPage::closed);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(bar);
+  column->addWidget(text_, 1);
+}
+
+void HelpPage::showManual(const QString& page) {
+  text_->setSource(QUrl(QStringLiteral("qrc:/manual/%1.html").arg(page)));
+  text_->setFocus();
+}
+
+void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*>>& screens) {
+  QString html = QStringLiteral("<h1>%1</h1>").arg(tr("All keys").toHtmlEscaped());
+  QSet<const QAction*> listed;
+  for (const auto& [title, screen] : screens) {
+    QString rows;
+    for (const QAction* action : screen->findChildren<QAction*>()) {
+      if (action->shortcut().isEmpty() || action->text().isEmpty() || listed.contains(action))
+        continue;
+      listed.insert(action);
+      rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                  .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                       action->text().remove(QLatin1Char('&')).toHtmlEscaped());
+    }
+    if (!rows.isEmpty())
+      html += QStringLiteral("<h2>%1</h2><table cellpadding=4>%2</table>")
+                  .arg(title.toHtmlEscaped(), rows);
+  }
+  text_->setHtml(html);
+  text_->setFocus();
+}
+
+void HelpPage::showAbout() {
+  text_->setHtml(
+      QStringLiteral("<h1>Ostraka %1</h1><p>%2</p><p>%3</p><p>%4</p>")
+          .arg(QCoreApplication::applicationVersion().toHtmlEscaped(),
+               tr("Complete, measured 3D models of potsherds from photographs of both their sides.")
+                   .toHtmlEscaped(),
+               tr("Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file "
+                  "LICENSE and the README name them all.")
+                   .toHtmlEscaped(),
+               tr("Nothing leaves this computer: there is no network in it.").toHtmlEscaped()));
+  text_->setFocus();
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,299 @@
+#include "ui/main/main_window.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDir>
+#include <QHBoxLayout>
+#include <QStackedWidget>
+#include <QTimer>
+#include <QToolButton>
+#include <QUndoGroup>
+#include <QVBoxLayout>
+
+#include "catalogue/project.h"
+#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/frame/lines.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/rail.h"
+#include "ui/frame/thumbnails.h"
+#include "ui/main/help_page.h"
+#include "ui/main/start_screen.h"
+#include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_station.h"
+#include "ui/settings/settings_page.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kRoomEvery_ms = 60000;
+
+}  // namespace
+
+MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
+    : QMainWindow(parent),
+      runner_(runner),
+      settings_(readSettings()),
+      undo_(new QUndoGroup(this)),
+      queue_(new BatchQueue(this)),
+      wizard_(new CaptureWizard(this)),
+      thumbnails_(new Thumbnails(runner, this)),
+      room_timer_(new QTimer(this)) {
+  setObjectName(QStringLiteral("mainWindow"));
+  setWindowTitle(tr("Ostraka"));
+  buildStations();
+  buildLayout();
+  buildActions();
+  applySettings(settings_);
+  settings_page_->setSettings(settings_);
+  start_->setRecent(settings_.recent);
+  connect(queue_, &BatchQueue::workChanged, this, &MainWindow::followLines);
+  connect(capture_station_, &CaptureStation::lineChanged, this, &MainWindow::followLines);
+  connect(room_timer_, &QTimer::timeout, this, &MainWindow::followLines);
+  room_timer_->start(kRoomEvery_ms);
+  if (!restoreGeometry(settings_.geometry)) resize(1280, 760);
+  followLines();
+}
+
+MainWindow::~MainWindow() {
+  closeProject();
+}
+
+void MainWindow::buildStations() {
+  capture_station_ = new CaptureStation(wizard_, this);
+  queue_station_ = new QueueStation(queue_, this);
+  stations_ = makeStations(capture_station_, queue_station_, this);
+}
+
+void MainWindow::buildLayout() {
+  all_ = new QStackedWidget(this);
+  start_ = new StartScreen(thumbnails_, all_);
+  auto* work = new QWidget(all_);
+  rail_ = new Rail(work);
+  header_ = new HeaderLine(work);
+  pages_ = new QStackedWidget(work);
+  footer_ = new FooterLine(queue_station_->pauseAction(), queue_station_->logAction(), work);
+  for (Station* station : stations_) {
+    pages_->addWidget(station);
+    rail_->addStation(station);
+    connect(station, &Station::said, footer_, &FooterLine::say);
+    connect(station, &Station::wantsStation, this, &MainWindow::showStationNamed);
+  }
+  auto* right = new QVBoxLayout;
+  right->addWidget(header_);
+  right->addWidget(pages_, 1);
+  right->addWidget(footer_);
+  auto* row = new QHBoxLayout(work);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(rail_);
+  row->addLayout(right, 1);
+  settings_page_ = new SettingsPage(all_);
+  help_ = new HelpPage(all_);
+  for (QWidget* page : {static_cast<QWidget*>(start_), work, static_cast<QWidget*>(settings_page_),
+                        static_cast<QWidget*>(help_)})
+    all_->addWidget(page);
+  setCentralWidget(all_);
+  connect(rail_, &Rail::selectedChanged, this, &MainWindow::showStation);
+  connect(start_, &StartScreen::opened, this, &MainWindow::openProject);
+  connect(start_, &StartScreen::made, this, &MainWindow::takeProject);
+  connect(start_, &StartScreen::virtualRigWanted, this, &MainWindow::tryVirtualRig);
+  connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
+  connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
+  connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
+  connect(queue_, &BatchQueue::batchComputed, this,
+          [this](const QString& number) { footer_->say(tr("%1 is computed.").arg(number)); });
+  connect(queue_, &BatchQueue::batchFailed, this,
+          [this](const QString& number, const QString& why) {
+            footer_->say(tr("%1 stopped: %2").arg(number, why));
+          });
+}
+
+QAction* MainWindow::addAct(const QString& name, const QString& icon_name, const QString& text,
+                            const QKeySequence& key) {
+  auto* action = new QAction(icon(icon_name), text, this);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  addAction(action);
+  return action;
+}
+
+void MainWindow::buildActions() {
+  QAction* undo = undo_->createUndoAction(this, tr("Undo"));
+  undo->setObjectName(QStringLiteral("undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setIcon(icon(QStringLiteral("undo")));
+  QAction* redo = undo_->createRedoAction(this, tr("Do again"));
+  redo->setObjectName(QStringLiteral("redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  redo->setIcon(icon(QStringLiteral("redo")));
+  addActions({undo, redo});
+  for (QAction* action : {undo, redo}) {
+    auto* button = new QToolButton(header_);
+    button->setDefaultAction(action);
+    button->setObjectName(action->objectName() + QStringLiteral("Button"));
+    button->setToolButtonStyle(action == undo ? Qt::ToolButtonTextBesideIcon
+                                              : Qt::ToolButtonIconOnly);
+    button->setAutoRaise(true);
+    header_->layout()->addWidget(button);
+  }
+  connect(addAct(QStringLiteral("manual"), QStringLiteral("help"), tr("Manual"),
+                 QKeySequence(Qt::Key_F1)),
+          &QAction::triggered, this, &MainWindow::showManual);
+  connect(addAct(QStringLiteral("shortcuts"), QStringLiteral("keys"), tr("All keys"),
+                 QKeySequence(Qt::CTRL | Qt::Key_K)),
+          &QAction::triggered, this, &MainWindow::showShortcuts);
+  connect(addAct(QStringLiteral("closeProject"), QStringLiteral("folder"), tr("Other projects"),
+                 QKeySequence(Qt::CTRL | Qt::Key_W)),
+          &QAction::triggered, this, &MainWindow::closeProject);
+  connect(rail_->addFoot(QStringLiteral("folder"), tr("Projects"), {}), &QAction::triggered, this,
+          &MainWindow::closeProject);
+  connect(rail_->addFoot(QStringLiteral("settings"), tr("Settings"),
+                         QKeySequence(Qt::CTRL | Qt::Key_Comma)),
+          &QAction::triggered, this, &MainWindow::showSettings);
+  connect(rail_->addFoot(QStringLiteral("help"), tr("Help"), {}), &QAction::triggered, this,
+          &MainWindow::showManual);
+  connect(addAct(QStringLiteral("leavePage"), QStringLiteral("previous"), tr("Back to work"),
+                 QKeySequence(Qt::ALT | Qt::Key_Left)),
+          &QAction::triggered, this, &MainWindow::leaveSidePage);
+}
+
+void MainWindow::openProject(const QString& folder) {
+  Result<catalogue::Project> project = catalogue::Project::open(folder.toStdString());
+  if (!project) {
+    closeProject();
+    start_->showError(project.error());
+    return;
+  }
+  takeProject(std::make_shared<catalogue::Project>(std::move(*project)));
+}
+
+void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
+  closeProject();
+  const std::filesystem::path folder = project->folder();
+  const QString path = QString::fromStdString(folder.string());
+  // Two windows would compute the same batch twice. A window that died leaves no lock behind: its
+  // process is gone.
+  auto lock = std::make_unique<QLockFile>(path + QStringLiteral("/.ostraka.lock"));
+  lock->setStaleLockTime(0);
+  if (!lock->tryLock() && lock->error() == QLockFile::LockFailedError) {
+    start_->showError(
+        {ErrorCode::UnusableInput,
+         tr("This project is open in another window already: go on there.").toStdString(),
+         folder.string()});
+    return;
+  }
+  lock_ = std::move(lock);
+  session_ = std::make_unique<ProjectSession>(std::move(project), folder, runner_);
+  session_->setInitials(settings_.initials);
+  undo_->addStack(&session_->undo());
+  undo_->setActiveStack(&session_->undo());
+  for (Station* station : stations_) station->openProject(*session_);
+  settings_.remember(path);
+  writeSettings(settings_);
+  setWindowTitle(tr("%1 - Ostraka").arg(QDir(path).dirName()));
+  all_->setCurrentIndex(1);
+  connect(session_.get(), &ProjectSession::batchChanged, this, &MainWindow::followLines);
+  showStation(0);
+}
+
+void MainWindow::closeProject() {
+  if (session_ == nullptr) return;
+  for (Station* station : stations_) {
+    station->setInFront(false);
+    station->closeProject();
+  }
+  undo_->removeStack(&session_->undo());
+  session_.reset();
+  lock_.reset();
+  setWindowTitle(tr("Ostraka"));
+  start_->setRecent(settings_.recent);
+  all_->setCurrentWidget(start_);
+}
+
+void MainWindow::tryVirtualRig() {
+  const QDir place(projectsFolder());
+  QString folder = place.filePath(tr("Virtual rig"));
+  for (int n = 2; QDir(folder).exists(); ++n) folder = place.filePath(tr("Virtual rig %1").arg(n));
+  auto made = makeVirtualProject(folder);
+  if (!made) return start_->showError(made.error());
+  takeProject(*made);
+}
+
+void MainWindow::showStation(int index) {
+  if (index < 0 || index >= static_cast<int>(stations_.size()) || session_ == nullptr) return;
+  all_->setCurrentIndex(1);
+  pages_->setCurrentIndex(index);
+  rail_->select(index);
+  for (std::size_t i = 0; i < stations_.size(); ++i)
+    stations_[i]->setInFront(static_cast<int>(i) == index);
+}
+
+void MainWindow::showStationNamed(const QString& icon_name, const QString& what) {
+  for (std::size_t i = 0; i < stations_.size(); ++i)
+    if (stations_[i]->iconName() == icon_name) {
+      showStation(static_cast<int>(i));
+      if (!what.isEmpty()) stations_[i]->showItem(what);
+    }
+}
+
+void MainWindow::showSettings() {
+  settings_page_->setSettings(settings_);
+  all_->setCurrentWidget(settings_page_);
+  settings_page_->setFocus();
+}
+
+void MainWindow::showManual() {
+  const bool at_work = all_->currentIndex() == 1;
+  const auto* station = at_work ? static_cast<const Station*>(pages_->currentWidget()) : nullptr;
+  help_->showManual(station == nullptr ? QStringLiteral("index") : station->manualPage());
+  all_->setCurrentWidget(help_);
+}
+
+void MainWindow::showShortcuts() {
+  std::vector<std::pair<QString, const QWidget*>> screens;
+  for (const Station* station : stations_) screens.emplace_back(station->title(), station);
+  screens.emplace_back(tr("Everywhere"), this);
+  help_->showShortcuts(screens);
+  all_->setCurrentWidget(help_);
+}
+
+void MainWindow::leaveSidePage() {
+  if (session_ == nullptr)
+    all_->setCurrentWidget(start_);
+  else
+    showStation(pages_->currentIndex());
+}
+
+void MainWindow::applySettings(const WindowSettings& settings) {
+  const bool look =
+      settings.theme != settings_.theme || settings.text_percent != settings_.text_percent;
+  settings_ = settings;
+  if (look) applyLook(*qApp, settings.theme, settings.text_percent);
+  queue_->setThreads(settings.threads);
+  if (session_ != nullptr) session_->setInitials(settings.initials);
+  writeSettings(settings_);
+}
+
+void MainWindow::followLines() {
+  footer_->setWork(queue_->workWords(), queue_->workFraction());
+  const QString where = capture_station_->placeWords();
+  header_->setWhere(where.isEmpty() && session_ != nullptr
+                        ? QString::fromStdString(session_->folder().filename().string())
+                        : where);
+  header_->setRig(capture_station_->rigWords(), wizard_->phase() != CapturePhase::NoRig);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  settings_.geometry = saveGeometry();
+  if (session_ != nullptr)
+    settings_.station = rail_->selected() < 0
+                            ? QString()
+                            : stations_[static_cast<std::size_t>(rail_->selected())]->iconName();
+  writeSettings(settings_);
+  closeProject();
+  event->accept();
+}
+
+}  // namespace ostraka::ui

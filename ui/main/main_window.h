@@ -1,0 +1,98 @@
+#pragma once
+#include <QLockFile>
+#include <QMainWindow>
+#include <memory>
+#include <vector>
+
+#include "ui/settings/window_settings.h"
+
+class QAction;
+class QStackedWidget;
+class QTimer;
+class QUndoGroup;
+
+namespace ostraka::catalogue {
+class Project;
+}
+
+namespace ostraka::ui {
+
+class BatchQueue;
+class CaptureStation;
+class CaptureWizard;
+class FooterLine;
+class HeaderLine;
+class HelpPage;
+class JobRunner;
+class ProjectSession;
+class QueueStation;
+class Rail;
+class SettingsPage;
+class StartScreen;
+class Station;
+class Thumbnails;
+
+/// Rail, line at the head, stations, line at the foot. It puts the screens together and passes on
+/// what they tell each other; what happens stands in them and in their view-models.
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(JobRunner& runner, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// Shows the project, or says on the start screen why it cannot be opened.
+  void openProject(const QString& folder);
+  void closeProject();
+  ProjectSession* session() const { return session_.get(); }
+  BatchQueue* queue() const { return queue_; }
+  CaptureWizard* wizard() const { return wizard_; }
+  const std::vector<Station*>& stations() const { return stations_; }
+
+ public slots:
+  void showStation(int index);
+  void showStationNamed(const QString& icon_name, const QString& what);
+  void showSettings();
+  void showManual();
+  void showShortcuts();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void buildStations();
+  void buildLayout();
+  void buildActions();
+  void takeProject(std::shared_ptr<catalogue::Project> project);
+  void tryVirtualRig();
+  void applySettings(const WindowSettings& settings);
+  void leaveSidePage();
+  void followLines();
+  QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
+                  const QKeySequence& key);
+
+  JobRunner& runner_;
+  WindowSettings settings_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<QLockFile> lock_;
+  QUndoGroup* undo_;
+  BatchQueue* queue_;
+  CaptureWizard* wizard_;
+  QueueStation* queue_station_ = nullptr;
+  CaptureStation* capture_station_ = nullptr;
+  std::vector<Station*> stations_;
+  Thumbnails* thumbnails_;
+  QStackedWidget *all_ = nullptr, *pages_ = nullptr;
+  StartScreen* start_ = nullptr;
+  SettingsPage* settings_page_ = nullptr;
+  HelpPage* help_ = nullptr;
+  Rail* rail_ = nullptr;
+  HeaderLine* header_ = nullptr;
+  FooterLine* footer_ = nullptr;
+  QTimer* room_timer_;
+};
+
+/// All stations of the rail in their order, made with their view-models.
+std::vector<Station*> makeStations(CaptureStation* capture, QueueStation* queue, QWidget* parent);
+
+}  // namespace ostraka::ui

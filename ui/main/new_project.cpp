@@ -1,0 +1,128 @@
+#include "ui/main/new_project.h"
+
+#include <QDir>
+#include <QRegularExpression>
+#include <QStandardPaths>
+
+#include "catalogue/numbering.h"
+#include "catalogue/project.h"
+#include "ui/capture/rig_source.h"
+#include "ui/frame/message_panel.h"
+
+namespace ostraka::ui {
+namespace {
+
+const QRegularExpression& siteForm() {
+  static const QRegularExpression form(QStringLiteral("^[A-Z0-9]{2,8}$"));
+  return form;
+}
+
+}  // namespace
+
+QString projectsFolder() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::HomeLocation))
+      .filePath(QStringLiteral("Ostraka"));
+}
+
+NewProject::NewProject(QObject* parent)
+    : QObject(parent), numbering_(QString::fromStdString(catalogue::ProjectRecord().numbering)) {
+  follow();
+}
+
+void NewProject::setName(const QString& name) {
+  name_ = name.trimmed();
+  follow();
+}
+
+void NewProject::setSiteCode(const QString& code) {
+  site_ = code.trimmed().toUpper();
+  follow();
+}
+
+void NewProject::setFolder(const QString& folder) {
+  folder_typed_ = !folder.trimmed().isEmpty();
+  folder_ = folder.trimmed();
+  follow();
+}
+
+void NewProject::setNumbering(const QString& numbering) {
+  numbering_ = numbering.trimmed();
+  follow();
+}
+
+void NewProject::follow() {
+  if (!folder_typed_) {
+    QString safe = name_.isEmpty() ? site_ : name_;
+    safe.replace(QRegularExpression(QStringLiteral("[/\\\\:*?\"<>|]+")), QStringLiteral("_"));
+    folder_ = safe.isEmpty() ? QString() : QDir(projectsFolder()).filePath(safe);
+  }
+  example_.clear();
+  numbering_refusal_.clear();
+  const auto scheme = catalogue::Numbering::parse(numbering_.toStdString());
+  if (!scheme) {
+    numbering_refusal_ = sentenceOf(scheme.error());
+  } else {
+    const std::string site = site_.isEmpty() ? "ARM1" : site_.toStdString();
+    const auto number = scheme->number({{"site", site},
+                                        {"trench", "T3"},
+                                        {"context", "0012"},
+                                        {"bag", "4"},
+                                        {"batch", "B0031"},
+                                        {"yyyy", "2026"},
+                                        {"yy", "26"}},
+                                       7);
+    if (number)
+      example_ = QString::fromStdString(*number);
+    else
+      numbering_refusal_ = sentenceOf(number.error());
+  }
+  emit changed();
+}
+
+QString NewProject::refusal() const {
+  if (!siteForm().match(site_).hasMatch())
+    return tr("The site's code has two to eight capital letters and digits, like ARM1.");
+  if (!numbering_refusal_.isEmpty()) return numbering_refusal_;
+  if (folder_.isEmpty()) return tr("Choose a folder for the project.");
+  const QDir folder(folder_);
+  if (catalogue::Project::isProject(folder_.toStdString()))
+    return tr("There is a project in this folder already: open it, or choose another folder.");
+  if (folder.exists() && !folder.isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden))
+    return tr("This folder holds other files: choose a new one.");
+  return {};
+}
+
+Result<std::shared_ptr<catalogue::Project>> NewProject::make() const {
+  catalogue::ProjectRecord record;
+  record.code = site_.toStdString();
+  record.title = (name_.isEmpty() ? site_ : name_).toStdString();
+  record.numbering = numbering_.toStdString();
+  Result<catalogue::Project> made = catalogue::Project::create(folder_.toStdString(), record);
+  if (!made) return made.error();
+  catalogue::SiteRecord site;
+  site.code = record.code;
+  site.name = record.title;
+  if (const auto saved = made->catalogue().save(site, {}); !saved) return saved.error();
+  return std::make_shared<catalogue::Project>(std::move(*made));
+}
+
+Result<std::shared_ptr<catalogue::Project>> makeVirtualProject(const QString& folder) {
+  NewProject fresh;
+  fresh.setName(NewProject::tr("Virtual rig"));
+  fresh.setSiteCode(QStringLiteral("VIRT"));
+  fresh.setFolder(folder);
+  if (!fresh.canBeMade())
+    return Error{ErrorCode::UnusableInput, fresh.refusal().toStdString(), folder.toStdString()};
+  auto made = fresh.make();
+  if (!made) return made.error();
+  RigChoice rig;
+  rig.kind = RigChoice::Kind::Virtual;
+  rig.sherds = 5;
+  rig.width_px = 1000;
+  catalogue::Catalogue& rows = (*made)->catalogue();
+  if (const auto set = rows.setSetting("rig", rig.toJson().toStdString()); !set) return set.error();
+  if (const auto set = rows.setSetting("capture.place", "VIRT-T1-0001-1"); !set) return set.error();
+  return made;
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,75 @@
+#include "ui/main/run_window.h"
+
+#include <QApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSurfaceFormat>
+#include <QTranslator>
+#include <cstdio>
+
+#include "ui/frame/look.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/settings/window_settings.h"
+
+namespace ostraka::ui {
+namespace {
+
+// What the 3D view needs; must be set before the application exists.
+void askForOpenGl() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  format.setAlphaBufferSize(8);
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+bool hasDisplay() {
+  return !qEnvironmentVariableIsEmpty("DISPLAY") ||
+         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+         !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+}  // namespace
+
+int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>& project) {
+  if (!hasDisplay()) {
+    std::fputs(
+        "There is no display to open the window on. Start it from a desktop, or use the commands: "
+        "ostraka --help.\n",
+        stderr);
+    return 2;
+  }
+  // The 3D view works through GLX; native Wayland windows have none.
+  if (!qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+    qputenv("QT_QPA_PLATFORM", "xcb");
+  askForOpenGl();
+  QApplication application(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("ostraka"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Ostraka"));
+  QApplication::setApplicationVersion(QStringLiteral(OSTRAKA_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("ostraka"));
+  QApplication::setWindowIcon(icon(QStringLiteral("sherd")));
+  const WindowSettings settings = readSettings();
+  const QLocale locale =
+      settings.language.isEmpty() ? QLocale::system() : QLocale(settings.language);
+  QLocale::setDefault(locale);
+  QTranslator ours, qts;
+  if (qts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+               QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    QApplication::installTranslator(&qts);
+  if (ours.load(locale, QStringLiteral("ostraka"), QStringLiteral("_"), QStringLiteral(":/i18n")))
+    QApplication::installTranslator(&ours);
+  applyLook(application, settings.theme, settings.text_percent);
+  ThreadedJobRunner runner;
+  MainWindow window(runner);
+  window.show();
+  if (project) window.openProject(QString::fromStdString(std::filesystem::absolute(*project)));
+  return QApplication::exec();
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,220 @@
+#include "ui/main/start_screen.h"
+
+#include <QAction>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/frame/big_button.h"
+#include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/thumbnails.h"
+
+namespace ostraka::ui {
+namespace {
+
+// The first sherd's preview of the newest results, else the first photograph.
+QString pictureOf(const QString& folder) {
+  const QDir results(folder + QStringLiteral("/results"));
+  const QStringList batches =
+      results.entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name | QDir::Reversed);
+  for (const QString& batch : batches) {
+    const QString preview = results.filePath(batch + QStringLiteral("/sherds/01/preview.png"));
+    if (QFileInfo::exists(preview)) return preview;
+  }
+  const QDir photographs(folder + QStringLiteral("/batches"));
+  for (const QString& batch : photographs.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    const QString first = photographs.filePath(batch + QStringLiteral("/front/cam2_pos00.jpg"));
+    if (QFileInfo::exists(first)) return first;
+  }
+  return {};
+}
+
+}  // namespace
+
+StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
+    : QWidget(parent),
+      thumbnails_(thumbnails),
+      fresh_(new NewProject(this)),
+      message_(new MessagePanel(this)) {
+  setObjectName(QStringLiteral("start"));
+  auto* title = new QLabel(tr("Ostraka"), this);
+  title->setFont(scaledFont(*this, 2.6));
+  auto* words = new QLabel(tr("Potsherds, both sides, complete and measured."), this);
+  words->setFont(scaledFont(*this, 1.2));
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(buildRecent(), 1);
+  columns->addSpacing(fontMetrics().height());
+  columns->addWidget(buildNew(), 1);
+  message_->hide();
+  connect(message_, &MessagePanel::acted, message_, &QWidget::hide);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(24, 16, 24, 16);
+  all->addWidget(title);
+  all->addWidget(words);
+  all->addWidget(message_);
+  all->addSpacing(fontMetrics().height());
+  all->addLayout(columns, 1);
+  connect(fresh_, &NewProject::changed, this, &StartScreen::follow);
+  follow();
+}
+
+QWidget* StartScreen::buildRecent() {
+  auto* box = new QWidget(this);
+  auto* label = new QLabel(tr("&Projects"), box);
+  label->setFont(scaledFont(*this, 1.3));
+  recent_ = new QListWidget(box);
+  recent_->setObjectName(QStringLiteral("recentProjects"));
+  label->setBuddy(recent_);
+  const int line = fontMetrics().height();
+  recent_->setIconSize(QSize(line * 4, line * 3));
+  no_recent_ = new QLabel(tr("No project yet. Make one, or try everything with the virtual rig: it "
+                             "breaks a pot and photographs its sherds for you."),
+                          box);
+  no_recent_->setWordWrap(true);
+  auto* open = new QPushButton(icon(QStringLiteral("open")), tr("&Open a project…"), box);
+  open->setObjectName(QStringLiteral("openProject"));
+  auto* try_it = new BigButton(box);
+  try_it->setText(tr("Try with the virtual rig"));
+  try_it->setObjectName(QStringLiteral("tryVirtualRig"));
+  open->setMinimumHeight(targetSize(*this));
+  connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
+    emit opened(item->data(Qt::UserRole).toString());
+  });
+  connect(open, &QPushButton::clicked, this, &StartScreen::chooseProject);
+  connect(try_it, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
+  connect(thumbnails_, &Thumbnails::ready, this, [this] {
+    for (int i = 0; i < recent_->count(); ++i)
+      if (QListWidgetItem* item = recent_->item(i); item->icon().isNull())
+        item->setIcon(thumbnails_->get(item->data(Qt::UserRole + 1).toString(),
+                                       recent_->iconSize() * devicePixelRatioF()));
+  });
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(label);
+  column->addWidget(recent_, 1);
+  column->addWidget(no_recent_);
+  column->addWidget(open);
+  column->addWidget(try_it);
+  return box;
+}
+
+QWidget* StartScreen::buildNew() {
+  auto* box = new QGroupBox(tr("New project"), this);
+  const auto field = [this, box](const QString& object) {
+    auto* edit = new QLineEdit(box);
+    edit->setObjectName(object);
+    edit->setMinimumHeight(targetSize(*this) * 3 / 4);
+    return edit;
+  };
+  name_ = field(QStringLiteral("newName"));
+  site_ = field(QStringLiteral("newSite"));
+  folder_ = field(QStringLiteral("newFolder"));
+  numbering_ = field(QStringLiteral("newNumbering"));
+  name_->setPlaceholderText(tr("Aragats 2026"));
+  site_->setPlaceholderText(QStringLiteral("ARM1"));
+  numbering_->setText(fresh_->numbering());
+  auto* browse = new QToolButton(box);
+  browse->setText(tr("Choose…"));
+  browse->setAccessibleName(tr("Choose the folder"));
+  browse->setObjectName(QStringLiteral("newBrowse"));
+  example_ = new QLabel(box);
+  example_->setObjectName(QStringLiteral("newExample"));
+  example_->setFont(scaledFont(*this, 1.4));
+  refusal_ = new QLabel(box);
+  refusal_->setWordWrap(true);
+  refusal_->setObjectName(QStringLiteral("newRefusal"));
+  make_ = new BigButton(box);
+  make_->setText(tr("Make the project"));
+  make_->setObjectName(QStringLiteral("makeProject"));
+  auto* place = new QHBoxLayout;
+  place->addWidget(folder_, 1);
+  place->addWidget(browse);
+  auto* form = new QFormLayout;
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&Site code"), site_);
+  form->addRow(tr("&Folder"), place);
+  if (auto* label = qobject_cast<QLabel*>(form->labelForField(place))) label->setBuddy(folder_);
+  folder_->setAccessibleName(tr("Folder"));
+  form->addRow(tr("N&umbering"), numbering_);
+  form->addRow(tr("A sherd will be"), example_);
+  auto* column = new QVBoxLayout(box);
+  column->addLayout(form);
+  column->addStretch(1);
+  column->addWidget(refusal_);
+  column->addWidget(make_);
+  connect(name_, &QLineEdit::textEdited, fresh_, &NewProject::setName);
+  connect(site_, &QLineEdit::textEdited, fresh_, &NewProject::setSiteCode);
+  connect(folder_, &QLineEdit::textEdited, fresh_, &NewProject::setFolder);
+  connect(numbering_, &QLineEdit::textEdited, fresh_, &NewProject::setNumbering);
+  connect(browse, &QToolButton::clicked, this, &StartScreen::chooseFolder);
+  connect(make_, &QPushButton::clicked, this, &StartScreen::make);
+  return box;
+}
+
+void StartScreen::setRecent(const QStringList& folders) {
+  recent_->clear();
+  for (const QString& folder : folders) {
+    const QFileInfo catalogue(folder + QStringLiteral("/catalogue.sqlite"));
+    if (!catalogue.exists()) continue;  // an unplugged disk: it comes back with it
+    auto* item = new QListWidgetItem(
+        tr("%1\n%2, %3")
+            .arg(QDir(folder).dirName(), QDir::toNativeSeparators(folder),
+                 QLocale().toString(catalogue.lastModified(), QLocale::ShortFormat)),
+        recent_);
+    const QString picture = pictureOf(folder);
+    item->setData(Qt::UserRole, folder);
+    item->setData(Qt::UserRole + 1, picture);
+    const QPixmap ready = thumbnails_->get(picture, recent_->iconSize() * devicePixelRatioF());
+    if (!ready.isNull()) item->setIcon(ready);
+  }
+  recent_->setVisible(recent_->count() > 0);
+  no_recent_->setVisible(recent_->count() == 0);
+  if (recent_->count() > 0) recent_->setCurrentRow(0);
+}
+
+void StartScreen::showError(const Error& error) {
+  message_->showError(error, tr("All right"));
+}
+
+void StartScreen::follow() {
+  if (folder_->text() != fresh_->folder()) folder_->setText(fresh_->folder());
+  example_->setText(fresh_->example());
+  const bool untouched = fresh_->siteCode().isEmpty() && fresh_->name().isEmpty();
+  refusal_->setText(untouched ? QString() : fresh_->refusal());
+  make_->setEnabled(fresh_->canBeMade());
+}
+
+void StartScreen::chooseFolder() {
+  auto* dialog = new QFileDialog(this, tr("Folder of the new project"), projectsFolder());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, fresh_, &NewProject::setFolder);
+  dialog->open();
+}
+
+void StartScreen::chooseProject() {
+  auto* dialog = new QFileDialog(this, tr("Folder of a project"), projectsFolder());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, &StartScreen::opened);
+  dialog->open();
+}
+
+void StartScreen::make() {
+  auto project = fresh_->make();
+  if (!project) return showError(project.error());
+  emit made(*project);
+}
+
+}  // namespace ostraka::ui

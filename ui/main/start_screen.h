@@ -1,0 +1,48 @@
+#pragma once
+#include <QWidget>
+
+#include "ui/main/new_project.h"
+
+class QLabel;
+class QLineEdit;
+class QListWidget;
+
+namespace ostraka::ui {
+
+class BigButton;
+class MessagePanel;
+class Thumbnails;
+
+/// Before a project is open: the recent ones, a new one, one from elsewhere, the virtual rig.
+class StartScreen final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StartScreen(Thumbnails* thumbnails, QWidget* parent = nullptr);
+  void setRecent(const QStringList& folders);
+  void showError(const Error& error);
+  NewProject* fresh() const { return fresh_; }
+
+ signals:
+  void opened(const QString& folder);  ///< to be opened
+  void virtualRigWanted();
+  void made(const std::shared_ptr<ostraka::catalogue::Project>& project);
+
+ private:
+  QWidget* buildRecent();
+  QWidget* buildNew();
+  void follow();
+  void chooseFolder();
+  void chooseProject();
+  void make();
+
+  Thumbnails* thumbnails_;
+  NewProject* fresh_;
+  QListWidget* recent_;
+  QLabel *no_recent_, *example_, *refusal_;
+  QLineEdit *name_, *site_, *folder_, *numbering_;
+  BigButton* make_;
+  MessagePanel* message_;
+};
+
+}  // namespace ostraka::ui

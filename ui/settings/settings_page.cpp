@@ -1,0 +1,109 @@
+#include "ui/settings/settings_page.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpressionValidator>
+#include <QSlider>
+#include <QSpinBox>
+#include <QThread>
+#include <QVBoxLayout>
+
+namespace ostraka::ui {
+
+SettingsPage::SettingsPage(QWidget* parent)
+    : QWidget(parent),
+      theme_(new QComboBox(this)),
+      language_(new QComboBox(this)),
+      text_(new QSlider(Qt::Horizontal, this)),
+      text_words_(new QLabel(this)),
+      initials_(new QLineEdit(this)),
+      threads_(new QSpinBox(this)) {
+  setObjectName(QStringLiteral("settings"));
+  theme_->setObjectName(QStringLiteral("settingsTheme"));
+  for (const auto& [theme, words] :
+       {std::pair(Theme::System, tr("As the desktop")), std::pair(Theme::Light, tr("Light")),
+        std::pair(Theme::Dark, tr("Dark, for the tent")),
+        std::pair(Theme::Sunlight, tr("Sunlight: black on white, thick lines"))})
+    theme_->addItem(words, static_cast<int>(theme));
+  language_->setObjectName(QStringLiteral("settingsLanguage"));
+  language_->addItem(tr("As the desktop"), QString());
+  for (const char* code : {"en", "de", "fr", "es", "el", "tr", "hy"}) {
+    const QLocale locale(QString::fromLatin1(code));
+    language_->addItem(locale.nativeLanguageName(), QString::fromLatin1(code));
+  }
+  text_->setObjectName(QStringLiteral("settingsText"));
+  text_->setRange(9, 20);  // tens of per cent
+  text_->setPageStep(1);
+  initials_->setObjectName(QStringLiteral("settingsInitials"));
+  initials_->setMaxLength(5);
+  initials_->setValidator(new QRegularExpressionValidator(
+      QRegularExpression(QStringLiteral("\\p{L}{0,5}")), initials_));
+  threads_->setObjectName(QStringLiteral("settingsThreads"));
+  threads_->setRange(0, QThread::idealThreadCount());
+  threads_->setSpecialValueText(tr("all"));
+  buildLayout();
+  for (QComboBox* box : {theme_, language_})
+    connect(box, &QComboBox::currentIndexChanged, this, &SettingsPage::gather);
+  connect(text_, &QSlider::valueChanged, this, &SettingsPage::gather);
+  connect(initials_, &QLineEdit::editingFinished, this, &SettingsPage::gather);
+  connect(threads_, &QSpinBox::valueChanged, this, &SettingsPage::gather);
+}
+
+void SettingsPage::buildLayout() {
+  auto* title = new QLabel(tr("Settings"), this);
+  title->setFont(scaledFont(*this, 1.8));
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(fontMetrics().height());
+  form->addRow(tr("&Your initials"), initials_);
+  form->addRow(QString(), new QLabel(tr("They stand in the history of each decision."), this));
+  form->addRow(tr("&Theme"), theme_);
+  auto* size = new QHBoxLayout;
+  size->addWidget(text_, 1);
+  size->addWidget(text_words_);
+  form->addRow(tr("Te&xt size"), size);
+  auto* size_label = qobject_cast<QLabel*>(form->labelForField(size));
+  if (size_label != nullptr) size_label->setBuddy(text_);
+  text_->setAccessibleName(tr("Text size"));
+  form->addRow(tr("&Language"), language_);
+  form->addRow(QString(), new QLabel(tr("Holds from the next start."), this));
+  form->addRow(tr("&Processors for computing"), threads_);
+  for (QWidget* field : {static_cast<QWidget*>(initials_), static_cast<QWidget*>(theme_),
+                         static_cast<QWidget*>(text_), static_cast<QWidget*>(language_),
+                         static_cast<QWidget*>(threads_)})
+    field->setMinimumHeight(targetSize(*this) * 3 / 4);
+  auto* middle = new QWidget(this);
+  middle->setLayout(form);
+  middle->setMaximumWidth(fontMetrics().averageCharWidth() * 90);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(24, 24, 24, 24);
+  column->addWidget(title);
+  column->addWidget(middle);
+  column->addStretch(1);
+}
+
+void SettingsPage::setSettings(const WindowSettings& settings) {
+  filling_ = true;
+  settings_ = settings;
+  theme_->setCurrentIndex(theme_->findData(static_cast<int>(settings.theme)));
+  language_->setCurrentIndex(qMax(0, language_->findData(settings.language)));
+  text_->setValue(settings.text_percent / 10);
+  text_words_->setText(tr("%1 %").arg(text_->value() * 10));
+  initials_->setText(settings.initials);
+  threads_->setValue(settings.threads);
+  filling_ = false;
+}
+
+void SettingsPage::gather() {
+  if (filling_) return;
+  settings_.theme = static_cast<Theme>(theme_->currentData().toInt());
+  settings_.language = language_->currentData().toString();
+  settings_.text_percent = text_->value() * 10;
+  settings_.initials = initials_->text().toUpper();
+  settings_.threads = threads_->value();
+  text_words_->setText(tr("%1 %").arg(settings_.text_percent));
+  emit changed(settings_);
+}
+
+}  // namespace ostraka::ui

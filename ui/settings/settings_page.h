@@ -1,0 +1,38 @@
+#pragma once
+#include <QWidget>
+
+#include "ui/settings/window_settings.h"
+
+class QComboBox;
+class QLineEdit;
+class QSlider;
+class QLabel;
+class QSpinBox;
+
+namespace ostraka::ui {
+
+/// The settings as a page of the window; each change holds at once.
+class SettingsPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SettingsPage(QWidget* parent = nullptr);
+  void setSettings(const WindowSettings& settings);
+
+ signals:
+  void changed(const ostraka::ui::WindowSettings& settings);
+
+ private:
+  void buildLayout();
+  void gather();
+
+  WindowSettings settings_;
+  QComboBox *theme_, *language_;
+  QSlider* text_;
+  QLabel* text_words_;
+  QLineEdit* initials_;
+  QSpinBox* threads_;
+  bool filling_ = false;
+};
+
+}  // namespace ostraka::ui

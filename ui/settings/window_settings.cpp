@@ -1,0 +1,54 @@
+#include "ui/settings/window_settings.h"
+
+#include <QSettings>
+#include <QThread>
+
+namespace ostraka::ui {
+namespace {
+
+// A QSettings cannot be copied: each use makes its own.
+struct Store : QSettings {
+  Store() : QSettings(IniFormat, UserScope, QStringLiteral("ostraka"), QStringLiteral("window")) {}
+};
+
+int inRange(int value, int least, int most, int otherwise) {
+  return value < least || value > most ? otherwise : value;
+}
+
+}  // namespace
+
+void WindowSettings::remember(const QString& project) {
+  recent.removeAll(project);
+  recent.prepend(project);
+  while (recent.size() > kMostRecentProjects) recent.removeLast();
+}
+
+WindowSettings readSettings() {
+  const Store kept;
+  WindowSettings settings;
+  settings.theme = themeFromName(kept.value(QStringLiteral("theme")).toString());
+  settings.text_percent =
+      inRange(kept.value(QStringLiteral("text_percent")).toInt(), 90, 200, settings.text_percent);
+  settings.language = kept.value(QStringLiteral("language")).toString();
+  settings.initials = kept.value(QStringLiteral("initials")).toString();
+  settings.threads = inRange(kept.value(QStringLiteral("threads")).toInt(), 0,
+                             QThread::idealThreadCount(), settings.threads);
+  settings.recent = kept.value(QStringLiteral("recent")).toStringList();
+  settings.geometry = kept.value(QStringLiteral("geometry")).toByteArray();
+  settings.station = kept.value(QStringLiteral("station")).toString();
+  return settings;
+}
+
+void writeSettings(const WindowSettings& settings) {
+  Store kept;
+  kept.setValue(QStringLiteral("theme"), themeName(settings.theme));
+  kept.setValue(QStringLiteral("text_percent"), settings.text_percent);
+  kept.setValue(QStringLiteral("language"), settings.language);
+  kept.setValue(QStringLiteral("initials"), settings.initials);
+  kept.setValue(QStringLiteral("threads"), settings.threads);
+  kept.setValue(QStringLiteral("recent"), settings.recent);
+  kept.setValue(QStringLiteral("geometry"), settings.geometry);
+  kept.setValue(QStringLiteral("station"), settings.station);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,30 @@
+#pragma once
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+#include "ui/frame/look.h"
+
+namespace ostraka::ui {
+
+/// What the program remembers about a person and a computer, not about a project.
+struct WindowSettings {
+  Theme theme = Theme::System;
+  int text_percent = 100;  ///< 90..200
+  QString language;        ///< "de"; empty: as the desktop
+  QString initials;        ///< who decides and edits: goes into the history of each change
+  int threads = 0;         ///< that a computation may use; 0: all
+  QStringList recent;      ///< folders of projects, the last one first
+  QByteArray geometry;     ///< of the window
+  QString station;         ///< that was in front
+
+  void remember(const QString& project);
+};
+
+inline constexpr int kMostRecentProjects = 8;
+
+/// The one place that reads and writes them; values out of range become the default.
+WindowSettings readSettings();
+void writeSettings(const WindowSettings& settings);
+
+}  // namespace ostraka::ui

@@ -38,6 +38,7 @@ void addEvaluate(CLI::App& root, Command& chosen);
 void addRig(CLI::App& root, Command& chosen);
 void addCapture(CLI::App& root, Command& chosen);
 void addDevices(CLI::App& root, Command& chosen);
+void addDoctor(CLI::App& root, Command& chosen);
 void addCompletion(CLI::App& root, Command& chosen);
 
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives

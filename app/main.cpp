@@ -8,6 +8,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "terminal_progress.h"
+#include "window.h"
 
 namespace {
 
@@ -49,12 +50,15 @@ int main(int argc, char** argv) {
   CLI::App root(kDescription, "ostraka");
   root.footer(kFooter);
   root.set_version_flag("--version", "ostraka 0.1.0");
-  root.require_subcommand(1);
+  root.require_subcommand(0, 1);
   root.fallthrough();
   bool json = false, quiet = false, verbose = false;
   root.add_flag("--json", json, "Print the result as JSON on standard output");
   root.add_flag("--quiet", quiet, "Print no progress and no warnings");
   root.add_flag("--verbose", verbose, "Print every line of the log, not only warnings");
+  std::string project;
+  root.add_option("PROJECT", project, "Opens the window with this project; alone: the window")
+      ->check(CLI::ExistingDirectory);
   app::Command chosen;
   app::addProcess(root, chosen);
   app::addRegister(root, chosen);
@@ -63,12 +67,16 @@ int main(int argc, char** argv) {
   app::addRig(root, chosen);
   app::addCapture(root, chosen);
   app::addDevices(root, chosen);
+  app::addDoctor(root, chosen);
   app::addCompletion(root, chosen);
   try {
     root.parse(argc, argv);
+    if (chosen && !project.empty())
+      throw CLI::ExtrasError(root.get_name(), {project + ": one argument too many"});
   } catch (const CLI::ParseError& error) {
     const int status = root.exit(error);
     return status == 0 ? app::Whole : app::UnusableInputStatus;
   }
+  if (!chosen) return app::openWindow(argc, argv, project);
   return run(chosen, json, quiet, verbose);
 }

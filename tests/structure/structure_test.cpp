@@ -17,6 +17,10 @@ const std::vector<std::string> kOrder = {
     "base",     "cloud",   "batch",        "rig",       "mask",    "stereo",
     "scan",     "pairing", "registration", "model",     "drawing", "pipeline",
     "evaluate", "capture", "virtualrig",   "catalogue", "exchange"};
+// The window's folders likewise; all of them may use core.
+const std::vector<std::string> kUiOrder = {"jobs",   "viewport", "frame", "capture",
+                                           "queue",  "review",   "map",   "catalogue",
+                                           "export", "settings", "main"};
 constexpr int kMostLines = 500, kMostHeaderLines = 150;
 
 fs::path root() {
@@ -34,6 +38,7 @@ bool isSource(const fs::path& file) {
 
 std::vector<fs::path> sourcesUnder(const fs::path& folder) {
   std::vector<fs::path> files;
+  if (!fs::exists(folder)) return files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && isSource(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
@@ -127,13 +132,66 @@ TEST(Structure, NothingInCoreIncludesTheApplication) {
   for (const fs::path& file : sourcesUnder(root() / "core"))
     for (const std::string& line : linesOf(file)) {
       EXPECT_EQ(line.find("#include \"app/"), std::string::npos) << file << ": " << line;
+      EXPECT_EQ(line.find("#include \"ui/"), std::string::npos) << file << ": " << line;
+      EXPECT_EQ(line.find("#include <Q"), std::string::npos) << file << ": " << line;
       EXPECT_EQ(line.find("#include <CLI"), std::string::npos) << file << ": " << line;
       EXPECT_EQ(line.find("opencv2/highgui"), std::string::npos) << file << ": " << line;
     }
 }
 
+int uiRankOf(const std::string& folder) {
+  const auto found = std::find(kUiOrder.begin(), kUiOrder.end(), folder);
+  return found == kUiOrder.end() ? -1 : static_cast<int>(found - kUiOrder.begin());
+}
+
+TEST(Structure, NoIncludeOfTheWindowGoesUpwards) {
+  int includes = 0;
+  const std::string start = "#include \"ui/";
+  for (const fs::path& file : sourcesUnder(root() / "ui")) {
+    const std::string folder = (*std::next(file.lexically_relative(root()).begin())).string();
+    EXPECT_GE(uiRankOf(folder), 0) << file;
+    for (const std::string& line : linesOf(file)) {
+      EXPECT_EQ(line.find("#include \"app/"), std::string::npos) << file << ": " << line;
+      if (!line.starts_with(start)) continue;
+      const std::string included =
+          line.substr(start.size(), line.find('/', start.size()) - start.size());
+      ++includes;
+      EXPECT_GE(uiRankOf(included), 0) << file << ": " << line;
+      EXPECT_LE(uiRankOf(included), uiRankOf(folder)) << file << ": " << line;
+    }
+  }
+  if (fs::exists(root() / "ui" / "main")) EXPECT_GT(includes, 50);
+}
+
+// Words that may stand in one folder of the window only.
+TEST(Structure, TheWindowKeepsThreadsVtkAndSqlBehindTheirDoors) {
+  struct Door {
+    const char* word;
+    const char* folder;  // "" for none
+  };
+  const Door doors[] = {{"#include <vtk", "viewport"},
+                        {"std::thread", "jobs"},
+                        {"std::jthread", "jobs"},
+                        {"QThreadPool", "jobs"},
+                        {"QtConcurrent", "jobs"},
+                        {"moveToThread", "jobs"},
+                        {"processEvents", ""},
+                        {"QEventLoop", ""},
+                        {"QSqlQuery", ""},
+                        {"sqlite3_", ""},
+                        {"SIGNAL(", ""}};
+  for (const fs::path& file : sourcesUnder(root() / "ui")) {
+    const std::string folder = (*std::next(file.lexically_relative(root()).begin())).string();
+    for (const std::string& line : linesOf(file))
+      for (const Door& door : doors)
+        if (folder != door.folder) {
+          EXPECT_EQ(line.find(door.word), std::string::npos) << file << ": " << line;
+        }
+  }
+}
+
 TEST(Structure, NoFileIsLongerThanFiveHundredLinesNoHeaderThanAHundredAndFifty) {
-  for (const char* top : {"core", "app", "tests"})
+  for (const char* top : {"core", "ui", "app", "tests"})
     for (const fs::path& file : sourcesUnder(root() / top)) {
       const auto lines = static_cast<int>(linesOf(file).size());
       EXPECT_LE(lines, file.extension() == ".h" ? kMostHeaderLines : kMostLines) << file;
@@ -141,7 +199,7 @@ TEST(Structure, NoFileIsLongerThanFiveHundredLinesNoHeaderThanAHundredAndFifty) 
 }
 
 TEST(Structure, LinesKeepWithinAHundredColumns) {
-  for (const char* top : {"core", "app", "tests"})
+  for (const char* top : {"core", "ui", "app", "tests"})
     for (const fs::path& file : sourcesUnder(root() / top)) {
       const std::vector<std::string> lines = linesOf(file);
       for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -154,7 +212,7 @@ TEST(Structure, LinesKeepWithinAHundredColumns) {
 }
 
 TEST(Structure, SourcesSpeakOfNoMachinesPaths) {
-  for (const char* top : {"core", "app", "tests"})
+  for (const char* top : {"core", "ui", "app", "tests"})
     for (const fs::path& file : sourcesUnder(root() / top)) {
       if (file.filename() == "structure_test.cpp") continue;
       for (const std::string& line : linesOf(file))

@@ -263,13 +263,14 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
   options.side = side;
   options.stops = source_.stops;
   options.retake = std::move(retake);
-  const auto work = [devices = devices_, prepare = source_.prepare, batch = batchIndex(), options](
+  const auto work = [devices = devices_, prepare = source_.prepare, shoot = source_.shoot,
+                     batch = batchIndex(), options](
                         Progress& progress, std::stop_token stop) -> Result<capture::SideSummary> {
     if (options.side == batch::Side::Front)
       if (const Result<void> done = prepare(options.batch, batch, progress, stop); !done)
         return done.error();
     if (devices->side_placed) devices->side_placed(options.side);
-    return capture::shootSide(
+    return shoot(
         *devices, options,
         [&progress](const capture::CaptureEvent& event) { tell(progress, event); }, progress, stop);
   };

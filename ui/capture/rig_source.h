@@ -34,6 +34,11 @@ struct RigSource {
   std::function<Result<void>(const std::filesystem::path& folder, int batch, Progress&,
                              std::stop_token)>
       prepare;
+  /// Takes one side; another one in tests.
+  std::function<Result<capture::SideSummary>(capture::RigDevices&, const capture::SideOptions&,
+                                             const capture::OnCaptureEvent&, Progress&,
+                                             std::stop_token)>
+      shoot = capture::shootSide;
   bool anew_for_each_batch = false;
   int stops = 8;
   QString words;  ///< for the line at the head: "ready (2 days old)"

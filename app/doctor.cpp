@@ -1,0 +1,217 @@
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <vector>
+
+#include "base/parallel.h"
+#include "command.h"
+#include "rig/colmap_program.h"
+#include "window.h"
+
+namespace ostraka::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Verdict { Good, Slow, Missing };
+
+struct Finding {
+  Verdict verdict = Verdict::Good;
+  std::string subject;  ///< "memory"
+  std::string words;    ///< what is there, and what to do
+};
+
+std::string gigabytes(double bytes) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f GB", bytes / 1e9);
+  return text;
+}
+
+Finding processors() {
+  const int threads = availableThreads();
+  std::ifstream info("/proc/cpuinfo");
+  std::string line, model;
+  bool avx2 = false;
+  while (std::getline(info, line)) {
+    if (line.starts_with("model name") && model.empty())
+      model = line.substr(std::min(line.size(), line.find(':') + 2));
+    if (line.starts_with("flags")) avx2 = avx2 || line.find(" avx2") != std::string::npos;
+  }
+  const std::string words = std::to_string(threads) + " (" + model + ")";
+  if (threads < 2) return {Verdict::Slow, "processors", words + "; two compute twice as fast"};
+  if (!avx2) return {Verdict::Slow, "processors", words + " without AVX2: stereo takes longer"};
+  return {Verdict::Good, "processors", words};
+}
+
+Finding memory() {
+  std::ifstream info("/proc/meminfo");
+  double total = 0, available = 0;
+  for (std::string key, unit; info >> key;) {
+    double value = 0;
+    info >> value;
+    std::getline(info, unit);
+    if (key == "MemTotal:") total = value * 1024;
+    if (key == "MemAvailable:") available = value * 1024;
+  }
+  const std::string words = gigabytes(total) + ", " + gigabytes(available) + " free";
+  if (total < 3.5e9)
+    return {Verdict::Slow, "memory", words + "; 4 GB are wanted for photographs of 24 megapixels"};
+  if (available < 1.5e9) return {Verdict::Slow, "memory", words + "; close other programs"};
+  return {Verdict::Good, "memory", words};
+}
+
+// Megabytes a second with everything on the disk, as photographs are written; below 0: refused.
+double writingSpeed(const fs::path& folder) {
+  std::string pattern = (folder / ".ostraka_doctor_XXXXXX").string();
+  const int file = ::mkstemp(pattern.data());
+  if (file < 0) return -1;
+  const std::vector<char> block(std::size_t{1} << 20, 'o');
+  constexpr int kBlocks = 24;
+  const auto begin = std::chrono::steady_clock::now();
+  bool whole = true;
+  for (int i = 0; i < kBlocks && whole; ++i)
+    whole = ::write(file, block.data(), block.size()) == static_cast<ssize_t>(block.size());
+  whole = ::fsync(file) == 0 && whole;
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  ::close(file);
+  ::unlink(pattern.c_str());
+  return whole ? kBlocks / seconds : -1;
+}
+
+Finding disk(const fs::path& folder) {
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  if (error) return {Verdict::Missing, "disk", folder.string() + ": " + error.message()};
+  const double speed = writingSpeed(folder);
+  char text[64];
+  std::snprintf(text, sizeof text, ", writes %.0f MB a second", speed);
+  const std::string words = folder.string() + ": " +
+                            gigabytes(static_cast<double>(space.available)) + " free" +
+                            (speed < 0 ? "" : text);
+  if (speed < 0) return {Verdict::Missing, "disk", words + "; nothing can be written there"};
+  if (static_cast<double>(space.available) < 5e9)
+    return {Verdict::Missing, "disk", words + "; a batch takes about 1 GB: make room"};
+  if (speed < 20) return {Verdict::Slow, "disk", words + "; that is slow for photographs"};
+  return {Verdict::Good, "disk", words};
+}
+
+Finding program(const std::string& name, const std::string& use) {
+  const auto found = rig::findProgram(name);
+  if (found) return {Verdict::Good, name, found->string()};
+  return {Verdict::Good, name, "not installed; it is optional: " + use};
+}
+
+Finding openGl() {
+  bool ok = false;
+  const std::string words = openGlWords(ok);
+  if (words.starts_with("not looked at")) return {Verdict::Good, "OpenGL", words};
+  if (!ok) return {Verdict::Missing, "OpenGL", words + ". The window works, without 3D views"};
+  if (words.find("llvmpipe") != std::string::npos)
+    return {Verdict::Slow, "OpenGL", words + "; drawn by the processor: turning is less smooth"};
+  return {Verdict::Good, "OpenGL", words};
+}
+
+bool usable(const fs::path& device) {
+  return ::access(device.c_str(), R_OK | W_OK) == 0;
+}
+
+// Devices of a kind: which there are, and which may not be used.
+Finding devices(const std::string& subject, const fs::path& folder,
+                const std::vector<std::string>& beginnings, const std::string& repair) {
+  int there = 0;
+  std::string refused;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (std::none_of(beginnings.begin(), beginnings.end(),
+                     [&](const std::string& b) { return name.starts_with(b); }))
+      continue;
+    ++there;
+    if (!usable(at->path())) refused += " " + at->path().string();
+  }
+  if (there == 0) return {Verdict::Good, subject, "none is plugged in"};
+  if (!refused.empty())
+    return {Verdict::Missing, subject, "no permission for" + refused + "; " + repair};
+  return {Verdict::Good, subject, std::to_string(there) + " found, all may be used"};
+}
+
+bool isRunning(const std::string& program) {
+  std::error_code error;
+  for (fs::directory_iterator at("/proc", error), end; !error && at != end; at.increment(error)) {
+    std::ifstream name(at->path() / "comm");
+    std::string running;
+    // The kernel keeps fifteen letters of a name.
+    if (std::getline(name, running) && running == program.substr(0, 15)) return true;
+  }
+  return false;
+}
+
+std::vector<Finding> examine(const fs::path& folder) {
+  std::vector<Finding> findings{processors(), memory(), disk(folder), openGl()};
+  findings.push_back(program("colmap", "poses of photographs without a marker plate"));
+  findings.push_back(program("DensifyPointCloud", "OpenMVS as another stereo"));
+  findings.push_back(devices("turntables (serial)", "/dev", {"ttyUSB", "ttyACM"},
+                             "add yourself to the group 'dialout' and log in again"));
+  findings.push_back(devices("cameras (video)", "/dev", {"video"},
+                             "add yourself to the group 'video' and log in again"));
+  if (isRunning("gvfs-gphoto2-volume-monitor"))
+    findings.push_back({Verdict::Slow, "gvfs",
+                        "the desktop takes cameras for itself; 'systemctl --user stop "
+                        "gvfs-gphoto2-volume-monitor' lets them go"});
+  if (isRunning("ModemManager"))
+    findings.push_back({Verdict::Slow, "ModemManager",
+                        "it talks to turntables as if they were modems for ten seconds after they "
+                        "are plugged in; the udev rules of the package prevent that"});
+  return findings;
+}
+
+int runDoctor(const fs::path& folder, Session& session) {
+  const std::vector<Finding> findings = examine(folder);
+  session.finishProgress();
+  const bool missing = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.verdict == Verdict::Missing;
+  });
+  const int status = missing ? NotWhole : Whole;
+  const auto name = [](Verdict verdict) {
+    return verdict == Verdict::Good ? "good" : verdict == Verdict::Slow ? "slow" : "missing";
+  };
+  if (session.json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Finding& finding : findings)
+      list.push_back({{"verdict", name(finding.verdict)},
+                      {"subject", finding.subject},
+                      {"words", finding.words}});
+    printJson({{"findings", list}, {"exit_status", status}});
+    return status;
+  }
+  for (const Finding& finding : findings)
+    std::printf("%-8s %s: %s.\n", name(finding.verdict), finding.subject.c_str(),
+                finding.words.c_str());
+  return status;
+}
+
+}  // namespace
+
+void addDoctor(CLI::App& root, Command& chosen) {
+  CLI::App* command =
+      root.add_subcommand("doctor", "Say what is missing or slow on this computer, in words");
+  auto folder = std::make_shared<std::string>(".");
+  command->add_option("FOLDER", *folder, "Where projects are kept: its disk is looked at")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+  command->callback([folder, &chosen] {
+    chosen = [folder](Session& session) { return runDoctor(*folder, session); };
+  });
+}
+
+}  // namespace ostraka::app

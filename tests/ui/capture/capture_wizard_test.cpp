@@ -1,0 +1,218 @@
+// Place - Shoot - Flip - Shoot - Done without a display and without a rig.
+#include "ui/capture/capture_wizard.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "catalogue/project.h"
+#include "fake_rig.h"
+#include "ui/frame/project_session.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+using catalogue::BatchState;
+
+namespace {
+
+struct Bench {
+  explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
+      : session(projectIn(folder), folder, jobs) {
+    wizard.setSession(&session);
+  }
+  static std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
+                                                      : catalogue::Project::create(folder, record);
+    if (!made) qFatal("%s", made.error().sentence().c_str());
+    return std::make_shared<catalogue::Project>(std::move(*made));
+  }
+  catalogue::BatchRecord batch() { return session.project().catalogue().batches()->front(); }
+
+  FakeRig rig;
+  ProjectSession session;
+  CaptureWizard wizard;
+};
+
+}  // namespace
+
+class CaptureWizardTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+  void runners_data() {
+    QTest::addColumn<bool>("threaded");
+    QTest::newRow("inline") << false;
+    QTest::newRow("threaded") << true;
+  }
+
+  void threeKeysMakeABatch_data() { runners_data(); }
+  void threeKeysMakeABatch() {
+    QFETCH(bool, threaded);
+    std::unique_ptr<JobRunner> jobs;
+    if (threaded)
+      jobs = std::make_unique<ThreadedJobRunner>();
+    else
+      jobs = std::make_unique<InlineJobRunner>();
+    Bench bench(folder(), *jobs);
+    bench.wizard.setPlace(*readPlaceText("ARM1-T3-0012-4"));
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QSignalSpy queued(&bench.wizard, &CaptureWizard::batchQueued);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.batch().state, BatchState::Front);
+    QCOMPARE(bench.batch().bags.size(), std::size_t{1});
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    QTRY_COMPARE(queued.count(), 1);
+    QCOMPARE(bench.batch().state, BatchState::Queued);
+    QCOMPARE(bench.batch().counted, 9);
+    QCOMPARE(bench.rig.placed, (std::vector<batch::Side>{batch::Side::Front, batch::Side::Back}));
+    QCOMPARE(bench.wizard.headline(), QStringLiteral("You may clear the plate."));
+    const QString first = bench.wizard.batchNumber();
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QVERIFY(bench.wizard.batchNumber() != first);
+    QCOMPARE(bench.rig.opened, 1);  // a real rig stays open
+  }
+
+  void aRigThatDoesNotAnswerIsTriedAgain() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.refuse_open = Error{ErrorCode::Missing, "It does not answer.", "camera B"};
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    QVERIFY(bench.wizard.canGoOn());
+    bench.rig.refuse_open.reset();
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QVERIFY(!bench.wizard.fault());
+  }
+
+  void aFaultSaysWhatIsSafeAndTheSameKeyGoesOn() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.rig.refuse_shoot =
+        Error{ErrorCode::Missing, "Camera B did not answer at stop 5. Check its cable.", ""};
+    bench.wizard.next();
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    QVERIFY(bench.wizard.fault()->what.find("1 photograph") != std::string::npos);
+    QCOMPARE(bench.batch().state, BatchState::Placed);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.rig.asked.size(), std::size_t{2});
+    QCOMPARE(bench.rig.asked[0].batch, bench.rig.asked[1].batch);  // the same batch goes on
+  }
+
+  void escapeStopsTheTableAtOnce() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.rig.wait_for_stop = true;
+    bench.wizard.next();
+    QVERIFY(bench.wizard.isBusy());
+    bench.wizard.stop();
+    QCOMPARE(bench.rig.stopped.load(), 1);
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    QCOMPARE(bench.wizard.fault()->code, ErrorCode::Cancelled);
+    bench.rig.wait_for_stop = false;
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+  }
+
+  void aLostSherdKeepsTheBatchOutOfTheQueueUntilThePersonSaysSo() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.back = 8;
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    QVERIFY(!bench.wizard.doubts().isEmpty());
+    QVERIFY(bench.wizard.headline() != QStringLiteral("You may clear the plate."));
+    QCOMPARE(bench.batch().state, BatchState::Back);
+    bench.rig.back = 9;
+    bench.wizard.again();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    QCOMPARE(bench.rig.asked.back().retake.size(), std::size_t{24});  // the whole side
+    QVERIFY(bench.wizard.doubts().isEmpty());
+  }
+
+  void aBlurredPhotographIsNamedAndOnlyItIsTakenAgain() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.flagged = {{0, 1}};
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.wizard.doubts().size(), 1);
+    QVERIFY(bench.wizard.doubts()[0].contains("B"));
+    QVERIFY(bench.wizard.doubts()[0].contains("1"));
+    bench.wizard.again();
+    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.isBusy());
+    QCOMPARE(bench.rig.asked.back().retake, (std::vector<capture::ShotName>{{0, 1}}));
+  }
+
+  void aCaptureThatWasInterruptedGoesOnWhereItWas() {
+    InlineJobRunner jobs;
+    QString number;
+    {
+      Bench bench(folder(), jobs);
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      number = bench.wizard.batchNumber();
+    }
+    Bench again(folder(), jobs);
+    again.wizard.setRig(sourceOf(again.rig));
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(again.wizard.batchNumber(), number);
+    again.wizard.next();
+    QTRY_COMPARE(again.batch().state, BatchState::Queued);
+    QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
+  }
+
+  void aBagThatLacksItsContextIsRefusedBeforeAnythingIsShot() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setPlace({"ARM1", "", "", "4"});
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QVERIFY(bench.wizard.fault().has_value());
+    QVERIFY(bench.session.project().catalogue().batches()->empty());
+  }
+
+  void aCameraWithoutALivePictureIsNoFault() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.setLive(true);
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QTRY_VERIFY(!bench.wizard.facts().empty());
+    QVERIFY(bench.wizard.facts()[0].good);
+    QVERIFY(!bench.wizard.fault());
+  }
+
+ private:
+  std::filesystem::path folder() const {
+    return std::filesystem::path(folder_->path().toStdString()) / "project";
+  }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(CaptureWizardTest)
+#include "capture_wizard_test.moc"

@@ -1,0 +1,104 @@
+#pragma once
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "ui/capture/rig_source.h"
+
+/// A rig without pictures: what the wizard asks of it is written down, and it answers as a test
+/// says.
+namespace ostraka::ui {
+
+struct FakeRig {
+  int opened = 0, prepared = 0;
+  std::vector<batch::Side> placed, shot;
+  std::vector<capture::SideOptions> asked;
+  std::atomic<int> stopped = 0;
+  std::optional<Error> refuse_open, refuse_shoot;
+  int front = 9, back = 9;                 ///< sherds counted
+  std::vector<capture::ShotName> flagged;  ///< of the next side
+  bool wait_for_stop = false;              ///< the next side runs until it is stopped
+};
+
+class FakeTable final : public capture::Turntable {
+ public:
+  explicit FakeTable(FakeRig& rig) : rig_(rig) {}
+  std::string name() const override { return "a table"; }
+  Result<void> home(std::stop_token) override { return {}; }
+  Result<void> zeroHere(std::stop_token) override { return {}; }
+  Result<void> moveTo(double, std::stop_token) override { return {}; }
+  void stopNow() override { ++rig_.stopped; }
+  std::optional<double> position_deg() const override { return 0.0; }
+  Result<void> reopen(std::stop_token) override { return {}; }
+  void close() override {}
+
+ private:
+  FakeRig& rig_;
+};
+
+class FakeCamera final : public capture::Camera {
+ public:
+  capture::CameraId id() const override { return {"folder", "a camera", "1", ""}; }
+  Result<std::vector<capture::CameraSetting>> settings() override {
+    return std::vector<capture::CameraSetting>();
+  }
+  Result<capture::CameraSetting> set(const std::string&, const std::string&) override {
+    return capture::CameraSetting();
+  }
+  Result<std::string> preview(std::stop_token) override {
+    return Error{ErrorCode::Missing, "This camera has no live picture.", "camera"};
+  }
+  Result<void> getReady(std::stop_token) override { return {}; }
+  Result<void> trigger() override { return {}; }
+  Result<std::vector<capture::CameraFile>> fetch(double, std::stop_token) override {
+    return std::vector<capture::CameraFile>();
+  }
+  Result<void> reopen(std::stop_token) override { return {}; }
+  Result<void> close() override { return {}; }
+};
+
+inline RigSource sourceOf(FakeRig& rig) {
+  RigSource source;
+  source.words = QStringLiteral("ready");
+  source.open = [&rig](int, std::stop_token) -> Result<std::shared_ptr<capture::RigDevices>> {
+    ++rig.opened;
+    if (rig.refuse_open) return *rig.refuse_open;
+    auto devices = std::make_shared<capture::RigDevices>();
+    devices->turntable = std::make_unique<FakeTable>(rig);
+    for (int camera = 0; camera < 3; ++camera)
+      devices->cameras.push_back(std::make_unique<FakeCamera>());
+    devices->side_placed = [&rig](batch::Side side) { rig.placed.push_back(side); };
+    return devices;
+  };
+  source.prepare = [&rig](const std::filesystem::path&, int, Progress&,
+                          std::stop_token) -> Result<void> {
+    ++rig.prepared;
+    return {};
+  };
+  source.shoot = [&rig](capture::RigDevices&, const capture::SideOptions& options,
+                        const capture::OnCaptureEvent& on_event, Progress&,
+                        std::stop_token stop) -> Result<capture::SideSummary> {
+    rig.asked.push_back(options);
+    while (rig.wait_for_stop && !stop.stop_requested()) {
+    }
+    if (stop.stop_requested()) return Error::cancelled();
+    rig.shot.push_back(options.side);
+    capture::CaptureEvent event;
+    event.side = options.side;
+    event.stop = 0;
+    event.camera = 1;
+    event.take = 1;
+    event.kind = capture::CaptureEventKind::ShotKept;
+    if (!rig.flagged.empty()) event.check.problems.push_back(capture::ShotProblem::Blurred);
+    on_event(event);
+    if (rig.refuse_shoot) return *std::exchange(rig.refuse_shoot, std::nullopt);
+    capture::SideSummary summary;
+    summary.kept = options.stops * 3;
+    summary.flagged = std::exchange(rig.flagged, {});
+    summary.check.sherds = options.side == batch::Side::Front ? rig.front : rig.back;
+    return summary;
+  };
+  return source;
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,85 @@
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "base/files.h"
+#include "catalogue/project.h"
+#include "ui/capture/batch_importer.h"
+#include "ui/frame/project_session.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class ImportTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    auto project = catalogue::Project::create(path("project"), record);
+    QVERIFY(project.has_value());
+    session_ = std::make_unique<ProjectSession>(
+        std::make_shared<catalogue::Project>(std::move(*project)), path("project"), jobs_);
+  }
+
+  void scansBecomeABatchInTheQueueAndTheOriginalsStay() {
+    for (const char* file : {"front/a.ply", "front/b.ply", "back/c.ply", "truth/pairs.json"})
+      QVERIFY(writeFileAtomically(path("scans") / file, file).has_value());
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    QSignalSpy imported(&importer, &BatchImporter::imported);
+    importer.start(QString::fromStdString(path("scans").string()), ImportKind::Scans,
+                   {"ARM1", "T3", "0012", "4"});
+    QTRY_COMPARE(imported.count(), 1);
+    const auto batches = session_->project().catalogue().batches();
+    QCOMPARE(batches->size(), std::size_t{1});
+    const catalogue::BatchRecord& batch = batches->front();
+    QCOMPARE(batch.state, catalogue::BatchState::Queued);
+    QCOMPARE(batch.bags.size(), std::size_t{1});
+    const auto copy = session_->project().batchFolder(batch.number);
+    QCOMPARE(*readFile(copy / "back" / "c.ply"), std::string("back/c.ply"));
+    QVERIFY(!std::filesystem::exists(copy / "truth"));
+    QVERIFY(std::filesystem::exists(path("scans") / "front" / "a.ply"));
+    QVERIFY(!std::filesystem::exists(path("project") / "batches" / "import.partial"));
+  }
+
+  void aFolderWithoutBacksIsRefusedWithASentenceAndLeavesNothing() {
+    QVERIFY(writeFileAtomically(path("half") / "front" / "a.ply", "x").has_value());
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    QSignalSpy imported(&importer, &BatchImporter::imported);
+    std::string sentence;
+    connect(&importer, &BatchImporter::failed, this,
+            [&](const Error& error) { sentence = error.sentence(); });
+    importer.start(QString::fromStdString(path("half").string()), ImportKind::Scans, {});
+    QTRY_VERIFY(!sentence.empty());
+    QVERIFY(sentence.find("back/") != std::string::npos);
+    QCOMPARE(imported.count(), 0);
+    QVERIFY(session_->project().catalogue().batches()->empty());
+  }
+
+  void photographsThatAreNoBatchAreRefused() {
+    QVERIFY(writeFileAtomically(path("holiday") / "beach.jpg", "x").has_value());
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    std::string sentence;
+    connect(&importer, &BatchImporter::failed, this,
+            [&](const Error& error) { sentence = error.sentence(); });
+    importer.start(QString::fromStdString(path("holiday").string()), ImportKind::Photographs, {});
+    QTRY_VERIFY(!sentence.empty());
+    QVERIFY(session_->project().catalogue().batches()->empty());
+  }
+
+ private:
+  std::filesystem::path path(const char* name) const {
+    return std::filesystem::path(folder_->path().toStdString()) / name;
+  }
+  InlineJobRunner jobs_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<ProjectSession> session_;
+};
+
+QTEST_GUILESS_MAIN(ImportTest)
+#include "import_test.moc"

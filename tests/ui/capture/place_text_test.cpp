@@ -1,0 +1,67 @@
+#include "ui/capture/place_text.h"
+
+#include <QtTest>
+
+#include "catalogue/project.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class PlaceTextTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void readsWhatPeopleTypeAndWhatLabelsSay_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("number") << "ARM1-T3-0012-4";
+    QTest::newRow("as the window writes it") << "ARM1 / T3 / 0012 bag 4";
+    QTest::newRow("spaces") << "  ARM1 T3 0012 4 ";
+    QTest::newRow("code") << "OST1:B:ARM1-T3-0012-4:7F3K9Q2M";
+  }
+  void readsWhatPeopleTypeAndWhatLabelsSay() {
+    QFETCH(QString, text);
+    const auto place = readPlaceText(text);
+    QVERIFY(place.has_value());
+    QCOMPARE(*place, (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(place->words(), QStringLiteral("ARM1 / T3 / 0012 bag 4"));
+  }
+
+  void aSiteWithoutTrenchesHasThreeParts() {
+    QCOMPARE(*readPlaceText("ARM1-0012-4"), (PlaceText{"ARM1", "", "0012", "4"}));
+  }
+
+  void refusesWhatIsNoPlace_data() {
+    QTest::addColumn<QString>("text");
+    QTest::newRow("nothing") << "";
+    QTest::newRow("one word") << "ARM1";
+    QTest::newRow("a sherd's code") << "OST1:S:ARM1-T3-0012-0007:7F3K9Q2M";
+    QTest::newRow("too much") << "a-b-c-d-e";
+  }
+  void refusesWhatIsNoPlace() {
+    QFETCH(QString, text);
+    QVERIFY(!readPlaceText(text).has_value());
+  }
+
+  void theSamePlaceIsMadeOnce() {
+    QTemporaryDir folder;
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    auto project = catalogue::Project::create(folder.filePath("p").toStdString(), record);
+    QVERIFY(project.has_value());
+    catalogue::Catalogue& rows = project->catalogue();
+    const PlaceText place{"ARM1", "T3", "0012", "4"};
+    const auto first = bagRowOf(rows, place, {});
+    QVERIFY2(first.has_value(), first ? "" : first.error().sentence().c_str());
+    QVERIFY(*first > 0);
+    QCOMPARE(*bagRowOf(rows, place, {}), *first);
+    const auto other = bagRowOf(rows, {"ARM1", "T3", "0012", "5"}, {});
+    QVERIFY(*other != *first);
+    QCOMPARE(rows.sites()->size(), std::size_t{1});
+    QCOMPARE(rows.contexts()->size(), std::size_t{1});
+    QCOMPARE(*bagRowOf(rows, {}, {}), std::int64_t{0});
+  }
+};
+
+QTEST_GUILESS_MAIN(PlaceTextTest)
+#include "place_text_test.moc"

@@ -1,0 +1,136 @@
+// What a person does first: a new project, a whole batch with the virtual rig by keyboard, until
+// its sherds stand in the catalogue; closed and killed on the way.
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSpinBox>
+#include <csignal>
+#include <filesystem>
+
+#include "catalogue/filter.h"
+#include "catalogue/project.h"
+#include "person.h"
+#include "ui/capture/capture_station.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/queue/batch_queue.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kLong_ms = 400000;  // a shared computer with two slow processors
+
+int wholeStages(const fs::path& results) {
+  int whole = 0;
+  std::error_code error;
+  for (fs::directory_iterator at(results / "work", error), end; !error && at != end;
+       at.increment(error))
+    whole += fs::exists(at->path() / "stage.json") ? 1 : 0;
+  return whole;
+}
+
+}  // namespace
+
+class FirstRunTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aBatchFromNewProjectToTheCatalogue() {
+    const Home home;
+    ThreadedJobRunner jobs;
+    const QString folder = home.path(QStringLiteral("Ostraka/First"));
+    const fs::path results = fs::path(folder.toStdString()) / "results" / "B0001";
+    {
+      MainWindow window(jobs);
+      activate(window);
+      makeProject(window);
+      photograph(window);
+      // Closed in the middle of the computation.
+      QTRY_VERIFY_WITH_TIMEOUT(wholeStages(results) >= 1, kLong_ms);
+      window.close();
+    }
+    killInTheMiddle(folder, results);
+    finish(jobs, folder);
+  }
+
+ private:
+  void makeProject(MainWindow& window) {
+    auto* site = named<QLineEdit>(window, "newSite");
+    auto* name = named<QLineEdit>(window, "newName");
+    QTest::keyClicks(name, "First");
+    QTest::keyClicks(site, "arm1");
+    QTest::mouseClick(named<QPushButton>(window, "makeProject"), Qt::LeftButton);
+    QVERIFY(window.session() != nullptr);
+    named<QSpinBox>(window, "virtualSherds")->setValue(2);
+    RigChoice small;
+    small.kind = RigChoice::Kind::Virtual;
+    small.sherds = 2;
+    small.width_px = 800;
+    small.seed = 6;  // the first batch is broken with seed 7
+    window.findChild<CaptureStation*>()->chooseRig(small);
+    QTest::keyClicks(named<QLineEdit>(window, "capturePlace"), "ARM1-T3-0012-4");
+    QTest::keyClick(named<QLineEdit>(window, "capturePlace"), Qt::Key_Return);
+  }
+
+  // Space, Space: the fronts and the backs.
+  void photograph(MainWindow& window) {
+    CaptureWizard& wizard = *window.wizard();
+    QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Place, kLong_ms);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Flip, kLong_ms);
+    QVERIFY2(!wizard.fault(), wizard.fault() ? wizard.fault()->sentence().c_str() : "");
+    QTest::keyClick(&window, Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Done, kLong_ms);
+    if (!wizard.doubts().isEmpty()) {
+      qInfo("%s", qPrintable(wizard.doubts().join(QLatin1Char('\n'))));
+      QTest::keyClick(&window, Qt::Key_Space);
+    }
+    QTRY_VERIFY(window.queue()->isBusy());
+  }
+
+  void killInTheMiddle(const QString& folder, const fs::path& results) {
+    const int before = wholeStages(results);
+    QProcess program;
+    program.start(QStringLiteral(OSTRAKA_PROGRAM), {folder});
+    QVERIFY(program.waitForStarted());
+    QTRY_VERIFY_WITH_TIMEOUT(wholeStages(results) > before || program.state() != QProcess::Running,
+                             kLong_ms);
+    QCOMPARE(program.state(), QProcess::Running);
+    program.kill();
+    QVERIFY(program.waitForFinished());
+  }
+
+  void finish(JobRunner& jobs, const QString& folder) {
+    MainWindow window(jobs);
+    activate(window);
+    window.openProject(folder);
+    QVERIFY(window.session() != nullptr);
+    QTRY_COMPARE_WITH_TIMEOUT(window.queue()->waitingToCompute(), 0, kLong_ms);
+    const QueueRow& row = window.queue()->row(0);
+    QVERIFY2(row.state == QueueState::Review || row.state == QueueState::Done,
+             qPrintable(row.failure));
+    QCOMPARE(row.figures->sherds, 2);
+    const auto sherds = window.session()->project().catalogue().sherdRows(catalogue::Filter(),
+                                                                          catalogue::SherdOrder());
+    QVERIFY(sherds.has_value());
+    QCOMPARE(sherds->size(), std::size_t{2});
+    const auto record = window.session()->project().catalogue().sherd(sherds->front());
+    QCOMPARE(record->context_number, std::string("0012"));
+    QVERIFY(record->measures.at("length") > 10);
+    QVERIFY(!window.session()->project().backups().empty());
+  }
+};
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  applyLook(application, Theme::Light, 100);
+  FirstRunTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "first_run_test.moc"

@@ -1,0 +1,89 @@
+#include "ui/main/new_project.h"
+
+#include <QtTest>
+
+#include "catalogue/project.h"
+#include "ui/capture/rig_source.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class NewProjectTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theExampleFollowsWhatIsTyped() {
+    NewProject fresh;
+    fresh.setSiteCode("arm2");
+    QCOMPARE(fresh.siteCode(), QStringLiteral("ARM2"));
+    QCOMPARE(fresh.example(), QStringLiteral("ARM2-T3-0012-0007"));
+    fresh.setNumbering("{site}.{yy}.{n:03}");
+    QCOMPARE(fresh.example(), QStringLiteral("ARM2.26.007"));
+  }
+
+  void theFolderFollowsTheNameUntilItIsTyped() {
+    NewProject fresh;
+    fresh.setName("Aragats / north");
+    QVERIFY(fresh.folder().endsWith("Ostraka/Aragats _ north"));
+    fresh.setFolder("elsewhere");
+    fresh.setName("Other");
+    QCOMPARE(fresh.folder(), QStringLiteral("elsewhere"));
+  }
+
+  void saysWhyItCannotBeMade() {
+    const QTemporaryDir folder;
+    NewProject fresh;
+    fresh.setFolder(folder.filePath("p"));
+    QVERIFY(fresh.refusal().contains("code"));
+    fresh.setSiteCode("ARM1");
+    QVERIFY2(fresh.canBeMade(), qPrintable(fresh.refusal()));
+    fresh.setNumbering("{site}-{context}");
+    QVERIFY(!fresh.canBeMade());  // without {n} all sherds would have one number
+    QVERIFY(fresh.example().isEmpty());
+    fresh.setNumbering("{site}-{n}");
+    QFile other(folder.filePath("other.txt"));
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.close();
+    fresh.setFolder(folder.path());
+    QVERIFY(fresh.refusal().contains("other files"));
+  }
+
+  void aMadeProjectIsThereAndIsNotMadeTwice() {
+    const QTemporaryDir folder;
+    NewProject fresh;
+    fresh.setSiteCode("ARM1");
+    fresh.setName("Aragats");
+    fresh.setFolder(folder.filePath("p"));
+    const auto made = fresh.make();
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    QCOMPARE((*made)->catalogue().sites()->front().code, std::string("ARM1"));
+    QCOMPARE((*made)->catalogue().project()->title, std::string("Aragats"));
+    QVERIFY(fresh.refusal().contains("project in this folder already"));
+  }
+
+  void theVirtualProjectHasItsRigAndItsBag() {
+    const QTemporaryDir folder;
+    const auto made = makeVirtualProject(folder.filePath("v"));
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    const auto rig = (*made)->catalogue().setting("rig");
+    QCOMPARE(RigChoice::fromJson(QString::fromStdString(*rig)).kind, RigChoice::Kind::Virtual);
+    QVERIFY(!(*made)->catalogue().setting("capture.place")->empty());
+  }
+
+  void aRigIsReadAsItWasWritten() {
+    RigChoice choice;
+    choice.kind = RigChoice::Kind::File;
+    choice.file = "some/RIG.json";
+    choice.seed = 18446744073709551615U;
+    choice.width_px = 900;
+    const RigChoice back = RigChoice::fromJson(choice.toJson());
+    QCOMPARE(back.kind, choice.kind);
+    QCOMPARE(back.file, choice.file);
+    QCOMPARE(back.seed, choice.seed);
+    QCOMPARE(back.width_px, 900);
+    QCOMPARE(RigChoice::fromJson("not json").kind, RigChoice::Kind::None);
+  }
+};
+
+QTEST_GUILESS_MAIN(NewProjectTest)
+#include "new_project_test.moc"

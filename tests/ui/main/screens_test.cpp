@@ -1,0 +1,231 @@
+// Every screen of the window: reached by keys, each control with a name, in all themes and text
+// sizes. With OSTRAKA_SCREENSHOTS set to a folder a picture of each is written there.
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTextBrowser>
+
+#include "catalogue/project.h"
+#include "person.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/station.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/main/new_project.h"
+#include "ui/queue/batch_queue.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+namespace {
+
+bool isControl(const QWidget* widget) {
+  return qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+         qobject_cast<const QLineEdit*>(widget) != nullptr ||
+         qobject_cast<const QComboBox*>(widget) != nullptr ||
+         qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+         qobject_cast<const QAbstractSlider*>(widget) != nullptr ||
+         qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
+         qobject_cast<const QTextEdit*>(widget) != nullptr ||
+         qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
+         qobject_cast<const QProgressBar*>(widget) != nullptr ||
+         widget->focusPolicy() != Qt::NoFocus;
+}
+
+// Parts that Qt makes inside a control speak with the control's name.
+bool isPartOfAnother(const QWidget* widget) {
+  if (qobject_cast<const QScrollBar*>(widget) != nullptr) return true;
+  if (widget->objectName().startsWith(QLatin1String("qt_"))) return true;
+  for (const QWidget* up = widget->parentWidget(); up != nullptr; up = up->parentWidget())
+    if (qobject_cast<const QAbstractSpinBox*>(up) != nullptr ||
+        qobject_cast<const QComboBox*>(up) != nullptr ||
+        qobject_cast<const QAbstractItemView*>(up) != nullptr ||
+        qobject_cast<const QAbstractScrollArea*>(up) != nullptr)
+      return true;
+  return false;
+}
+
+QStringList namelessIn(const QWidget& window) {
+  QStringList nameless;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!isControl(widget) || isPartOfAnother(widget)) continue;
+    QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+    if (spoken == nullptr || spoken->text(QAccessible::Name).trimmed().isEmpty())
+      nameless << QStringLiteral("%1 '%2' in '%3'")
+                      .arg(widget->metaObject()->className(), widget->objectName(),
+                           widget->parentWidget()->objectName());
+  }
+  return nameless;
+}
+
+}  // namespace
+
+class ScreensTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    home_ = std::make_unique<Home>();
+    jobs_ = std::make_unique<ThreadedJobRunner>();
+    window_ = std::make_unique<MainWindow>(*jobs_);
+    window_->resize(1280, 720);
+    activate(*window_);
+  }
+  void cleanup() {
+    window_.reset();
+    jobs_.reset();
+    applyLook(*qApp, Theme::Light, 100);
+  }
+
+  void eachControlHasANameForScreenReaders() {
+    const QStringList at_start = namelessIn(*window_);
+    QVERIFY2(at_start.isEmpty(), qPrintable(at_start.join(QLatin1Char('\n'))));
+    openVirtual();
+    const QStringList with_project = namelessIn(*window_);
+    QVERIFY2(with_project.isEmpty(), qPrintable(with_project.join(QLatin1Char('\n'))));
+  }
+
+  void theExampleFollowsTheTypingOnTheStartScreen() {
+    QTest::keyClicks(named<QLineEdit>(*window_, "newSite"), "arm7");
+    QCOMPARE(named<QLabel>(*window_, "newExample")->text(), QStringLiteral("ARM7-T3-0012-0007"));
+    QTest::keyClicks(named<QLineEdit>(*window_, "newName"), "Seven");
+    QTest::mouseClick(named<QPushButton>(*window_, "makeProject"), Qt::LeftButton);
+    QVERIFY(window_->session() != nullptr);
+    QTest::keyClick(window_.get(), Qt::Key_W, Qt::ControlModifier);
+    QVERIFY(window_->session() == nullptr);
+    QVERIFY(named<QWidget>(*window_, "recentProjects")->isVisible());
+  }
+
+  void theKeysGoFromStationToStation() {
+    openVirtual();
+    const auto& stations = window_->stations();
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      QTest::keyClick(window_.get(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)),
+                      Qt::ControlModifier);
+      QTRY_VERIFY2(stations[i]->isVisible(), qPrintable(stations[i]->title()));
+    }
+    QTest::keyClick(window_.get(), Qt::Key_F1);
+    QTRY_VERIFY(named<QTextBrowser>(*window_, "helpText")->isVisible());
+    QVERIFY(named<QTextBrowser>(*window_, "helpText")->toPlainText().size() > 100);
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    QTRY_VERIFY(stations.back()->isVisible());
+  }
+
+  void theSameProjectIsNotOpenedTwice() {
+    openVirtual();
+    const QString folder = QString::fromStdString(window_->session()->folder().string());
+    MainWindow other(*jobs_);
+    other.openProject(folder);
+    QVERIFY(other.session() == nullptr);
+  }
+
+  void aFolderThatIsNoProjectIsRefusedOnTheStartScreen() {
+    window_->openProject(home_->path("nothing"));
+    QVERIFY(window_->session() == nullptr);
+    QVERIFY(named<QWidget>(*window_, "message")->isVisible());
+  }
+
+  void theThemeAndTheTextSizeHoldAtOnceAndAreKept() {
+    QTest::keyClick(window_.get(), Qt::Key_Comma, Qt::ControlModifier);
+    auto* theme = named<QComboBox>(*window_, "settingsTheme");
+    QTRY_VERIFY(theme->isVisible());
+    const double before = QApplication::font().pointSizeF();
+    theme->setCurrentIndex(theme->findData(static_cast<int>(Theme::Dark)));
+    QVERIFY(QApplication::palette().color(QPalette::Base).lightness() < 64);
+    named<QAbstractSlider>(*window_, "settingsText")->setValue(15);
+    QVERIFY(qAbs(QApplication::font().pointSizeF() - 1.5 * before) < 0.01);
+    window_->close();
+    QCOMPARE(readSettings().theme, Theme::Dark);
+    QCOMPARE(readSettings().text_percent, 150);
+  }
+
+  void picturesOfAllScreens() {
+    const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
+    openVirtual();
+    QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
+    addBatches();
+    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
+      applyLook(*qApp, theme, theme == Theme::Sunlight ? 130 : 100);
+      picture(folder, theme, "start", [this] { window_->closeProject(); });
+      openVirtual();
+      QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
+      for (std::size_t i = 0; i < window_->stations().size(); ++i)
+        picture(folder, theme, window_->stations()[i]->iconName(),
+                [this, i] { window_->showStation(static_cast<int>(i)); });
+      picture(folder, theme, "settings", [this] { window_->showSettings(); });
+      picture(folder, theme, "help", [this] { window_->showManual(); });
+      picture(folder, theme, "keys", [this] { window_->showShortcuts(); });
+    }
+  }
+
+ private:
+  void openVirtual() {
+    if (project_.isEmpty() || !QDir(project_).exists()) {
+      project_ = home_->path("Ostraka/Virtual");
+      auto made = makeVirtualProject(project_);
+      QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    }
+    window_->openProject(project_);
+    QVERIFY(window_->session() != nullptr);
+  }
+
+  // One of each state, so that the queue shows what it can.
+  void addBatches() {
+    catalogue::Catalogue& rows = window_->session()->project().catalogue();
+    window_->queue()->setPaused(true);
+    for (const catalogue::BatchState state :
+         {catalogue::BatchState::Done, catalogue::BatchState::Review, catalogue::BatchState::Failed,
+          catalogue::BatchState::Queued}) {
+      catalogue::BatchRecord batch;
+      batch.state = state;
+      const auto row = rows.addBatch(batch, {});
+      QVERIFY(row.has_value());
+      const std::string number = rows.batch(*row)->number;
+      if (state == catalogue::BatchState::Failed)
+        (void)rows.setSetting("queue.failure." + number,
+                              R"({"sentence":"front/cam1_pos03.jpg: only two markers are seen; )"
+                              R"(photograph the fronts again."})");
+      else if (state != catalogue::BatchState::Queued)
+        (void)rows.setSetting("queue.figures." + number,
+                              R"({"sherds":9,"sure":7,"ask":2,"uncertainty_mm":0.08})");
+    }
+    window_->session()->tellBatchChanged({});
+  }
+
+  template <class Go>
+  void picture(const QString& folder, Theme theme, const QString& screen, Go go) {
+    go();
+    QCoreApplication::processEvents();
+    QTest::qWait(50);  // pictures from jobs
+    const QImage shown = window_->grab().toImage();
+    QVERIFY(shown.width() >= 1280);
+    if (!folder.isEmpty())
+      QVERIFY(shown.save(QStringLiteral("%1/%2-%3.png").arg(folder, screen, themeName(theme))));
+  }
+
+  std::unique_ptr<Home> home_;
+  std::unique_ptr<JobRunner> jobs_;
+  std::unique_ptr<MainWindow> window_;
+  QString project_;
+};
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  applyLook(application, Theme::Light, 100);
+  ScreensTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "screens_test.moc"

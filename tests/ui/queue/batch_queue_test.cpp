@@ -1,0 +1,252 @@
+// The queue without a display, with work that does nothing: its order, and that what is to be done
+// outlives the window.
+#include "ui/queue/batch_queue.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QtTest>
+#include <atomic>
+#include <thread>
+
+#include "catalogue/project.h"
+#include "ui/frame/project_session.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+using catalogue::BatchState;
+
+namespace {
+
+std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
+  catalogue::ProjectRecord record;
+  record.code = "TEST";
+  record.title = "Test";
+  auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
+                                                    : catalogue::Project::create(folder, record);
+  if (!made) qFatal("%s", made.error().sentence().c_str());
+  return std::make_shared<catalogue::Project>(std::move(*made));
+}
+
+QString addBatch(ProjectSession& session, BatchState state) {
+  catalogue::BatchRecord record;
+  record.state = state;
+  catalogue::Catalogue& rows = session.project().catalogue();
+  const auto row = rows.addBatch(record, {});
+  if (!row) qFatal("%s", row.error().sentence().c_str());
+  return QString::fromStdString(rows.batch(*row)->number);
+}
+
+BatchState stateOf(ProjectSession& session, const QString& number) {
+  return session.project().catalogue().batchByNumber(number.toStdString())->state;
+}
+
+}  // namespace
+
+class BatchQueueTest : public QObject {
+  Q_OBJECT
+
+ private:
+  // A queue with work that notes its batches, sets the state that computeBatch sets, and ends.
+  struct Bench {
+    explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
+        : session(projectIn(folder), folder, jobs) {
+      queue.setWork([this](const ComputeOptions& options, Progress&,
+                           std::stop_token) -> Result<BatchFigures> {
+        computed << QString::fromStdString(options.number);
+        auto project = catalogue::Project::open(options.project);
+        const auto batch = project->catalogue().batchByNumber(options.number);
+        (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
+        return BatchFigures{3, 2, 1, 0.07, 5};
+      });
+    }
+    ProjectSession session;
+    BatchQueue queue;
+    QStringList computed;
+  };
+
+ private slots:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+  void batchesAreComputedOldestFirstAndShownNewestFirst() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString first = addBatch(bench.session, BatchState::Queued);
+    const QString second = addBatch(bench.session, BatchState::Queued);
+    const QString open = addBatch(bench.session, BatchState::Front);
+    const QAbstractItemModelTester tester(&bench.queue,
+                                          QAbstractItemModelTester::FailureReportingMode::QtTest);
+    bench.queue.setSession(&bench.session);
+    QTRY_COMPARE(bench.computed, (QStringList{first, second}));
+    QTRY_VERIFY(!bench.queue.isBusy());
+    QCOMPARE(bench.queue.row(0).number, open);
+    QCOMPARE(bench.queue.row(0).state, QueueState::Shooting);
+    QCOMPARE(bench.queue.row(2).number, first);
+    QCOMPARE(bench.queue.row(2).state, QueueState::Review);
+    QCOMPARE(bench.queue.row(2).figures->ask, 1);
+  }
+
+  void aBatchThatArrivesLaterIsComputedToo() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.queue.setSession(&bench.session);
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    bench.session.tellBatchChanged(number);
+    QTRY_COMPARE(bench.computed, QStringList{number});
+  }
+
+  void aPausedQueueStaysPausedWhenTheProjectIsOpenedAgain() {
+    InlineJobRunner jobs;
+    QString number;
+    {
+      Bench bench(folder(), jobs);
+      bench.queue.setSession(&bench.session);
+      bench.queue.setPaused(true);
+      number = addBatch(bench.session, BatchState::Queued);
+      bench.session.tellBatchChanged(number);
+      QCoreApplication::processEvents();
+      QVERIFY(bench.computed.isEmpty());
+    }
+    Bench again(folder(), jobs);
+    again.queue.setSession(&again.session);
+    QVERIFY(again.queue.isPaused());
+    QVERIFY(again.queue.workWords().contains(QLatin1String("1")));
+    again.queue.setPaused(false);
+    QTRY_COMPARE(again.computed, QStringList{number});
+  }
+
+  void aBatchThatWasBeingComputedWhenTheWindowClosedIsComputedAgain() {
+    ThreadedJobRunner jobs;
+    std::atomic<int> begun = 0;
+    const auto endless = [&begun](const ComputeOptions&, Progress&,
+                                  std::stop_token stop) -> Result<BatchFigures> {
+      ++begun;
+      while (!stop.stop_requested()) std::this_thread::yield();
+      return Error::cancelled();
+    };
+    QString number;
+    {
+      Bench bench(folder(), jobs);
+      bench.queue.setWork(endless);
+      number = addBatch(bench.session, BatchState::Queued);
+      bench.queue.setSession(&bench.session);
+      QTRY_COMPARE(begun.load(), 1);
+      bench.queue.setSession(nullptr);
+    }
+    Bench again(folder(), jobs);
+    QCOMPARE(stateOf(again.session, number), BatchState::Queued);
+    again.queue.setSession(&again.session);
+    QTRY_COMPARE(again.computed, QStringList{number});
+  }
+
+  void theSameQueueStartsNothingBeforeTheOldWorkEnded() {
+    ThreadedJobRunner jobs;
+    std::atomic<int> at_once = 0, most = 0, begun = 0;
+    Bench bench(folder(), jobs);
+    bench.queue.setWork(
+        [&](const ComputeOptions&, Progress&, std::stop_token stop) -> Result<BatchFigures> {
+          most = std::max(most.load(), ++at_once);
+          ++begun;
+          while (!stop.stop_requested()) std::this_thread::yield();
+          --at_once;
+          return Error::cancelled();
+        });
+    addBatch(bench.session, BatchState::Queued);
+    bench.queue.setSession(&bench.session);
+    QTRY_COMPARE(begun.load(), 1);
+    bench.queue.setSession(nullptr);
+    bench.queue.setSession(&bench.session);
+    QTRY_COMPARE(begun.load(), 2);
+    QCOMPARE(most.load(), 1);
+  }
+
+  void aFailureIsKeptWithItsSentenceAndDoesNotStopTheOthers() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString bad = addBatch(bench.session, BatchState::Queued);
+    const QString good = addBatch(bench.session, BatchState::Queued);
+    bench.queue.setWork(
+        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
+          if (QString::fromStdString(options.number) == bad)
+            return Error{ErrorCode::UnusableInput, "Only two markers are seen; shoot it again.",
+                         "front/cam1_pos03.jpg"};
+          bench.computed << QString::fromStdString(options.number);
+          (void)bench.session.project().catalogue().setBatchState(
+              bench.session.project().catalogue().batchByNumber(options.number)->row,
+              BatchState::Done, {});
+          return BatchFigures{};
+        });
+    QSignalSpy failed(&bench.queue, &BatchQueue::batchFailed);
+    bench.queue.setSession(&bench.session);
+    QTRY_COMPARE(bench.computed, QStringList{good});
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(stateOf(bench.session, bad), BatchState::Failed);
+    const QueueRow& row = bench.queue.row(bench.queue.rowOf(bad));
+    QVERIFY(row.failure.contains(QLatin1String("front/cam1_pos03.jpg")));
+    QVERIFY(row.failure.contains(QLatin1String("shoot it again")));
+    QCOMPARE(bench.queue.failed(), 1);
+  }
+
+  void aFullDiskIsAPauseThatGoesOn() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    bool full = true;
+    bench.queue.setWork(
+        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
+          if (full) return Error{ErrorCode::CannotWrite, "The disk is full.", "OUT"};
+          bench.computed << QString::fromStdString(options.number);
+          (void)bench.session.project().catalogue().setBatchState(
+              bench.session.project().catalogue().batchByNumber(options.number)->row,
+              BatchState::Done, {});
+          return BatchFigures{};
+        });
+    bench.queue.setSession(&bench.session);
+    QTRY_VERIFY(!bench.queue.trouble().isEmpty());
+    QVERIFY(bench.queue.isPaused());
+    QCOMPARE(stateOf(bench.session, number), BatchState::Queued);
+    full = false;
+    bench.queue.setPaused(false);
+    QVERIFY(bench.queue.trouble().isEmpty());
+    QTRY_COMPARE(bench.computed, QStringList{number});
+  }
+
+  void aCancelledBatchWaitsForThePersonToTryAgain() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    std::atomic<int> begun = 0;
+    bench.queue.setWork(
+        [&begun](const ComputeOptions&, Progress&, std::stop_token stop) -> Result<BatchFigures> {
+          ++begun;
+          while (!stop.stop_requested()) std::this_thread::yield();
+          return Error::cancelled();
+        });
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    bench.queue.setSession(&bench.session);
+    QTRY_COMPARE(begun.load(), 1);
+    bench.queue.cancel(number);
+    QTRY_COMPARE(bench.queue.row(0).state, QueueState::Failed);
+    QVERIFY(bench.queue.row(0).cancelled);
+    QCOMPARE(bench.queue.failed(), 0);  // nobody needs to be called for what was asked for
+    bench.queue.retry(number);
+    QTRY_COMPARE(begun.load(), 2);
+    bench.queue.cancel(number);
+    QTRY_VERIFY(!bench.queue.isBusy());
+  }
+
+  void everyStageOfTheChainHasWordsOfItsOwn() {
+    for (const char* stage : {"cameras", "masks of the front side", "stereo of the back side",
+                              "scans of the front side", "pairs", "models", "report"})
+      QVERIFY2(!stageWords(QString::fromLatin1(stage)).isEmpty(), stage);
+    QCOMPARE(stageWords(QStringLiteral("pairs")),
+             QStringLiteral("which back belongs to which front"));
+  }
+
+ private:
+  std::filesystem::path folder() const {
+    return std::filesystem::path(folder_->path().toStdString()) / "project";
+  }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(BatchQueueTest)
+#include "batch_queue_test.moc"

@@ -1,0 +1,59 @@
+#include "ui/settings/window_settings.h"
+
+#include <QSettings>
+#include <QtTest>
+
+using namespace ostraka::ui;
+
+class WindowSettingsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_->path());
+  }
+
+  void whatIsWrittenIsReadBack() {
+    WindowSettings settings;
+    settings.theme = Theme::Sunlight;
+    settings.text_percent = 150;
+    settings.initials = QStringLiteral("ΑΠ");
+    settings.recent = {QStringLiteral("/a b/ü"), QStringLiteral("/c")};
+    settings.geometry = QByteArray("\x01\x00\x02", 3);
+    writeSettings(settings);
+    const WindowSettings back = readSettings();
+    QCOMPARE(back.theme, settings.theme);
+    QCOMPARE(back.text_percent, 150);
+    QCOMPARE(back.initials, settings.initials);
+    QCOMPARE(back.recent, settings.recent);
+    QCOMPARE(back.geometry, settings.geometry);
+  }
+
+  void valuesOutOfRangeBecomeTheDefault() {
+    QSettings raw(QSettings::IniFormat, QSettings::UserScope, "ostraka", "window");
+    raw.setValue("text_percent", 5000);
+    raw.setValue("threads", -3);
+    raw.setValue("theme", "pink");
+    raw.sync();
+    const WindowSettings settings = readSettings();
+    QCOMPARE(settings.text_percent, 100);
+    QCOMPARE(settings.threads, 0);
+    QCOMPARE(settings.theme, Theme::System);
+  }
+
+  void theLastProjectComesFirstAndOnceOnly() {
+    WindowSettings settings;
+    for (int i = 0; i < 12; ++i) settings.remember(QString::number(i));
+    settings.remember(QStringLiteral("8"));
+    QCOMPARE(settings.recent.size(), kMostRecentProjects);
+    QCOMPARE(settings.recent.first(), QStringLiteral("8"));
+    QCOMPARE(settings.recent.count(QStringLiteral("8")), 1);
+  }
+
+ private:
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(WindowSettingsTest)
+#include "window_settings_test.moc"

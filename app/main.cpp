@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   root.add_flag("--verbose", verbose, "Print every line of the log, not only warnings");
   std::string project;
   root.add_option("PROJECT", project, "Opens the window with this project; alone: the window")
-      ->check(CLI::ExistingDirectory);
+      ->check(CLI::ExistingPath);
   app::Command chosen;
   app::addProcess(root, chosen);
   app::addRegister(root, chosen);

@@ -23,7 +23,9 @@ struct Outcome {
 };
 
 Outcome run(const std::string& arguments, const std::string& errors_to = "2>&1") {
-  const std::string command = std::string(OSTRAKA_PROGRAM) + " " + arguments + " " + errors_to;
+  // Without a display, as on a cluster: the commands need none, and no window opens.
+  const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " +
+                              std::string(OSTRAKA_PROGRAM) + " " + arguments + " " + errors_to;
   Outcome outcome;
   std::FILE* pipe = ::popen(command.c_str(), "r");
   std::array<char, 4096> buffer;
@@ -73,6 +75,27 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
     for (const char* option : options) EXPECT_TRUE(says(help, option)) << command << " " << option;
   }
   EXPECT_TRUE(says(run("--version"), "ostraka "));
+}
+
+TEST_F(CommandLine, WithoutACommandAndWithoutADisplayItSaysWhatToDo) {
+  const Outcome alone = run("");
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_TRUE(says(alone, "no display")) << alone.text;
+  EXPECT_EQ(run(path("")).status, 2);
+}
+
+TEST_F(CommandLine, TheDoctorNamesWhatItLookedAt) {
+  const Outcome doctor = run("doctor " + path("") + " --json", "2>/dev/null");
+  const auto json = nlohmann::json::parse(doctor.text);
+  EXPECT_EQ(json.at("exit_status"), doctor.status);
+  std::string subjects;
+  for (const auto& finding : json.at("findings")) {
+    subjects += finding.at("subject").get<std::string>() + "; ";
+    EXPECT_FALSE(finding.at("words").get<std::string>().empty());
+  }
+  for (const char* subject : {"processors", "memory", "disk", "OpenGL", "colmap", "turntables"})
+    EXPECT_NE(subjects.find(subject), std::string::npos) << subject << " in " << subjects;
+  EXPECT_TRUE(says(run("doctor /nowhere/at/all"), "nowhere"));
 }
 
 TEST_F(CommandLine, ACommandLineThatCannotBeUsedIsUnusableInput) {

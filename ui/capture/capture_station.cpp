@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -13,6 +12,8 @@
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/fact_list.h"
+#include "ui/capture/place_edit.h"
 #include "ui/capture/plate_view.h"
 #include "ui/capture/rig_page.h"
 #include "ui/capture/stop_board.h"
@@ -20,7 +21,6 @@
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/state_colours.h"
 #include "ui/frame/thumbnails.h"
 
 namespace ostraka::ui {
@@ -119,13 +119,10 @@ QWidget* CaptureStation::buildWorkPage() {
   board_ = new StopBoard(wizard_, middle_);
   middle_->addWidget(plate_);
   middle_->addWidget(board_);
-  auto* side = new QWidget(page);
-  side->setMinimumWidth(fontMetrics().averageCharWidth() * 26);
-  facts_ = new QVBoxLayout(side);
-  facts_->addStretch(1);
+  facts_ = new FactList(page);
   auto* row = new QHBoxLayout;
   row->addWidget(middle_, 1);
-  row->addWidget(side);
+  row->addWidget(facts_);
   doubts_ = new MessagePanel(page);
   doubts_->setObjectName(QStringLiteral("captureDoubts"));
   doubts_->hide();
@@ -150,20 +147,13 @@ QWidget* CaptureStation::buildWorkPage() {
 
 QWidget* CaptureStation::buildFoot() {
   auto* foot = new QWidget(this);
-  auto* label = new QLabel(tr("&Bag"), foot);
-  place_ = new QLineEdit(foot);
-  place_->setObjectName(QStringLiteral("capturePlace"));
-  place_->setPlaceholderText(tr("scan its label, or ARM1-T3-0012-4"));
-  place_->setAccessibleDescription(tr("Site, trench, context and bag"));
-  place_->setMinimumHeight(targetSize(*this));
-  label->setBuddy(place_);
-  place_note_ = new QLabel(foot);
+  place_ = new PlaceEdit(foot);
   button_ = new BigButton(foot);
   button_->setObjectName(QStringLiteral("captureButton"));
   button_->setKeyHint(tr("Space"));
   connect(button_, &QPushButton::clicked, next_, &QAction::trigger);
-  connect(place_, &QLineEdit::returnPressed, button_, qOverload<>(&QWidget::setFocus));
-  connect(place_, &QLineEdit::textEdited, this, &CaptureStation::placeTyped);
+  connect(place_, &PlaceEdit::entered, button_, qOverload<>(&QWidget::setFocus));
+  connect(place_, &PlaceEdit::edited, this, &CaptureStation::placeTyped);
   auto* more = new QToolButton(foot);
   more->setObjectName(QStringLiteral("captureMore"));
   more->setText(tr("More"));
@@ -175,9 +165,7 @@ QWidget* CaptureStation::buildFoot() {
   more->setMenu(menu);
   auto* row = new QHBoxLayout(foot);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(label);
   row->addWidget(place_, 1);
-  row->addWidget(place_note_);
   for (QAction* camera : cameras_) {
     auto* button = new QToolButton(foot);
     button->setDefaultAction(camera);
@@ -269,14 +257,9 @@ void CaptureStation::chooseImport(ImportKind kind) {
 }
 
 void CaptureStation::placeTyped() {
-  const QString typed = place_->text();
-  const std::optional<PlaceText> place = readPlaceText(typed);
-  place_note_->setText(place                       ? place->words()
-                       : typed.trimmed().isEmpty() ? tr("no bag: no numbers yet")
-                                                   : tr("site-trench-context-bag, please"));
-  wizard_->setPlace(place.value_or(PlaceText()));
-  if (session_ != nullptr && (place || typed.isEmpty()))
-    (void)session_->project().catalogue().setSetting(kPlaceKey, typed.toStdString());
+  wizard_->setPlace(place_->place());
+  if (session_ != nullptr && place_->isUsable())
+    (void)session_->project().catalogue().setSetting(kPlaceKey, place_->text().toStdString());
   emit lineChanged();
 }
 
@@ -316,30 +299,7 @@ void CaptureStation::followLive() {
                                                                       : std::nullopt,
       phase == CapturePhase::Done ? wizard_->instruction() : tr("The picture is on its way."));
   plate_->setVisible(phase != CapturePhase::Done || wizard_->doubts().isEmpty());
-  showFacts();
-}
-
-void CaptureStation::showFacts() {
-  const std::vector<CaptureFact> facts = wizard_->facts();
-  const StateColours colours(palette());
-  while (facts_->count() > static_cast<int>(facts.size()) + 1) {
-    const std::unique_ptr<QLayoutItem> item(facts_->takeAt(facts_->count() - 2));
-    item->widget()->deleteLater();
-  }
-  while (facts_->count() < static_cast<int>(facts.size()) + 1) {
-    auto* label = new QLabel(this);
-    label->setWordWrap(true);
-    facts_->insertWidget(facts_->count() - 1, label);
-  }
-  for (std::size_t i = 0; i < facts.size(); ++i) {
-    auto* label = static_cast<QLabel*>(facts_->itemAt(static_cast<int>(i))->widget());
-    label->setText((facts[i].good ? QStringLiteral("✓  ") : QStringLiteral("!  ")) +
-                   facts[i].words);
-    QPalette ink = palette();
-    if (!facts[i].good) ink.setColor(QPalette::WindowText, colours.of(State::Ask));
-    label->setPalette(ink);
-    label->setFont(scaledFont(*this, 1.15));
-  }
+  facts_->setFacts(wizard_->facts());
 }
 
 void CaptureStation::showTrouble() {

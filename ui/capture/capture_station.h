@@ -7,16 +7,16 @@
 
 class QAction;
 class QLabel;
-class QLineEdit;
 class QStackedWidget;
-class QVBoxLayout;
 
 namespace ostraka::ui {
 
 class BatchImporter;
 class BigButton;
 class CaptureWizard;
+class FactList;
 class MessagePanel;
+class PlaceEdit;
 class PlateView;
 class RigPage;
 class StopBoard;
@@ -55,7 +55,6 @@ class CaptureStation final : public Station {
                   const QKeySequence& key);
   void follow();
   void followLive();
-  void showFacts();
   void showTrouble();
   void placeTyped();
 
@@ -67,9 +66,9 @@ class CaptureStation final : public Station {
   RigPage* rig_page_;
   PlateView* plate_;
   StopBoard* board_;
-  QLabel *headline_, *instruction_, *place_note_;
-  QVBoxLayout* facts_;
-  QLineEdit* place_;
+  QLabel *headline_, *instruction_;
+  FactList* facts_;
+  PlaceEdit* place_;
   MessagePanel *doubts_, *fault_;
   BigButton* button_;
   QAction *next_, *stop_, *again_, *import_photographs_, *import_scans_, *change_rig_;

@@ -36,6 +36,8 @@ Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate)
 CaptureWizard::CaptureWizard(QObject* parent) : QObject(parent) {
   live_timer_.setSingleShot(true);
   connect(&live_timer_, &QTimer::timeout, this, &CaptureWizard::lookLive);
+  connect(&question_, &Question::asked, this, &CaptureWizard::changed);
+  connect(&question_, &Question::settled, this, &CaptureWizard::changed);
 }
 
 CaptureWizard::~CaptureWizard() = default;
@@ -84,8 +86,8 @@ void CaptureWizard::openRig() {
   if (devices_ != nullptr && !source_.anew_for_each_batch) return enter(CapturePhase::Place);
   enter(CapturePhase::Opening);
   work_ = start(makeJob(tr("Opening the rig"),
-                        [open = source_.open, batch = batchIndex()](
-                            Progress&, std::stop_token stop) { return open(batch, stop); }));
+                        [open = source_.open, ask = question_.asker(), batch = batchIndex()](
+                            Progress&, std::stop_token stop) { return open(batch, ask, stop); }));
   connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     work_ = nullptr;
     const auto opened = outcomeAs<std::shared_ptr<capture::RigDevices>>(outcome);
@@ -164,6 +166,7 @@ void CaptureWizard::enter(CapturePhase phase) {
 }
 
 bool CaptureWizard::canGoOn() const {
+  if (!question().isEmpty()) return true;
   if (session_ == nullptr || isBusy()) return false;
   return fault_.has_value() || phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip ||
          phase_ == CapturePhase::Done;
@@ -171,6 +174,7 @@ bool CaptureWizard::canGoOn() const {
 
 void CaptureWizard::next() {
   if (!canGoOn()) return;
+  if (!question().isEmpty()) return question_.answer(true);
   if (fault_ && (phase_ == CapturePhase::Opening || phase_ == CapturePhase::NoRig)) {
     devices_.reset();
     return openRig();
@@ -198,6 +202,7 @@ void CaptureWizard::stop() {
   if (work_ == nullptr || devices_ == nullptr) return;
   devices_->turntable->stopNow();
   work_->cancel();
+  question_.answer(false);
 }
 
 void CaptureWizard::again() {

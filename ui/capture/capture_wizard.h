@@ -12,6 +12,7 @@
 #include "ui/capture/place_text.h"
 #include "ui/capture/rig_source.h"
 #include "ui/jobs/job.h"
+#include "ui/jobs/question.h"
 
 namespace ostraka::ui {
 
@@ -72,6 +73,9 @@ class CaptureWizard final : public QObject {
   std::vector<CaptureFact> facts() const;
   /// What went wrong; it takes the place of the button. Space tries again.
   const std::optional<Error>& fault() const { return fault_; }
+  /// What a person has to do at the rig now ("Turn the table to 90 degrees."); Space says it is
+  /// done. Empty when nothing is asked.
+  const QString& question() const { return question_.sentence(); }
   /// What a person should look at before going on; Space goes on all the same, R takes again.
   const QStringList& doubts() const { return doubts_; }
 
@@ -124,6 +128,7 @@ class CaptureWizard final : public QObject {
   CapturePhase phase_ = CapturePhase::NoRig;
   QPointer<JobHandle> work_, live_job_;
   QTimer live_timer_;
+  Question question_;
   bool live_on_ = false, live_missing_ = false;
   std::function<void()> after_live_;  ///< waits until the camera is free
   std::optional<Error> fault_;

@@ -4,6 +4,7 @@
 namespace ostraka::ui {
 
 QString CaptureWizard::headline() const {
+  if (!question().isEmpty()) return question();
   switch (phase_) {
     case CapturePhase::NoRig:
       return tr("No rig yet");
@@ -44,6 +45,7 @@ QString CaptureWizard::instruction() const {
 }
 
 QString CaptureWizard::buttonText() const {
+  if (!question().isEmpty()) return tr("Done");
   if (fault_) return tr("Try again");
   switch (phase_) {
     case CapturePhase::Place:

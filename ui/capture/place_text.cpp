@@ -12,10 +12,6 @@ namespace {
 
 using namespace catalogue;
 
-QString tr(const char* words) {
-  return QCoreApplication::translate("PlaceText", words);
-}
-
 Result<TrenchRow> trenchOf(Catalogue& rows, SiteRow site, const std::string& code, const Act& act) {
   if (code.empty()) return TrenchRow{};
   const auto known = rows.trenches();
@@ -62,9 +58,9 @@ QString PlaceText::words() const {
   QStringList parts;
   for (const QString& part : {site, trench, context})
     if (!part.isEmpty()) parts << part;
-  QString all = parts.join(QStringLiteral(" / "));
-  if (!bag.isEmpty()) all += tr(" bag %1").arg(bag);
-  return all;
+  const QString all = parts.join(QStringLiteral(" / "));
+  if (bag.isEmpty()) return all;
+  return QCoreApplication::translate("PlaceText", "%1 bag %2").arg(all, bag);
 }
 
 std::optional<PlaceText> readPlaceText(const QString& text) {
@@ -86,7 +82,9 @@ Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place, const Act
   if (place.isEmpty()) return std::int64_t{0};
   if (place.site.isEmpty() || place.context.isEmpty() || place.bag.isEmpty())
     return Error{ErrorCode::UnusableInput,
-                 tr("A site, a context and a bag are needed so that the sherds can be numbered.")
+                 QCoreApplication::translate(
+                     "PlaceText",
+                     "A site, a context and a bag are needed so that the sherds can be numbered.")
                      .toStdString(),
                  {}};
   const auto site = siteOf(rows, place.site.toStdString(), act);

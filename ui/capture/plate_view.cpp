@@ -1,5 +1,6 @@
 #include "ui/capture/plate_view.h"
 
+#include <Eigen/Geometry>
 #include <QPainter>
 #include <QPainterPath>
 

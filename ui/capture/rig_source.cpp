@@ -7,7 +7,6 @@
 #include <QJsonObject>
 
 #include "base/files.h"
-#include "capture/rig_devices.h"
 #include "virtualrig/virtual_camera.h"
 
 namespace ostraka::ui {
@@ -71,7 +70,7 @@ RigSource virtualRigSource(const RigChoice& choice) {
   RigSource source;
   source.anew_for_each_batch = true;
   source.words = QCoreApplication::translate("Rig", "virtual");
-  source.open = [choice](int batch,
+  source.open = [choice](int batch, const capture::AskPerson&,
                          std::stop_token) -> Result<std::shared_ptr<capture::RigDevices>> {
     Result<capture::RigDevices> devices = virtualrig::openVirtualRig(virtualOptions(choice, batch));
     if (!devices) return devices.error();
@@ -88,9 +87,9 @@ RigSource virtualRigSource(const RigChoice& choice) {
 RigSource fileRigSource(const fs::path& rig_file) {
   RigSource source;
   source.words = ageWords(rig_file);
-  source.open = [rig_file](int,
+  source.open = [rig_file](int, const capture::AskPerson& ask,
                            std::stop_token stop) -> Result<std::shared_ptr<capture::RigDevices>> {
-    Result<capture::RigDevices> devices = capture::openRigDevices(rig_file, stop);
+    Result<capture::RigDevices> devices = capture::openRigDevices(rig_file, ask, stop);
     if (!devices) return devices.error();
     return std::make_shared<capture::RigDevices>(std::move(*devices));
   };

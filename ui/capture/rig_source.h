@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "capture/rig_devices.h"
 #include "capture/sequence.h"
 
 namespace ostraka::ui {
@@ -29,7 +30,9 @@ struct RigChoice {
 /// How the wizard comes to its devices: a real rig stays open, the virtual one breaks another pot
 /// for each batch.
 struct RigSource {
-  std::function<Result<std::shared_ptr<capture::RigDevices>>(int batch, std::stop_token)> open;
+  std::function<Result<std::shared_ptr<capture::RigDevices>>(
+      int batch, const capture::AskPerson& ask, std::stop_token)>
+      open;
   /// Puts into a new batch folder what belongs to the rig: plate, board, calibration.
   std::function<Result<void>(const std::filesystem::path& folder, int batch, Progress&,
                              std::stop_token)>

@@ -45,9 +45,10 @@ QToolButton* button(QWidget* parent, QAction* action) {
 
 QString timeLeftWords(double seconds) {
   if (seconds < 0 || !std::isfinite(seconds)) return {};
-  if (seconds < 55)
-    return QCoreApplication::translate("Time", "%n s left", nullptr,
-                                       std::max(5, static_cast<int>(std::lround(seconds / 5)) * 5));
+  if (seconds < 55) {
+    const int rounded = std::max(5, static_cast<int>(std::lround(seconds / 5)) * 5);
+    return QCoreApplication::translate("Time", "%n s left", nullptr, rounded);
+  }
   const int minutes = std::max(1, static_cast<int>(std::lround(seconds / 60)));
   if (minutes < 60) return QCoreApplication::translate("Time", "%n min left", nullptr, minutes);
   return QCoreApplication::translate("Time", "%1 h %2 min left")

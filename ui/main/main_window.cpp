@@ -50,8 +50,10 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   settings_page_->setSettings(settings_);
   start_->setRecent(settings_.recent);
   connect(queue_, &BatchQueue::workChanged, this, &MainWindow::followLines);
+  connect(queue_, &BatchQueue::left, this, [this] { leaving_lock_.reset(); });
   connect(capture_station_, &CaptureStation::lineChanged, this, &MainWindow::followLines);
-  connect(room_timer_, &QTimer::timeout, this, &MainWindow::followLines);
+  connect(room_timer_, &QTimer::timeout, this, &MainWindow::measureRoom);
+  connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
   if (!restoreGeometry(settings_.geometry)) resize(1280, 760);
   followLines();
@@ -169,22 +171,32 @@ void MainWindow::openProject(const QString& folder) {
   takeProject(std::make_shared<catalogue::Project>(std::move(*project)));
 }
 
+// Two windows would compute the same batch twice. A window that died leaves no lock behind: its
+// process is gone.
+bool MainWindow::lockProject(const QString& folder) {
+  const QString file = folder + QStringLiteral("/.ostraka.lock");
+  if (leaving_lock_ != nullptr && leaving_lock_->fileName() == file) {
+    lock_ = std::move(leaving_lock_);
+    return true;
+  }
+  auto lock = std::make_unique<QLockFile>(file);
+  lock->setStaleLockTime(0);
+  if (!lock->tryLock() && lock->error() == QLockFile::LockFailedError) return false;
+  lock_ = std::move(lock);
+  return true;
+}
+
 void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   closeProject();
   const std::filesystem::path folder = project->folder();
   const QString path = QString::fromStdString(folder.string());
-  // Two windows would compute the same batch twice. A window that died leaves no lock behind: its
-  // process is gone.
-  auto lock = std::make_unique<QLockFile>(path + QStringLiteral("/.ostraka.lock"));
-  lock->setStaleLockTime(0);
-  if (!lock->tryLock() && lock->error() == QLockFile::LockFailedError) {
+  if (!lockProject(path)) {
     start_->showError(
         {ErrorCode::UnusableInput,
          tr("This project is open in another window already: go on there.").toStdString(),
          folder.string()});
     return;
   }
-  lock_ = std::move(lock);
   session_ = std::make_unique<ProjectSession>(std::move(project), folder, runner_);
   session_->setInitials(settings_.initials);
   undo_->addStack(&session_->undo());
@@ -195,6 +207,7 @@ void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   setWindowTitle(tr("%1 - Ostraka").arg(QDir(path).dirName()));
   all_->setCurrentIndex(1);
   connect(session_.get(), &ProjectSession::batchChanged, this, &MainWindow::followLines);
+  measureRoom();
   showStation(0);
 }
 
@@ -206,6 +219,7 @@ void MainWindow::closeProject() {
   }
   undo_->removeStack(&session_->undo());
   session_.reset();
+  if (queue_->isLeaving()) leaving_lock_ = std::move(lock_);
   lock_.reset();
   setWindowTitle(tr("Ostraka"));
   start_->setRecent(settings_.recent);
@@ -285,6 +299,20 @@ void MainWindow::followLines() {
   header_->setRig(capture_station_->rigWords(), wizard_->phase() != CapturePhase::NoRig);
 }
 
+void MainWindow::measureRoom() {
+  if (session_ == nullptr) return;
+  JobHandle* job = runner_.start(
+      makeJob(tr("Room on the disk"),
+              [folder = session_->folder()](Progress&, std::stop_token) -> Result<int> {
+                return roomForBatches(folder);
+              }),
+      this);
+  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
+    job->deleteLater();
+    if (const Result<int> room = outcomeAs<int>(outcome)) header_->setRoom(*room);
+  });
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   settings_.geometry = saveGeometry();
   if (session_ != nullptr)
@@ -293,7 +321,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
                             : stations_[static_cast<std::size_t>(rail_->selected())]->iconName();
   writeSettings(settings_);
   closeProject();
-  event->accept();
+  if (!queue_->isLeaving()) return event->accept();
+  // Whole stages stay; the present one ends within moments.
+  start_->showError({ErrorCode::Cancelled,
+                     tr("The computation is being stopped; it goes on when the project is opened "
+                        "again. The window closes in a moment.")
+                         .toStdString(),
+                     {}});
+  connect(queue_, &BatchQueue::left, this, &QWidget::close, Qt::UniqueConnection);
+  event->ignore();
 }
 
 }  // namespace ostraka::ui

@@ -63,11 +63,13 @@ class MainWindow final : public QMainWindow {
   void buildStations();
   void buildLayout();
   void buildActions();
+  bool lockProject(const QString& folder);
   void takeProject(std::shared_ptr<catalogue::Project> project);
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);
   void leaveSidePage();
   void followLines();
+  void measureRoom();
   QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
                   const QKeySequence& key);
 
@@ -75,6 +77,7 @@ class MainWindow final : public QMainWindow {
   WindowSettings settings_;
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<QLockFile> lock_;
+  std::unique_ptr<QLockFile> leaving_lock_;  ///< of a project whose computation is ending
   QUndoGroup* undo_;
   BatchQueue* queue_;
   CaptureWizard* wizard_;

@@ -68,7 +68,12 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   ThreadedJobRunner runner;
   MainWindow window(runner);
   window.show();
-  if (project) window.openProject(QString::fromStdString(std::filesystem::absolute(*project)));
+  if (project) {
+    // A file manager hands over the catalogue's file; the project is its folder.
+    const std::filesystem::path whole = std::filesystem::absolute(*project);
+    window.openProject(QString::fromStdString(
+        std::filesystem::is_directory(whole) ? whole.string() : whole.parent_path().string()));
+  }
   return QApplication::exec();
 }
 

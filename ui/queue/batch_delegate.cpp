@@ -39,13 +39,14 @@ Mark markOf(QueueState state) {
 }
 
 QString figuresWords(const BatchFigures& figures) {
-  QString words = BatchQueue::tr("%n sherd(s)", nullptr, figures.sherds);
-  words += figures.ask > 0 ? BatchQueue::tr(", sure %1, ask %2").arg(figures.sure).arg(figures.ask)
-                           : BatchQueue::tr(", all sure");
-  if (figures.uncertainty_mm > 0)
-    words +=
-        BatchQueue::tr(", joined to %1 mm").arg(QLocale().toString(figures.uncertainty_mm, 'f', 2));
-  return words;
+  const QString pairs =
+      figures.ask > 0 ? BatchQueue::tr("%n sherd(s): sure %1, ask %2", nullptr, figures.sherds)
+                            .arg(figures.sure)
+                            .arg(figures.ask)
+                      : BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds);
+  if (figures.uncertainty_mm <= 0) return pairs;
+  return BatchQueue::tr("%1; joined to %2 mm")
+      .arg(pairs, QLocale().toString(figures.uncertainty_mm, 'f', 2));
 }
 
 QRect band(const QRect& row, int line, int height) {

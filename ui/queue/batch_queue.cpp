@@ -64,6 +64,23 @@ QString pictureOf(const std::filesystem::path& batch) {
   return files.isEmpty() ? QString() : front.filePath(files.first());
 }
 
+// What stands in the catalogue and on the disk beside the state.
+void readDetails(const catalogue::Project& project, QueueRow& row) {
+  if (row.state == QueueState::Failed) {
+    const QJsonObject failure = jsonSetting(project.catalogue(), failureKey(row.number));
+    row.failure = failure[QStringLiteral("sentence")].toString();
+    row.cancelled = failure[QStringLiteral("cancelled")].toBool();
+  }
+  const QJsonObject figures = jsonSetting(project.catalogue(), figuresKey(row.number));
+  if (!figures.isEmpty())
+    row.figures = BatchFigures{figures[QStringLiteral("sherds")].toInt(),
+                               figures[QStringLiteral("sure")].toInt(),
+                               figures[QStringLiteral("ask")].toInt(),
+                               figures[QStringLiteral("uncertainty_mm")].toDouble(),
+                               figures[QStringLiteral("seconds")].toDouble()};
+  row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
+}
+
 }  // namespace
 
 BatchQueue::BatchQueue(QObject* parent) : QAbstractListModel(parent), work_(computeBatch) {}
@@ -82,11 +99,15 @@ void BatchQueue::setSession(ProjectSession* session) {
     connect(leaving_, &JobHandle::finished, this, [this] {
       leaving_->deleteLater();
       leaving_ = nullptr;
+      emit left();
       startNext();
     });
     job_ = nullptr;
   }
   if (session_ != nullptr) session_->disconnect(this);
+  beginResetModel();
+  rows_.clear();
+  endResetModel();
   busy_number_.clear();
   log_.clear();
   trouble_.clear();
@@ -116,19 +137,15 @@ void BatchQueue::refresh() {
         row.state = paused_ ? QueueState::Paused : QueueState::Busy;
         if (job_ != nullptr) row.progress = job_->progress();
       }
-      if (row.state == QueueState::Failed) {
-        const QJsonObject failure = jsonSetting(project.catalogue(), failureKey(row.number));
-        row.failure = failure[QStringLiteral("sentence")].toString();
-        row.cancelled = failure[QStringLiteral("cancelled")].toBool();
+      const QueueRow* before = find(row.number);
+      if (before != nullptr && before->state == row.state) {
+        row.failure = before->failure;
+        row.cancelled = before->cancelled;
+        row.figures = before->figures;
+        row.picture = before->picture;
+      } else {
+        readDetails(project, row);
       }
-      const QJsonObject figures = jsonSetting(project.catalogue(), figuresKey(row.number));
-      if (!figures.isEmpty())
-        row.figures = BatchFigures{figures[QStringLiteral("sherds")].toInt(),
-                                   figures[QStringLiteral("sure")].toInt(),
-                                   figures[QStringLiteral("ask")].toInt(),
-                                   figures[QStringLiteral("uncertainty_mm")].toDouble(),
-                                   figures[QStringLiteral("seconds")].toDouble()};
-      row.picture = pictureOf(project.batchFolder(batch.number));
       fresh.push_back(std::move(row));
     }
   }

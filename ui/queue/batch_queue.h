@@ -60,6 +60,8 @@ class BatchQueue final : public QAbstractListModel {
 
   bool isPaused() const { return paused_; }
   bool isBusy() const { return !busy_number_.isEmpty(); }
+  /// The computation of a session that was closed has not ended yet; `left` follows.
+  bool isLeaving() const { return leaving_ != nullptr; }
   /// Why the queue stopped by itself (the disk is full); empty otherwise.
   const QString& trouble() const { return trouble_; }
   /// What the computer does now, for the line at the foot.
@@ -86,6 +88,7 @@ class BatchQueue final : public QAbstractListModel {
   void logged(const QString& line);
   void batchComputed(const QString& number);
   void batchFailed(const QString& number, const QString& sentence);
+  void left();
 
  private:
   void startNext();

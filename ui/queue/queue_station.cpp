@@ -187,9 +187,7 @@ void QueueStation::follow() {
   pages_->setCurrentIndex(queue_->rowCount() == 0 ? 1 : 0);
   if (!list_->currentIndex().isValid() && queue_->rowCount() > 0)
     list_->setCurrentIndex(queue_->index(0));
-  pause_->setText(queue_->isPaused() ? tr("Go on") : tr("Pause"));
-  pause_->setIcon(icon(queue_->isPaused() ? QStringLiteral("play") : QStringLiteral("pause")));
-  pause_->setEnabled(queue_->isPaused() || queue_->waitingToCompute() > 0);
+  followPause();
   const int at = queue_->rowOf(selected());
   const QueueState state = at < 0 ? QueueState::Shooting : queue_->row(at).state;
   cancel_->setEnabled(state == QueueState::Busy || state == QueueState::Paused ||
@@ -201,7 +199,18 @@ void QueueStation::follow() {
   review_->setEnabled(state == QueueState::Review || state == QueueState::Done);
   if (!queue_->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}}, tr("Go on"));
+  if (waiting() == waiting_said_) return;
+  waiting_said_ = waiting();
   emit waitingChanged();
+}
+
+void QueueStation::followPause() {
+  const QString words = queue_->isPaused() ? tr("Go on") : tr("Pause");
+  if (pause_->text() != words) {
+    pause_->setText(words);
+    pause_->setIcon(icon(queue_->isPaused() ? QStringLiteral("play") : QStringLiteral("pause")));
+  }
+  pause_->setEnabled(queue_->isPaused() || queue_->waitingToCompute() > 0);
 }
 
 void QueueStation::openReport() {

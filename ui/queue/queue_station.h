@@ -40,10 +40,12 @@ class QueueStation final : public Station {
                   const QKeySequence& key);
   QString selected() const;
   void follow();
+  void followPause();
   void openReport();
   void askOrCancel();
 
   BatchQueue* queue_;
+  int waiting_said_ = -1;
   QPointer<ProjectSession> session_;
   Thumbnails* thumbnails_ = nullptr;
   QListView* list_;

@@ -196,6 +196,18 @@ class CaptureWizardTest : public QObject {
     QVERIFY(bench.session.project().catalogue().batches()->empty());
   }
 
+  void whatARigAsksOfAPersonIsDoneWithTheSameKey() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.ask = true;
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.headline(), QStringLiteral("Switch the table on."));
+    QVERIFY(bench.wizard.canGoOn());
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QVERIFY(bench.wizard.question().isEmpty());
+  }
+
   void aCameraWithoutALivePictureIsNoFault() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

@@ -17,6 +17,7 @@ struct FakeRig {
   std::optional<Error> refuse_open, refuse_shoot;
   int front = 9, back = 9;                 ///< sherds counted
   std::vector<capture::ShotName> flagged;  ///< of the next side
+  bool ask = false;                        ///< opening asks a person to do something
   bool wait_for_stop = false;              ///< the next side runs until it is stopped
 };
 
@@ -60,9 +61,11 @@ class FakeCamera final : public capture::Camera {
 inline RigSource sourceOf(FakeRig& rig) {
   RigSource source;
   source.words = QStringLiteral("ready");
-  source.open = [&rig](int, std::stop_token) -> Result<std::shared_ptr<capture::RigDevices>> {
+  source.open = [&rig](int, const capture::AskPerson& ask,
+                       std::stop_token stop) -> Result<std::shared_ptr<capture::RigDevices>> {
     ++rig.opened;
     if (rig.refuse_open) return *rig.refuse_open;
+    if (rig.ask && !ask("Switch the table on.", stop)) return Error::cancelled();
     auto devices = std::make_shared<capture::RigDevices>();
     devices->turntable = std::make_unique<FakeTable>(rig);
     for (int camera = 0; camera < 3; ++camera)

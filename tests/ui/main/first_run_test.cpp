@@ -1,5 +1,6 @@
 // What a person does first: a new project, a whole batch with the virtual rig by keyboard, until
 // its sherds stand in the catalogue; closed and killed on the way.
+#include <QComboBox>
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
@@ -54,6 +55,7 @@ class FirstRunTest : public QObject {
       // Closed in the middle of the computation.
       QTRY_VERIFY_WITH_TIMEOUT(wholeStages(results) >= 1, kLong_ms);
       window.close();
+      QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), kLong_ms);
     }
     killInTheMiddle(folder, results);
     finish(jobs, folder);
@@ -68,12 +70,8 @@ class FirstRunTest : public QObject {
     QTest::mouseClick(named<QPushButton>(window, "makeProject"), Qt::LeftButton);
     QVERIFY(window.session() != nullptr);
     named<QSpinBox>(window, "virtualSherds")->setValue(2);
-    RigChoice small;
-    small.kind = RigChoice::Kind::Virtual;
-    small.sherds = 2;
-    small.width_px = 800;
-    small.seed = 6;  // the first batch is broken with seed 7
-    window.findChild<CaptureStation*>()->chooseRig(small);
+    named<QComboBox>(window, "virtualWidth")->setCurrentIndex(0);
+    QTest::mouseClick(named<QPushButton>(window, "useVirtualRig"), Qt::LeftButton);
     QTest::keyClicks(named<QLineEdit>(window, "capturePlace"), "ARM1-T3-0012-4");
     QTest::keyClick(named<QLineEdit>(window, "capturePlace"), Qt::Key_Return);
   }

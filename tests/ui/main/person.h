@@ -1,6 +1,7 @@
 #pragma once
 #include <QApplication>
 #include <QFile>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -13,6 +14,7 @@ class Home {
   Home() {
     qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
     qputenv("HOME", folder_.path().toUtf8());
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.filePath("config"));
   }
   QString path(const QString& name) const { return folder_.filePath(name); }
 

@@ -1,0 +1,29 @@
+# The Debian package: `cpack -G DEB` in the build folder.
+include(GNUInstallDirs)
+install(FILES packaging/ostraka.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES packaging/ostraka-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
+        RENAME ostraka.xml)
+install(FILES resources/icons/ostraka.svg
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES packaging/man/ostraka.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(EXISTS ${CMAKE_SOURCE_DIR}/packaging/70-ostraka.rules)
+  install(FILES packaging/70-ostraka.rules DESTINATION lib/udev/rules.d)
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME ostraka)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D models of potsherds from photographs of both their sides")
+set(CPACK_PACKAGE_DESCRIPTION "A plate of potsherds is photographed from all around, the sherds are turned over by hand
+and photographed again. Ostraka finds out which back belongs to which front, joins both
+sides along the broken edge, and keeps the sherds in a catalogue with their measures.")
+set(CPACK_PACKAGE_CONTACT "Ostraka maintainers <maintainers@ostraka.invalid>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-translations-l10n")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "colmap")
+include(CPack)

@@ -1,0 +1,1208 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+  <context>
+    <name>Job</name>
+    <message>
+      <source>The memory does not suffice; close other programs and try again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This is a defect of the program; please report it with the log (%1).</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>PlaceText</name>
+    <message>
+      <source>%1 bag %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Beutel %2</translation>
+    </message>
+    <message>
+      <source>A site, a context and a bag are needed so that the sherds can be numbered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fundort, Befund und Beutel werden gebraucht, damit die Scherben Nummern bekommen.</translation>
+    </message>
+  </context>
+  <context>
+    <name>Rig</name>
+    <message>
+      <source>its file is missing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Datei fehlt</translation>
+    </message>
+    <message>
+      <source>ready (calibrated today)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bereit (heute kalibriert)</translation>
+    </message>
+    <message numerus="yes">
+      <source>ready (%n day(s) old)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>bereit (einen Tag alt)</numerusform>
+        <numerusform>bereit (%n Tage alt)</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>virtual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>virtuell</translation>
+    </message>
+  </context>
+  <context>
+    <name>Stage</name>
+    <message>
+      <source>cameras</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kameras</translation>
+    </message>
+    <message>
+      <source>sherd or plate, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe oder Teller, vorn</translation>
+    </message>
+    <message>
+      <source>sherd or plate, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe oder Teller, hinten</translation>
+    </message>
+    <message>
+      <source>surface, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oberfläche, vorn</translation>
+    </message>
+    <message>
+      <source>surface, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oberfläche, hinten</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ein Scan je Scherbe, vorn</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ein Scan je Scherbe, hinten</translation>
+    </message>
+    <message>
+      <source>which back belongs to which front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>welche Rückseite zu welcher Vorderseite gehört</translation>
+    </message>
+    <message>
+      <source>models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelle</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bericht</translation>
+    </message>
+    <message>
+      <source>catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalog</translation>
+    </message>
+    <message>
+      <source>begins</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>beginnt</translation>
+    </message>
+  </context>
+  <context>
+    <name>Time</name>
+    <message numerus="yes">
+      <source>%n s left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>noch %n s</numerusform>
+        <numerusform>noch %n s</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>noch %n min</numerusform>
+        <numerusform>noch %n min</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 h %2 min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>noch %1 h %2 min</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchDelegate</name>
+    <message>
+      <source>%1, %2 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchImporter</name>
+    <message>
+      <source>Import of %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchQueue</name>
+    <message numerus="yes">
+      <source>%n sherd(s): sure %1, ask %2</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), all sure</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1; joined to %2 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Batch %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Warning: %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%1 is computed: %n sherd(s).</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>You stopped it. What was computed so far is kept.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>You took it out of the queue.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>again</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) wait.</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1: paused</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2, %3 %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>being photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wird aufgenommen</translation>
+    </message>
+    <message>
+      <source>waits for its turn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wartet</translation>
+    </message>
+    <message>
+      <source>is being computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wird berechnet</translation>
+    </message>
+    <message>
+      <source>paused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>angehalten</translation>
+    </message>
+    <message>
+      <source>stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgebrochen</translation>
+    </message>
+    <message>
+      <source>wants your eye</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>braucht Ihren Blick</translation>
+    </message>
+    <message>
+      <source>done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fertig</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BigButton</name>
+    <message>
+      <source>Key: %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>%1 is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist in der Warteschlange.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n file(s) imported; it is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1: eine Datei eingelesen; es ist in der Warteschlange.</numerusform>
+        <numerusform>%1: %n Dateien eingelesen; es ist in der Warteschlange.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gut</translation>
+    </message>
+    <message>
+      <source>The next thing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Nächste</translation>
+    </message>
+    <message>
+      <source>Stop the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tisch anhalten</translation>
+    </message>
+    <message>
+      <source>Photograph again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch einmal aufnehmen</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos einlesen…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scans einlesen…</translation>
+    </message>
+    <message>
+      <source>Another rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anderer Messplatz…</translation>
+    </message>
+    <message>
+      <source>Camera %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leertaste</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mehr</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einlesen, anderer Messplatz</translation>
+    </message>
+    <message>
+      <source>Capture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aufnahme</translation>
+    </message>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner mit Scans in front/ und back/</translation>
+    </message>
+    <message>
+      <source>Folder of a batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner einer Ladung</translation>
+    </message>
+    <message>
+      <source>The picture is on its way.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild ist unterwegs.</translation>
+    </message>
+    <message>
+      <source>Look at this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erst hierauf sehen</translation>
+    </message>
+    <message>
+      <source>R</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>R</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>Opening the rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz wird geöffnet</translation>
+    </message>
+    <message>
+      <source>%1 goes on where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 geht weiter, wo es war.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aufnahmen von %1</translation>
+    </message>
+    <message>
+      <source>Press the shutter of camera %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bitte den Auslöser von Kamera %1 drücken.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are safe.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Die bisherige Aufnahme dieser Seite ist gesichert.</numerusform>
+        <numerusform>Die %n bisherigen Aufnahmen dieser Seite sind gesichert.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at stop %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, Halt %2: %3</translation>
+    </message>
+    <message>
+      <source>%1 %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %2</translation>
+    </message>
+    <message>
+      <source>Live picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Livebild</translation>
+    </message>
+    <message>
+      <source>Front picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild der Vorderseiten</translation>
+    </message>
+    <message>
+      <source>No rig yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch kein Messplatz</translation>
+    </message>
+    <message>
+      <source>The rig is being opened</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz wird geöffnet</translation>
+    </message>
+    <message>
+      <source>Lay the sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben auf den Teller legen</translation>
+    </message>
+    <message>
+      <source>Stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Angehalten</translation>
+    </message>
+    <message>
+      <source>Photographing the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Vorderseiten werden aufgenommen</translation>
+    </message>
+    <message>
+      <source>Turn each sherd over where it lies</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Jede Scherbe an ihrem Platz wenden</translation>
+    </message>
+    <message>
+      <source>Photographing the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Rückseiten werden aufgenommen</translation>
+    </message>
+    <message>
+      <source>You may clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Teller darf abgeräumt werden.</translation>
+    </message>
+    <message>
+      <source>Look at the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vor dem Abräumen den Teller ansehen</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite oben, einen Finger breit Abstand, die Marken am Rand frei.</translation>
+    </message>
+    <message>
+      <source>Hands off the table. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hände weg vom Tisch. Esc hält ihn sofort an.</translation>
+    </message>
+    <message>
+      <source>Shifting is fine, swapping is fine, losing one is not.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verschieben ist erlaubt, Vertauschen auch, Verlieren nicht.</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist in der Warteschlange; die nächste Ladung ist eine Taste entfernt.</translation>
+    </message>
+    <message>
+      <source>Space goes on all the same, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leertaste: trotzdem weiter. R: Rückseiten noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>Done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erledigt</translation>
+    </message>
+    <message>
+      <source>Try again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch einmal versuchen</translation>
+    </message>
+    <message>
+      <source>Shoot the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseiten aufnehmen</translation>
+    </message>
+    <message>
+      <source>All turned: shoot the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alle gewendet: Rückseiten aufnehmen</translation>
+    </message>
+    <message>
+      <source>Next batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nächste Ladung</translation>
+    </message>
+    <message>
+      <source>It is right: into the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es stimmt: in die Warteschlange</translation>
+    </message>
+    <message>
+      <source>Stop %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Halt %1 von %2</translation>
+    </message>
+    <message>
+      <source>One moment</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Moment</translation>
+    </message>
+    <message numerus="yes">
+      <source>Front: %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Vorn: eine Scherbe</numerusform>
+        <numerusform>Vorn: %n Scherben</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Front: %1 sherds, now %2 are seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorn: %1 Scherben, jetzt sind %2 zu sehen</translation>
+    </message>
+    <message>
+      <source>Front %1, back %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorn %1, hinten %2</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) are safe</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Aufnahme ist gesichert</numerusform>
+        <numerusform>%n Aufnahmen sind gesichert</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Kamera zeigt kein Livebild.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe zu sehen</numerusform>
+        <numerusform>%n Scherben zu sehen</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 und %2 berühren sich fast</translation>
+    </message>
+    <message>
+      <source>%1 reaches out of the picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ragt aus dem Bild</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marken %1 von %2</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too dark</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % der Scherben sind zu dunkel</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too bright</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % der Scherben sind zu hell</translation>
+    </message>
+    <message>
+      <source>Light is right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Licht stimmt</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FooterLine</name>
+    <message>
+      <source>What the computer does</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What was done</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Progress of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing to compute</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nichts zu berechnen</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HeaderLine</name>
+    <message>
+      <source>Where</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Messplatz: %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Disk: room for %n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Platte: Platz für eine Ladung</numerusform>
+        <numerusform>Platte: Platz für %n Ladungen</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HelpPage</name>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Contents</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All &amp;keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;About</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Back to work (Esc)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing leaves this computer: there is no network in it.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MainWindow</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 is computed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 stopped: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückgängig:</translation>
+    </message>
+    <message>
+      <source>Do again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wiederholen:</translation>
+    </message>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Other projects</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekte</translation>
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einstellungen</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hilfe</translation>
+    </message>
+    <message>
+      <source>Back to work</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This project is open in another window already: go on there.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 - Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Everywhere</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MessagePanel</name>
+    <message>
+      <source>What happened</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NewProject</name>
+    <message>
+      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose a folder for the project.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>There is a project in this folder already: open it, or choose another folder.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This folder holds other files: choose a new one.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlaceEdit</name>
+    <message>
+      <source>&amp;Bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Beutel</translation>
+    </message>
+    <message>
+      <source>scan its label, or ARM1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Etikett scannen, oder ARM1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>Site, trench, context and bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fundort, Schnitt, Befund und Beutel</translation>
+    </message>
+    <message>
+      <source>no bag: no numbers yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kein Beutel: noch keine Nummern</translation>
+    </message>
+    <message>
+      <source>site-trench-context-bag, please</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bitte Fundort-Schnitt-Befund-Beutel</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlateView</name>
+    <message>
+      <source>Picture of the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild des Tellers</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe zu sehen</numerusform>
+        <numerusform>%n Scherben zu sehen</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>5 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>5 cm</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::QueueStation</name>
+    <message>
+      <source>Pause</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pause</translation>
+    </message>
+    <message>
+      <source>Compute again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop this batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Report</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Review it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Protokoll</translation>
+    </message>
+    <message>
+      <source>Batches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No batch yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Photograph the first batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Warteschlange</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es) stopped and need you</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Go on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Weiter</translation>
+    </message>
+    <message>
+      <source>%1 has no report yet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop %1?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Let it go on</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Rail</name>
+    <message>
+      <source>Stations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1  %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigPage</name>
+    <message>
+      <source>Two of them look alike</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei davon sehen gleich aus</translation>
+    </message>
+    <message>
+      <source>What do you photograph with?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Womit wird aufgenommen?</translation>
+    </message>
+    <message>
+      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der virtuelle Messplatz zerbricht ein Gefäß und nimmt seine Scherben auf: damit lässt sich alles ausprobieren. Eine Messplatzdatei (RIG.json) nennt Ihre Kameras und Ihren Drehtisch.</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den virtuellen Messplatz nehmen</translation>
+    </message>
+    <message>
+      <source>Choose a rig file…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Messplatzdatei wählen…</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos einlesen…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scans einlesen…</translation>
+    </message>
+    <message>
+      <source>The virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der virtuelle Messplatz</translation>
+    </message>
+    <message>
+      <source>small: a batch in a minute or two</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>klein: eine Ladung in ein, zwei Minuten</translation>
+    </message>
+    <message>
+      <source>normal</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>normal</translation>
+    </message>
+    <message>
+      <source>fine: as a real camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fein: wie eine echte Kamera</translation>
+    </message>
+    <message>
+      <source>&amp;Sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Scherben auf dem Teller</translation>
+    </message>
+    <message>
+      <source>&amp;Photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Aufnahmen</translation>
+    </message>
+    <message>
+      <source>%1 pixels wide</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Pixel breit</translation>
+    </message>
+    <message>
+      <source>Rig file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Messplatzdatei</translation>
+    </message>
+    <message>
+      <source>Rig (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Messplatz (*.json)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SettingsPage</name>
+    <message>
+      <source>As the desktop</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Light</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Dark, for the tent</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sunlight: black on white, thick lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>all</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einstellungen</translation>
+    </message>
+    <message>
+      <source>&amp;Your initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>They stand in the history of each decision.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Theme</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Te&amp;xt size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Text size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Language</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Holds from the next start.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Processors for computing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StartScreen</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Potsherds, both sides, complete and measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben, beide Seiten, vollständig und vermessen.</translation>
+    </message>
+    <message>
+      <source>&amp;Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Projekte</translation>
+    </message>
+    <message>
+      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Open a project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt &amp;öffnen…</translation>
+    </message>
+    <message>
+      <source>Try with the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mit dem virtuellen Messplatz ausprobieren</translation>
+    </message>
+    <message>
+      <source>New project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neues Projekt</translation>
+    </message>
+    <message>
+      <source>Aragats 2026</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose the folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt anlegen</translation>
+    </message>
+    <message>
+      <source>&amp;Name</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Site code</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>A sherd will be</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1
+%2, %3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gut</translation>
+    </message>
+    <message>
+      <source>Folder of the new project</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder of a project</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StopBoard</name>
+    <message>
+      <source>Photographs of this side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aufnahmen dieser Seite</translation>
+    </message>
+    <message>
+      <source>%1 of %2 stops are done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 von %2 Halten sind fertig</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Thumbnails</name>
+    <message>
+      <source>Picture</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+</TS>

@@ -1,0 +1,1208 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="el" sourcelanguage="en">
+  <context>
+    <name>Job</name>
+    <message>
+      <source>The memory does not suffice; close other programs and try again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This is a defect of the program; please report it with the log (%1).</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>PlaceText</name>
+    <message>
+      <source>%1 bag %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 σακούλα %2</translation>
+    </message>
+    <message>
+      <source>A site, a context and a bag are needed so that the sherds can be numbered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρειάζονται θέση, πλαίσιο και σακούλα για να αριθμηθούν τα όστρακα.</translation>
+    </message>
+  </context>
+  <context>
+    <name>Rig</name>
+    <message>
+      <source>its file is missing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>λείπει το αρχείο της</translation>
+    </message>
+    <message>
+      <source>ready (calibrated today)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>έτοιμη (βαθμονομήθηκε σήμερα)</translation>
+    </message>
+    <message numerus="yes">
+      <source>ready (%n day(s) old)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>έτοιμη (%n ημέρας)</numerusform>
+        <numerusform>έτοιμη (%n ημερών)</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>virtual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εικονική</translation>
+    </message>
+  </context>
+  <context>
+    <name>Stage</name>
+    <message>
+      <source>cameras</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάμερες</translation>
+    </message>
+    <message>
+      <source>sherd or plate, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όστρακο ή δίσκος, μπροστά</translation>
+    </message>
+    <message>
+      <source>sherd or plate, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όστρακο ή δίσκος, πίσω</translation>
+    </message>
+    <message>
+      <source>surface, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>επιφάνεια, μπροστά</translation>
+    </message>
+    <message>
+      <source>surface, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>επιφάνεια, πίσω</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μία σάρωση ανά όστρακο, μπροστά</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μία σάρωση ανά όστρακο, πίσω</translation>
+    </message>
+    <message>
+      <source>which back belongs to which front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ποια πίσω όψη ανήκει σε ποια μπροστινή</translation>
+    </message>
+    <message>
+      <source>models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μοντέλα</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αναφορά</translation>
+    </message>
+    <message>
+      <source>catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κατάλογος</translation>
+    </message>
+    <message>
+      <source>begins</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχίζει</translation>
+    </message>
+  </context>
+  <context>
+    <name>Time</name>
+    <message numerus="yes">
+      <source>%n s left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>απομένει %n δ</numerusform>
+        <numerusform>απομένουν %n δ</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>απομένει %n λεπτό</numerusform>
+        <numerusform>απομένουν %n λεπτά</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 h %2 min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>απομένουν %1 ώρες %2 λεπτά</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchDelegate</name>
+    <message>
+      <source>%1, %2 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchImporter</name>
+    <message>
+      <source>Import of %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchQueue</name>
+    <message numerus="yes">
+      <source>%n sherd(s): sure %1, ask %2</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), all sure</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1; joined to %2 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Batch %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Warning: %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%1 is computed: %n sherd(s).</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>You stopped it. What was computed so far is kept.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>You took it out of the queue.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>again</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) wait.</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1: paused</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2, %3 %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>being photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φωτογραφίζεται</translation>
+    </message>
+    <message>
+      <source>waits for its turn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>περιμένει τη σειρά της</translation>
+    </message>
+    <message>
+      <source>is being computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>υπολογίζεται</translation>
+    </message>
+    <message>
+      <source>paused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σε παύση</translation>
+    </message>
+    <message>
+      <source>stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σταμάτησε</translation>
+    </message>
+    <message>
+      <source>wants your eye</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>θέλει το μάτι σας</translation>
+    </message>
+    <message>
+      <source>done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>έτοιμη</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BigButton</name>
+    <message>
+      <source>Key: %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>%1 is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 είναι στην ουρά.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n file(s) imported; it is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1: εισήχθη %n αρχείο· είναι στην ουρά.</numerusform>
+        <numerusform>%1: εισήχθησαν %n αρχεία· είναι στην ουρά.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εντάξει</translation>
+    </message>
+    <message>
+      <source>The next thing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το επόμενο</translation>
+    </message>
+    <message>
+      <source>Stop the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτημα του τραπεζιού</translation>
+    </message>
+    <message>
+      <source>Photograph again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογράφιση ξανά</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή φωτογραφιών…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή σαρώσεων…</translation>
+    </message>
+    <message>
+      <source>Another rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλη διάταξη…</translation>
+    </message>
+    <message>
+      <source>Camera %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διάστημα</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Περισσότερα</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή, άλλη διάταξη</translation>
+    </message>
+    <message>
+      <source>Capture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λήψη</translation>
+    </message>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος με σαρώσεις front/ και back/</translation>
+    </message>
+    <message>
+      <source>Folder of a batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος μιας παρτίδας</translation>
+    </message>
+    <message>
+      <source>The picture is on its way.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα έρχεται.</translation>
+    </message>
+    <message>
+      <source>Look at this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κοιτάξτε πρώτα αυτό</translation>
+    </message>
+    <message>
+      <source>R</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>R</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>Opening the rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άνοιγμα της διάταξης</translation>
+    </message>
+    <message>
+      <source>%1 goes on where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 συνεχίζει από εκεί που ήταν.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες του %1</translation>
+    </message>
+    <message>
+      <source>Press the shutter of camera %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πατήστε το κλείστρο της κάμερας %1.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are safe.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Η φωτογραφία αυτής της όψης είναι ασφαλής.</numerusform>
+        <numerusform>Οι %n φωτογραφίες αυτής της όψης είναι ασφαλείς.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at stop %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1, στάση %2: %3</translation>
+    </message>
+    <message>
+      <source>%1 %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %2</translation>
+    </message>
+    <message>
+      <source>Live picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ζωντανή εικόνα</translation>
+    </message>
+    <message>
+      <source>Front picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα μπροστινών όψεων</translation>
+    </message>
+    <message>
+      <source>No rig yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει ακόμη διάταξη</translation>
+    </message>
+    <message>
+      <source>The rig is being opened</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη ανοίγει</translation>
+    </message>
+    <message>
+      <source>Lay the sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τοποθετήστε τα όστρακα στον δίσκο</translation>
+    </message>
+    <message>
+      <source>Stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε</translation>
+    </message>
+    <message>
+      <source>Photographing the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογράφιση μπροστινών όψεων</translation>
+    </message>
+    <message>
+      <source>Turn each sherd over where it lies</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Γυρίστε κάθε όστρακο στη θέση του</translation>
+    </message>
+    <message>
+      <source>Photographing the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογράφιση πίσω όψεων</translation>
+    </message>
+    <message>
+      <source>You may clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπορείτε να αδειάσετε τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>Look at the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κοιτάξτε τον δίσκο πριν τον αδειάσετε</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπροστινή όψη επάνω, απόσταση ενός δακτύλου, τα σημάδια στο χείλος ελεύθερα.</translation>
+    </message>
+    <message>
+      <source>Hands off the table. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μακριά τα χέρια από το τραπέζι. Το Esc το σταματά αμέσως.</translation>
+    </message>
+    <message>
+      <source>Shifting is fine, swapping is fine, losing one is not.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μετακίνηση και η αλλαγή θέσης επιτρέπονται, η απώλεια όχι.</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 είναι στην ουρά· η επόμενη παρτίδα απέχει ένα πλήκτρο.</translation>
+    </message>
+    <message>
+      <source>Space goes on all the same, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το διάστημα συνεχίζει έτσι κι αλλιώς, το R φωτογραφίζει ξανά τις πίσω όψεις.</translation>
+    </message>
+    <message>
+      <source>Done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Έγινε</translation>
+    </message>
+    <message>
+      <source>Try again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμή ξανά</translation>
+    </message>
+    <message>
+      <source>Shoot the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογράφιση μπροστινών όψεων</translation>
+    </message>
+    <message>
+      <source>All turned: shoot the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλα γύρισαν: φωτογράφιση πίσω όψεων</translation>
+    </message>
+    <message>
+      <source>Next batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επόμενη παρτίδα</translation>
+    </message>
+    <message>
+      <source>It is right: into the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι σωστό: στην ουρά</translation>
+    </message>
+    <message>
+      <source>Stop %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στάση %1 από %2</translation>
+    </message>
+    <message>
+      <source>One moment</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια στιγμή</translation>
+    </message>
+    <message numerus="yes">
+      <source>Front: %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Μπροστά: %n όστρακο</numerusform>
+        <numerusform>Μπροστά: %n όστρακα</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Front: %1 sherds, now %2 are seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπροστά: %1 όστρακα, τώρα φαίνονται %2</translation>
+    </message>
+    <message>
+      <source>Front %1, back %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπροστά %1, πίσω %2</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) are safe</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n φωτογραφία είναι ασφαλής</numerusform>
+        <numerusform>%n φωτογραφίες είναι ασφαλείς</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η κάμερα δεν δείχνει ζωντανή εικόνα.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Φαίνεται %n όστρακο</numerusform>
+        <numerusform>Φαίνονται %n όστρακα</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα %1 και %2 σχεδόν ακουμπούν</translation>
+    </message>
+    <message>
+      <source>%1 reaches out of the picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 βγαίνει από την εικόνα</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σημάδια %1 από %2</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too dark</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 % των οστράκων είναι πολύ σκοτεινό</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too bright</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 % των οστράκων είναι πολύ φωτεινό</translation>
+    </message>
+    <message>
+      <source>Light is right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το φως είναι σωστό</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FooterLine</name>
+    <message>
+      <source>What the computer does</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What was done</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Progress of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing to compute</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τίποτα για υπολογισμό</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HeaderLine</name>
+    <message>
+      <source>Where</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διάταξη: %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Disk: room for %n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Δίσκος: χώρος για %n παρτίδα</numerusform>
+        <numerusform>Δίσκος: χώρος για %n παρτίδες</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HelpPage</name>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Contents</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All &amp;keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;About</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Back to work (Esc)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing leaves this computer: there is no network in it.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MainWindow</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 is computed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 stopped: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναίρεση</translation>
+    </message>
+    <message>
+      <source>Do again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επανάληψη</translation>
+    </message>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Other projects</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Έργα</translation>
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρυθμίσεις</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Βοήθεια</translation>
+    </message>
+    <message>
+      <source>Back to work</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This project is open in another window already: go on there.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 - Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Everywhere</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MessagePanel</name>
+    <message>
+      <source>What happened</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NewProject</name>
+    <message>
+      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose a folder for the project.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>There is a project in this folder already: open it, or choose another folder.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This folder holds other files: choose a new one.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlaceEdit</name>
+    <message>
+      <source>&amp;Bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Σακούλα</translation>
+    </message>
+    <message>
+      <source>scan its label, or ARM1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σαρώστε την ετικέτα, ή ARM1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>Site, trench, context and bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Θέση, τομή, πλαίσιο και σακούλα</translation>
+    </message>
+    <message>
+      <source>no bag: no numbers yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς σακούλα: ακόμη χωρίς αριθμούς</translation>
+    </message>
+    <message>
+      <source>site-trench-context-bag, please</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>θέση-τομή-πλαίσιο-σακούλα, παρακαλώ</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlateView</name>
+    <message>
+      <source>Picture of the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα του δίσκου</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Φαίνεται %n όστρακο</numerusform>
+        <numerusform>Φαίνονται %n όστρακα</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>5 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>5 εκ.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::QueueStation</name>
+    <message>
+      <source>Pause</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παύση</translation>
+    </message>
+    <message>
+      <source>Compute again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop this batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Report</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Review it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ημερολόγιο</translation>
+    </message>
+    <message>
+      <source>Batches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No batch yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Photograph the first batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ουρά</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es) stopped and need you</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Go on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συνέχεια</translation>
+    </message>
+    <message>
+      <source>%1 has no report yet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop %1?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Let it go on</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Rail</name>
+    <message>
+      <source>Stations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1  %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigPage</name>
+    <message>
+      <source>Two of them look alike</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο από αυτά μοιάζουν</translation>
+    </message>
+    <message>
+      <source>What do you photograph with?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Με τι φωτογραφίζετε;</translation>
+    </message>
+    <message>
+      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικονική διάταξη σπάει ένα αγγείο και φωτογραφίζει τα όστρακά του: δοκιμάστε τα πάντα με αυτήν. Ένα αρχείο διάταξης (RIG.json) ονομάζει τις κάμερες και το περιστρεφόμενο τραπέζι σας.</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρήση της εικονικής διάταξης</translation>
+    </message>
+    <message>
+      <source>Choose a rig file…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή αρχείου διάταξης…</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή φωτογραφιών…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή σαρώσεων…</translation>
+    </message>
+    <message>
+      <source>The virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικονική διάταξη</translation>
+    </message>
+    <message>
+      <source>small: a batch in a minute or two</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μικρές: μια παρτίδα σε ένα-δύο λεπτά</translation>
+    </message>
+    <message>
+      <source>normal</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κανονικές</translation>
+    </message>
+    <message>
+      <source>fine: as a real camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>λεπτομερείς: όπως μια αληθινή κάμερα</translation>
+    </message>
+    <message>
+      <source>&amp;Sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Όστρακα στον δίσκο</translation>
+    </message>
+    <message>
+      <source>&amp;Photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Φωτογραφίες</translation>
+    </message>
+    <message>
+      <source>%1 pixels wide</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πλάτος %1 εικονοστοιχεία</translation>
+    </message>
+    <message>
+      <source>Rig file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρχείο διάταξης</translation>
+    </message>
+    <message>
+      <source>Rig (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διάταξη (*.json)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SettingsPage</name>
+    <message>
+      <source>As the desktop</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Light</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Dark, for the tent</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sunlight: black on white, thick lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>all</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρυθμίσεις</translation>
+    </message>
+    <message>
+      <source>&amp;Your initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>They stand in the history of each decision.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Theme</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Te&amp;xt size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Text size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Language</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Holds from the next start.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Processors for computing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StartScreen</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Potsherds, both sides, complete and measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα, και οι δύο όψεις, πλήρη και μετρημένα.</translation>
+    </message>
+    <message>
+      <source>&amp;Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Έργα</translation>
+    </message>
+    <message>
+      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Open a project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Άνοιγμα έργου…</translation>
+    </message>
+    <message>
+      <source>Try with the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμή με την εικονική διάταξη</translation>
+    </message>
+    <message>
+      <source>New project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέο έργο</translation>
+    </message>
+    <message>
+      <source>Aragats 2026</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose the folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δημιουργία έργου</translation>
+    </message>
+    <message>
+      <source>&amp;Name</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Site code</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>A sherd will be</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1
+%2, %3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εντάξει</translation>
+    </message>
+    <message>
+      <source>Folder of the new project</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder of a project</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StopBoard</name>
+    <message>
+      <source>Photographs of this side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες αυτής της όψης</translation>
+    </message>
+    <message>
+      <source>%1 of %2 stops are done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Έγιναν %1 από %2 στάσεις</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Thumbnails</name>
+    <message>
+      <source>Picture</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+</TS>

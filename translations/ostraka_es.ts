@@ -1,0 +1,1208 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es" sourcelanguage="en">
+  <context>
+    <name>Job</name>
+    <message>
+      <source>The memory does not suffice; close other programs and try again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This is a defect of the program; please report it with the log (%1).</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>PlaceText</name>
+    <message>
+      <source>%1 bag %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bolsa %2</translation>
+    </message>
+    <message>
+      <source>A site, a context and a bag are needed so that the sherds can be numbered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hacen falta yacimiento, contexto y bolsa para numerar los fragmentos.</translation>
+    </message>
+  </context>
+  <context>
+    <name>Rig</name>
+    <message>
+      <source>its file is missing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>falta su archivo</translation>
+    </message>
+    <message>
+      <source>ready (calibrated today)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>listo (calibrado hoy)</translation>
+    </message>
+    <message numerus="yes">
+      <source>ready (%n day(s) old)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>listo (%n día)</numerusform>
+        <numerusform>listo (%n días)</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>virtual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>virtual</translation>
+    </message>
+  </context>
+  <context>
+    <name>Stage</name>
+    <message>
+      <source>cameras</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cámaras</translation>
+    </message>
+    <message>
+      <source>sherd or plate, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragmento o plato, anverso</translation>
+    </message>
+    <message>
+      <source>sherd or plate, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragmento o plato, reverso</translation>
+    </message>
+    <message>
+      <source>surface, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>superficie, anverso</translation>
+    </message>
+    <message>
+      <source>surface, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>superficie, reverso</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>un escaneo por fragmento, anverso</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>un escaneo por fragmento, reverso</translation>
+    </message>
+    <message>
+      <source>which back belongs to which front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>qué reverso corresponde a qué anverso</translation>
+    </message>
+    <message>
+      <source>models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modelos</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>informe</translation>
+    </message>
+    <message>
+      <source>catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>catálogo</translation>
+    </message>
+    <message>
+      <source>begins</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>empieza</translation>
+    </message>
+  </context>
+  <context>
+    <name>Time</name>
+    <message numerus="yes">
+      <source>%n s left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>queda %n s</numerusform>
+        <numerusform>quedan %n s</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>queda %n min</numerusform>
+        <numerusform>quedan %n min</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 h %2 min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>quedan %1 h %2 min</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchDelegate</name>
+    <message>
+      <source>%1, %2 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchImporter</name>
+    <message>
+      <source>Import of %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchQueue</name>
+    <message numerus="yes">
+      <source>%n sherd(s): sure %1, ask %2</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), all sure</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1; joined to %2 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Batch %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Warning: %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%1 is computed: %n sherd(s).</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>You stopped it. What was computed so far is kept.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>You took it out of the queue.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>again</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) wait.</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1: paused</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2, %3 %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>being photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>se está fotografiando</translation>
+    </message>
+    <message>
+      <source>waits for its turn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>espera su turno</translation>
+    </message>
+    <message>
+      <source>is being computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>se está calculando</translation>
+    </message>
+    <message>
+      <source>paused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en pausa</translation>
+    </message>
+    <message>
+      <source>stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>detenida</translation>
+    </message>
+    <message>
+      <source>wants your eye</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>requiere su atención</translation>
+    </message>
+    <message>
+      <source>done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>terminada</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BigButton</name>
+    <message>
+      <source>Key: %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>%1 is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 está en la cola.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n file(s) imported; it is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1: %n archivo importado; está en la cola.</numerusform>
+        <numerusform>%1: %n archivos importados; está en la cola.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De acuerdo</translation>
+    </message>
+    <message>
+      <source>The next thing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo siguiente</translation>
+    </message>
+    <message>
+      <source>Stop the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener la mesa</translation>
+    </message>
+    <message>
+      <source>Photograph again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografiar otra vez</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar fotografías…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar escaneos…</translation>
+    </message>
+    <message>
+      <source>Another rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro equipo…</translation>
+    </message>
+    <message>
+      <source>Camera %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espacio</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Más</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar, otro equipo</translation>
+    </message>
+    <message>
+      <source>Capture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Captura</translation>
+    </message>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Carpeta con los escaneos front/ y back/</translation>
+    </message>
+    <message>
+      <source>Folder of a batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Carpeta de una tanda</translation>
+    </message>
+    <message>
+      <source>The picture is on its way.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen está en camino.</translation>
+    </message>
+    <message>
+      <source>Look at this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mire esto primero</translation>
+    </message>
+    <message>
+      <source>R</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>R</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>Opening the rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abriendo el equipo</translation>
+    </message>
+    <message>
+      <source>%1 goes on where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 sigue donde estaba.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografías de %1</translation>
+    </message>
+    <message>
+      <source>Press the shutter of camera %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pulse el disparador de la cámara %1.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are safe.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>La fotografía ya tomada de este lado está a salvo.</numerusform>
+        <numerusform>Las %n fotografías ya tomadas de este lado están a salvo.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at stop %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1, parada %2: %3</translation>
+    </message>
+    <message>
+      <source>%1 %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %2</translation>
+    </message>
+    <message>
+      <source>Live picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imagen en vivo</translation>
+    </message>
+    <message>
+      <source>Front picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imagen de los anversos</translation>
+    </message>
+    <message>
+      <source>No rig yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todavía no hay equipo</translation>
+    </message>
+    <message>
+      <source>The rig is being opened</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se está abriendo el equipo</translation>
+    </message>
+    <message>
+      <source>Lay the sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Coloque los fragmentos en el plato</translation>
+    </message>
+    <message>
+      <source>Stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido</translation>
+    </message>
+    <message>
+      <source>Photographing the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografiando los anversos</translation>
+    </message>
+    <message>
+      <source>Turn each sherd over where it lies</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dé la vuelta a cada fragmento en su sitio</translation>
+    </message>
+    <message>
+      <source>Photographing the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografiando los reversos</translation>
+    </message>
+    <message>
+      <source>You may clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Puede despejar el plato.</translation>
+    </message>
+    <message>
+      <source>Look at the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mire el plato antes de despejarlo</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anverso arriba, un dedo de separación, las marcas del borde libres.</translation>
+    </message>
+    <message>
+      <source>Hands off the table. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Manos fuera de la mesa. Esc la detiene al instante.</translation>
+    </message>
+    <message>
+      <source>Shifting is fine, swapping is fine, losing one is not.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se pueden mover o cambiar de sitio, pero no perder ninguno.</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 está en la cola; la siguiente tanda está a una tecla.</translation>
+    </message>
+    <message>
+      <source>Space goes on all the same, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espacio continúa igualmente, R fotografía otra vez los reversos.</translation>
+    </message>
+    <message>
+      <source>Done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hecho</translation>
+    </message>
+    <message>
+      <source>Try again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Intentar otra vez</translation>
+    </message>
+    <message>
+      <source>Shoot the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografiar los anversos</translation>
+    </message>
+    <message>
+      <source>All turned: shoot the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todos girados: fotografiar los reversos</translation>
+    </message>
+    <message>
+      <source>Next batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Siguiente tanda</translation>
+    </message>
+    <message>
+      <source>It is right: into the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Está bien: a la cola</translation>
+    </message>
+    <message>
+      <source>Stop %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parada %1 de %2</translation>
+    </message>
+    <message>
+      <source>One moment</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un momento</translation>
+    </message>
+    <message numerus="yes">
+      <source>Front: %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Anverso: %n fragmento</numerusform>
+        <numerusform>Anverso: %n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Front: %1 sherds, now %2 are seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anverso: %1 fragmentos, ahora se ven %2</translation>
+    </message>
+    <message>
+      <source>Front %1, back %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anverso %1, reverso %2</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) are safe</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fotografía a salvo</numerusform>
+        <numerusform>%n fotografías a salvo</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta cámara no muestra imagen en vivo.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Se ve %n fragmento</numerusform>
+        <numerusform>Se ven %n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 y %2 casi se tocan</translation>
+    </message>
+    <message>
+      <source>%1 reaches out of the picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se sale de la imagen</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marcas %1 de %2</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too dark</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El %1 % de los fragmentos está demasiado oscuro</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too bright</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El %1 % de los fragmentos está demasiado claro</translation>
+    </message>
+    <message>
+      <source>Light is right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La luz está bien</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FooterLine</name>
+    <message>
+      <source>What the computer does</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What was done</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Progress of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing to compute</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nada que calcular</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HeaderLine</name>
+    <message>
+      <source>Where</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Equipo: %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Disk: room for %n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Disco: sitio para %n tanda</numerusform>
+        <numerusform>Disco: sitio para %n tandas</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HelpPage</name>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Contents</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All &amp;keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;About</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Back to work (Esc)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing leaves this computer: there is no network in it.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MainWindow</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 is computed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 stopped: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deshacer</translation>
+    </message>
+    <message>
+      <source>Do again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rehacer</translation>
+    </message>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Other projects</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Proyectos</translation>
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajustes</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayuda</translation>
+    </message>
+    <message>
+      <source>Back to work</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This project is open in another window already: go on there.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 - Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Everywhere</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MessagePanel</name>
+    <message>
+      <source>What happened</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NewProject</name>
+    <message>
+      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose a folder for the project.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>There is a project in this folder already: open it, or choose another folder.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This folder holds other files: choose a new one.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlaceEdit</name>
+    <message>
+      <source>&amp;Bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Bolsa</translation>
+    </message>
+    <message>
+      <source>scan its label, or ARM1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>escanee su etiqueta, o ARM1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>Site, trench, context and bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yacimiento, corte, contexto y bolsa</translation>
+    </message>
+    <message>
+      <source>no bag: no numbers yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sin bolsa: aún sin números</translation>
+    </message>
+    <message>
+      <source>site-trench-context-bag, please</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yacimiento-corte-contexto-bolsa, por favor</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlateView</name>
+    <message>
+      <source>Picture of the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imagen del plato</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Se ve %n fragmento</numerusform>
+        <numerusform>Se ven %n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>5 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>5 cm</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::QueueStation</name>
+    <message>
+      <source>Pause</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pausa</translation>
+    </message>
+    <message>
+      <source>Compute again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop this batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Report</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Review it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Registro</translation>
+    </message>
+    <message>
+      <source>Batches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No batch yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Photograph the first batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cola</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es) stopped and need you</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Go on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seguir</translation>
+    </message>
+    <message>
+      <source>%1 has no report yet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop %1?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Let it go on</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Rail</name>
+    <message>
+      <source>Stations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1  %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigPage</name>
+    <message>
+      <source>Two of them look alike</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos de ellos se parecen</translation>
+    </message>
+    <message>
+      <source>What do you photograph with?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Con qué fotografía?</translation>
+    </message>
+    <message>
+      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo virtual rompe una vasija y fotografía sus fragmentos: pruébelo todo con él. Un archivo de equipo (RIG.json) nombra sus cámaras y su mesa giratoria.</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Usar el equipo virtual</translation>
+    </message>
+    <message>
+      <source>Choose a rig file…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elegir un archivo de equipo…</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar fotografías…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar escaneos…</translation>
+    </message>
+    <message>
+      <source>The virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo virtual</translation>
+    </message>
+    <message>
+      <source>small: a batch in a minute or two</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pequeñas: una tanda en uno o dos minutos</translation>
+    </message>
+    <message>
+      <source>normal</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>normales</translation>
+    </message>
+    <message>
+      <source>fine: as a real camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>finas: como una cámara real</translation>
+    </message>
+    <message>
+      <source>&amp;Sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Fragmentos en el plato</translation>
+    </message>
+    <message>
+      <source>&amp;Photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Fotografías</translation>
+    </message>
+    <message>
+      <source>%1 pixels wide</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 píxeles de ancho</translation>
+    </message>
+    <message>
+      <source>Rig file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Archivo de equipo</translation>
+    </message>
+    <message>
+      <source>Rig (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Equipo (*.json)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SettingsPage</name>
+    <message>
+      <source>As the desktop</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Light</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Dark, for the tent</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sunlight: black on white, thick lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>all</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajustes</translation>
+    </message>
+    <message>
+      <source>&amp;Your initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>They stand in the history of each decision.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Theme</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Te&amp;xt size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Text size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Language</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Holds from the next start.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Processors for computing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StartScreen</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Potsherds, both sides, complete and measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos cerámicos, ambos lados, completos y medidos.</translation>
+    </message>
+    <message>
+      <source>&amp;Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Proyectos</translation>
+    </message>
+    <message>
+      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Open a project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Abrir un proyecto…</translation>
+    </message>
+    <message>
+      <source>Try with the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Probar con el equipo virtual</translation>
+    </message>
+    <message>
+      <source>New project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nuevo proyecto</translation>
+    </message>
+    <message>
+      <source>Aragats 2026</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose the folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Crear el proyecto</translation>
+    </message>
+    <message>
+      <source>&amp;Name</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Site code</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>A sherd will be</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1
+%2, %3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De acuerdo</translation>
+    </message>
+    <message>
+      <source>Folder of the new project</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder of a project</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StopBoard</name>
+    <message>
+      <source>Photographs of this side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografías de este lado</translation>
+    </message>
+    <message>
+      <source>%1 of %2 stops are done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de %2 paradas hechas</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Thumbnails</name>
+    <message>
+      <source>Picture</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+</TS>

@@ -1,0 +1,1208 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+  <context>
+    <name>Job</name>
+    <message>
+      <source>The memory does not suffice; close other programs and try again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This is a defect of the program; please report it with the log (%1).</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>PlaceText</name>
+    <message>
+      <source>%1 bag %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 sac %2</translation>
+    </message>
+    <message>
+      <source>A site, a context and a bag are needed so that the sherds can be numbered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il faut un site, un contexte et un sac pour numéroter les tessons.</translation>
+    </message>
+  </context>
+  <context>
+    <name>Rig</name>
+    <message>
+      <source>its file is missing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>son fichier manque</translation>
+    </message>
+    <message>
+      <source>ready (calibrated today)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>prêt (étalonné aujourd’hui)</translation>
+    </message>
+    <message numerus="yes">
+      <source>ready (%n day(s) old)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>prêt (%n jour)</numerusform>
+        <numerusform>prêt (%n jours)</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>virtual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>virtuel</translation>
+    </message>
+  </context>
+  <context>
+    <name>Stage</name>
+    <message>
+      <source>cameras</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>appareils</translation>
+    </message>
+    <message>
+      <source>sherd or plate, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tesson ou plateau, avant</translation>
+    </message>
+    <message>
+      <source>sherd or plate, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tesson ou plateau, arrière</translation>
+    </message>
+    <message>
+      <source>surface, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>surface, avant</translation>
+    </message>
+    <message>
+      <source>surface, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>surface, arrière</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>une numérisation par tesson, avant</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>une numérisation par tesson, arrière</translation>
+    </message>
+    <message>
+      <source>which back belongs to which front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>quelle face arrière pour quelle face avant</translation>
+    </message>
+    <message>
+      <source>models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modèles</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rapport</translation>
+    </message>
+    <message>
+      <source>catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>catalogue</translation>
+    </message>
+    <message>
+      <source>begins</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>commence</translation>
+    </message>
+  </context>
+  <context>
+    <name>Time</name>
+    <message numerus="yes">
+      <source>%n s left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>encore %n s</numerusform>
+        <numerusform>encore %n s</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>encore %n min</numerusform>
+        <numerusform>encore %n min</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 h %2 min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>encore %1 h %2 min</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchDelegate</name>
+    <message>
+      <source>%1, %2 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchImporter</name>
+    <message>
+      <source>Import of %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchQueue</name>
+    <message numerus="yes">
+      <source>%n sherd(s): sure %1, ask %2</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), all sure</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1; joined to %2 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Batch %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Warning: %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%1 is computed: %n sherd(s).</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>You stopped it. What was computed so far is kept.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>You took it out of the queue.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>again</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) wait.</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1: paused</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2, %3 %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>being photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en cours de prise de vue</translation>
+    </message>
+    <message>
+      <source>waits for its turn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>attend son tour</translation>
+    </message>
+    <message>
+      <source>is being computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en cours de calcul</translation>
+    </message>
+    <message>
+      <source>paused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en pause</translation>
+    </message>
+    <message>
+      <source>stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arrêté</translation>
+    </message>
+    <message>
+      <source>wants your eye</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>attend votre œil</translation>
+    </message>
+    <message>
+      <source>done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>terminé</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BigButton</name>
+    <message>
+      <source>Key: %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>%1 is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est dans la file.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n file(s) imported; it is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 : %n fichier importé ; il est dans la file.</numerusform>
+        <numerusform>%1 : %n fichiers importés ; il est dans la file.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>D’accord</translation>
+    </message>
+    <message>
+      <source>The next thing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’étape suivante</translation>
+    </message>
+    <message>
+      <source>Stop the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter la table</translation>
+    </message>
+    <message>
+      <source>Photograph again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographier de nouveau</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer des photographies…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer des numérisations…</translation>
+    </message>
+    <message>
+      <source>Another rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre banc…</translation>
+    </message>
+    <message>
+      <source>Camera %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espace</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plus</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer, autre banc</translation>
+    </message>
+    <message>
+      <source>Capture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Prise de vue</translation>
+    </message>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier avec les numérisations front/ et back/</translation>
+    </message>
+    <message>
+      <source>Folder of a batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier d’un lot</translation>
+    </message>
+    <message>
+      <source>The picture is on its way.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image arrive.</translation>
+    </message>
+    <message>
+      <source>Look at this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Regardez d’abord ceci</translation>
+    </message>
+    <message>
+      <source>R</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>R</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>Opening the rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouverture du banc</translation>
+    </message>
+    <message>
+      <source>%1 goes on where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 reprend où il en était.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographies de %1</translation>
+    </message>
+    <message>
+      <source>Press the shutter of camera %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appuyez sur le déclencheur de l’appareil %1.</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are safe.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>La photographie déjà prise de cette face est en sûreté.</numerusform>
+        <numerusform>Les %n photographies déjà prises de cette face sont en sûreté.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at stop %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1, arrêt %2 : %3</translation>
+    </message>
+    <message>
+      <source>%1 %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %2</translation>
+    </message>
+    <message>
+      <source>Live picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image en direct</translation>
+    </message>
+    <message>
+      <source>Front picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image des faces avant</translation>
+    </message>
+    <message>
+      <source>No rig yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore de banc</translation>
+    </message>
+    <message>
+      <source>The rig is being opened</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc s’ouvre</translation>
+    </message>
+    <message>
+      <source>Lay the sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Posez les tessons sur le plateau</translation>
+    </message>
+    <message>
+      <source>Stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêté</translation>
+    </message>
+    <message>
+      <source>Photographing the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographie des faces avant</translation>
+    </message>
+    <message>
+      <source>Turn each sherd over where it lies</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Retournez chaque tesson à sa place</translation>
+    </message>
+    <message>
+      <source>Photographing the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographie des faces arrière</translation>
+    </message>
+    <message>
+      <source>You may clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous pouvez débarrasser le plateau.</translation>
+    </message>
+    <message>
+      <source>Look at the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Regardez le plateau avant de le débarrasser</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Face avant vers le haut, un doigt d’écart, les repères du bord dégagés.</translation>
+    </message>
+    <message>
+      <source>Hands off the table. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne touchez pas la table. Échap l’arrête aussitôt.</translation>
+    </message>
+    <message>
+      <source>Shifting is fine, swapping is fine, losing one is not.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Décaler est permis, échanger aussi, en perdre un non.</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est dans la file ; le lot suivant est à une touche.</translation>
+    </message>
+    <message>
+      <source>Space goes on all the same, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espace continue quand même, R photographie de nouveau les faces arrière.</translation>
+    </message>
+    <message>
+      <source>Done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fait</translation>
+    </message>
+    <message>
+      <source>Try again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Réessayer</translation>
+    </message>
+    <message>
+      <source>Shoot the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographier les faces avant</translation>
+    </message>
+    <message>
+      <source>All turned: shoot the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tous retournés : photographier les faces arrière</translation>
+    </message>
+    <message>
+      <source>Next batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lot suivant</translation>
+    </message>
+    <message>
+      <source>It is right: into the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est juste : dans la file</translation>
+    </message>
+    <message>
+      <source>Stop %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêt %1 sur %2</translation>
+    </message>
+    <message>
+      <source>One moment</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un instant</translation>
+    </message>
+    <message numerus="yes">
+      <source>Front: %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Avant : %n tesson</numerusform>
+        <numerusform>Avant : %n tessons</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Front: %1 sherds, now %2 are seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avant : %1 tessons, %2 visibles maintenant</translation>
+    </message>
+    <message>
+      <source>Front %1, back %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avant %1, arrière %2</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) are safe</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n photographie en sûreté</numerusform>
+        <numerusform>%n photographies en sûreté</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cet appareil ne montre pas d’image en direct.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson visible</numerusform>
+        <numerusform>%n tessons visibles</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 et %2 se touchent presque</translation>
+    </message>
+    <message>
+      <source>%1 reaches out of the picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 sort de l’image</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Repères %1 sur %2</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too dark</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % des tessons est trop sombre</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too bright</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % des tessons est trop clair</translation>
+    </message>
+    <message>
+      <source>Light is right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La lumière est bonne</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FooterLine</name>
+    <message>
+      <source>What the computer does</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What was done</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Progress of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing to compute</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rien à calculer</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HeaderLine</name>
+    <message>
+      <source>Where</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Banc : %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Disk: room for %n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Disque : place pour %n lot</numerusform>
+        <numerusform>Disque : place pour %n lots</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HelpPage</name>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Contents</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All &amp;keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;About</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Back to work (Esc)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing leaves this computer: there is no network in it.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MainWindow</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 is computed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 stopped: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Annuler</translation>
+    </message>
+    <message>
+      <source>Do again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Refaire</translation>
+    </message>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Other projects</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projets</translation>
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Réglages</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aide</translation>
+    </message>
+    <message>
+      <source>Back to work</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This project is open in another window already: go on there.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 - Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Everywhere</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MessagePanel</name>
+    <message>
+      <source>What happened</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NewProject</name>
+    <message>
+      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose a folder for the project.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>There is a project in this folder already: open it, or choose another folder.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This folder holds other files: choose a new one.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlaceEdit</name>
+    <message>
+      <source>&amp;Bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Sac</translation>
+    </message>
+    <message>
+      <source>scan its label, or ARM1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>scannez son étiquette, ou ARM1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>Site, trench, context and bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Site, tranchée, contexte et sac</translation>
+    </message>
+    <message>
+      <source>no bag: no numbers yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pas de sac : pas encore de numéros</translation>
+    </message>
+    <message>
+      <source>site-trench-context-bag, please</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>site-tranchée-contexte-sac, s’il vous plaît</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlateView</name>
+    <message>
+      <source>Picture of the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image du plateau</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson visible</numerusform>
+        <numerusform>%n tessons visibles</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>5 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>5 cm</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::QueueStation</name>
+    <message>
+      <source>Pause</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pause</translation>
+    </message>
+    <message>
+      <source>Compute again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop this batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Report</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Review it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Journal</translation>
+    </message>
+    <message>
+      <source>Batches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No batch yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Photograph the first batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>File</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es) stopped and need you</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Go on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Continuer</translation>
+    </message>
+    <message>
+      <source>%1 has no report yet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop %1?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Let it go on</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Rail</name>
+    <message>
+      <source>Stations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1  %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigPage</name>
+    <message>
+      <source>Two of them look alike</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux d’entre eux se ressemblent</translation>
+    </message>
+    <message>
+      <source>What do you photograph with?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avec quoi photographiez-vous ?</translation>
+    </message>
+    <message>
+      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc virtuel casse un vase et photographie ses tessons : essayez tout avec lui. Un fichier de banc (RIG.json) nomme vos appareils et votre table tournante.</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utiliser le banc virtuel</translation>
+    </message>
+    <message>
+      <source>Choose a rig file…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir un fichier de banc…</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer des photographies…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer des numérisations…</translation>
+    </message>
+    <message>
+      <source>The virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc virtuel</translation>
+    </message>
+    <message>
+      <source>small: a batch in a minute or two</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>petites : un lot en une minute ou deux</translation>
+    </message>
+    <message>
+      <source>normal</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>normales</translation>
+    </message>
+    <message>
+      <source>fine: as a real camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fines : comme un vrai appareil</translation>
+    </message>
+    <message>
+      <source>&amp;Sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Tessons sur le plateau</translation>
+    </message>
+    <message>
+      <source>&amp;Photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Photographies</translation>
+    </message>
+    <message>
+      <source>%1 pixels wide</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 pixels de large</translation>
+    </message>
+    <message>
+      <source>Rig file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fichier de banc</translation>
+    </message>
+    <message>
+      <source>Rig (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Banc (*.json)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SettingsPage</name>
+    <message>
+      <source>As the desktop</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Light</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Dark, for the tent</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sunlight: black on white, thick lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>all</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Réglages</translation>
+    </message>
+    <message>
+      <source>&amp;Your initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>They stand in the history of each decision.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Theme</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Te&amp;xt size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Text size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Language</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Holds from the next start.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Processors for computing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StartScreen</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Potsherds, both sides, complete and measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des tessons, les deux faces, complets et mesurés.</translation>
+    </message>
+    <message>
+      <source>&amp;Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Projets</translation>
+    </message>
+    <message>
+      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Open a project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Ouvrir un projet…</translation>
+    </message>
+    <message>
+      <source>Try with the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Essayer avec le banc virtuel</translation>
+    </message>
+    <message>
+      <source>New project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau projet</translation>
+    </message>
+    <message>
+      <source>Aragats 2026</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose the folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Créer le projet</translation>
+    </message>
+    <message>
+      <source>&amp;Name</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Site code</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>A sherd will be</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1
+%2, %3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>D’accord</translation>
+    </message>
+    <message>
+      <source>Folder of the new project</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder of a project</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StopBoard</name>
+    <message>
+      <source>Photographs of this side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographies de cette face</translation>
+    </message>
+    <message>
+      <source>%1 of %2 stops are done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 arrêts sur %2 sont faits</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Thumbnails</name>
+    <message>
+      <source>Picture</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+</TS>

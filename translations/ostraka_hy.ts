@@ -1,0 +1,1208 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="hy" sourcelanguage="en">
+  <context>
+    <name>Job</name>
+    <message>
+      <source>The memory does not suffice; close other programs and try again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This is a defect of the program; please report it with the log (%1).</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>PlaceText</name>
+    <message>
+      <source>%1 bag %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տոպրակ %2</translation>
+    </message>
+    <message>
+      <source>A site, a context and a bag are needed so that the sherds can be numbered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորները համարակալելու համար պետք են հուշարձան, համատեքստ և տոպրակ։</translation>
+    </message>
+  </context>
+  <context>
+    <name>Rig</name>
+    <message>
+      <source>its file is missing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ֆայլը բացակայում է</translation>
+    </message>
+    <message>
+      <source>ready (calibrated today)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատրաստ է (տրամաչափված է այսօր)</translation>
+    </message>
+    <message numerus="yes">
+      <source>ready (%n day(s) old)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>պատրաստ է (%n օրվա)</numerusform>
+        <numerusform>պատրաստ է (%n օրվա)</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>virtual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վիրտուալ</translation>
+    </message>
+  </context>
+  <context>
+    <name>Stage</name>
+    <message>
+      <source>cameras</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեսախցիկներ</translation>
+    </message>
+    <message>
+      <source>sherd or plate, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկոր թե սկավառակ, առջև</translation>
+    </message>
+    <message>
+      <source>sherd or plate, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկոր թե սկավառակ, հետև</translation>
+    </message>
+    <message>
+      <source>surface, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մակերևույթ, առջև</translation>
+    </message>
+    <message>
+      <source>surface, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մակերևույթ, հետև</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մեկ սկան ամեն բեկորին, առջև</translation>
+    </message>
+    <message>
+      <source>one scan a sherd, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մեկ սկան ամեն բեկորին, հետև</translation>
+    </message>
+    <message>
+      <source>which back belongs to which front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>որ հետևի երեսը որ առջևինն է</translation>
+    </message>
+    <message>
+      <source>models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մոդելներ</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հաշվետվություն</translation>
+    </message>
+    <message>
+      <source>catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կատալոգ</translation>
+    </message>
+    <message>
+      <source>begins</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկսվում է</translation>
+    </message>
+  </context>
+  <context>
+    <name>Time</name>
+    <message numerus="yes">
+      <source>%n s left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>մնաց %n վ</numerusform>
+        <numerusform>մնաց %n վ</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>մնաց %n րոպե</numerusform>
+        <numerusform>մնաց %n րոպե</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 h %2 min left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մնաց %1 ժ %2 րոպե</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchDelegate</name>
+    <message>
+      <source>%1, %2 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchImporter</name>
+    <message>
+      <source>Import of %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BatchQueue</name>
+    <message numerus="yes">
+      <source>%n sherd(s): sure %1, ask %2</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), all sure</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1; joined to %2 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Batch %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Warning: %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%1 is computed: %n sherd(s).</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>You stopped it. What was computed so far is kept.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>You took it out of the queue.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>again</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>Paused; %n batch(es) wait.</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>%1: paused</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2, %3 %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>being photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>լուսանկարվում է</translation>
+    </message>
+    <message>
+      <source>waits for its turn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սպասում է հերթին</translation>
+    </message>
+    <message>
+      <source>is being computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հաշվարկվում է</translation>
+    </message>
+    <message>
+      <source>paused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դադարի մեջ է</translation>
+    </message>
+    <message>
+      <source>stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կանգնեցված է</translation>
+    </message>
+    <message>
+      <source>wants your eye</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պահանջում է ձեր աչքը</translation>
+    </message>
+    <message>
+      <source>done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ավարտված է</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::BigButton</name>
+    <message>
+      <source>Key: %1</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>%1 is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հերթում է։</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1: %n file(s) imported; it is in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1՝ ներմուծվեց %n ֆայլ. հերթում է։</numerusform>
+        <numerusform>%1՝ ներմուծվեց %n ֆայլ. հերթում է։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լավ</translation>
+    </message>
+    <message>
+      <source>The next thing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդ քայլը</translation>
+    </message>
+    <message>
+      <source>Stop the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել սեղանը</translation>
+    </message>
+    <message>
+      <source>Photograph again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարել կրկին</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել լուսանկարներ…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել սկաններ…</translation>
+    </message>
+    <message>
+      <source>Another rig…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ սարքակազմ…</translation>
+    </message>
+    <message>
+      <source>Camera %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացատ</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ավելին</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել, այլ սարքակազմ</translation>
+    </message>
+    <message>
+      <source>Capture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նկարահանում</translation>
+    </message>
+    <message>
+      <source>Folder with front/ and back/ scans</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>front/ և back/ սկաններով պանակ</translation>
+    </message>
+    <message>
+      <source>Folder of a batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի պանակ</translation>
+    </message>
+    <message>
+      <source>The picture is on its way.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերը գալիս է։</translation>
+    </message>
+    <message>
+      <source>Look at this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախ նայեք սրան</translation>
+    </message>
+    <message>
+      <source>R</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>R</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>Opening the rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը բացվում է</translation>
+    </message>
+    <message>
+      <source>%1 goes on where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը շարունակվում է կանգ առած տեղից։</translation>
+    </message>
+    <message>
+      <source>Photographs of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի լուսանկարները</translation>
+    </message>
+    <message>
+      <source>Press the shutter of camera %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղմեք %1 տեսախցիկի կոճակը։</translation>
+    </message>
+    <message numerus="yes">
+      <source>The %n photograph(s) of this side so far are safe.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Այս երեսի %n լուսանկարն ապահով է։</numerusform>
+        <numerusform>Այս երեսի %n լուսանկարներն ապահով են։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Camera %1 at stop %2: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1, կանգառ %2՝ %3</translation>
+    </message>
+    <message>
+      <source>%1 %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %2</translation>
+    </message>
+    <message>
+      <source>Live picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կենդանի պատկեր</translation>
+    </message>
+    <message>
+      <source>Front picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի պատկեր</translation>
+    </message>
+    <message>
+      <source>No rig yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմ դեռ չկա</translation>
+    </message>
+    <message>
+      <source>The rig is being opened</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը բացվում է</translation>
+    </message>
+    <message>
+      <source>Lay the sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրեք խեցաբեկորները սկավառակին</translation>
+    </message>
+    <message>
+      <source>Stopped</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է</translation>
+    </message>
+    <message>
+      <source>Photographing the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարվում են առջևի երեսները</translation>
+    </message>
+    <message>
+      <source>Turn each sherd over where it lies</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շրջեք ամեն բեկոր իր տեղում</translation>
+    </message>
+    <message>
+      <source>Photographing the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարվում են հետևի երեսները</translation>
+    </message>
+    <message>
+      <source>You may clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարող եք ազատել սկավառակը։</translation>
+    </message>
+    <message>
+      <source>Look at the plate before you clear it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ազատելուց առաջ նայեք սկավառակին</translation>
+    </message>
+    <message>
+      <source>Fronts up, a finger's width apart, the marks at the edge of the plate free.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսը վեր, մեկ մատ հեռավորություն, եզրի նշաններն ազատ։</translation>
+    </message>
+    <message>
+      <source>Hands off the table. Esc stops it at once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեռք մի տվեք սեղանին։ Esc-ը անմիջապես կանգնեցնում է այն։</translation>
+    </message>
+    <message>
+      <source>Shifting is fine, swapping is fine, losing one is not.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեղաշարժել կարելի է, փոխատեղել՝ նույնպես, կորցնել՝ ոչ։</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հերթում է. հաջորդ խմբաքանակը մեկ սեղմում հեռու է։</translation>
+    </message>
+    <message>
+      <source>Space goes on all the same, R photographs the backs again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացատը շարունակում է ամեն դեպքում, R-ը կրկին լուսանկարում է հետևի երեսները։</translation>
+    </message>
+    <message>
+      <source>Done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատրաստ է</translation>
+    </message>
+    <message>
+      <source>Try again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փորձել կրկին</translation>
+    </message>
+    <message>
+      <source>Shoot the fronts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարել առջևի երեսները</translation>
+    </message>
+    <message>
+      <source>All turned: shoot the backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բոլորը շրջված են. լուսանկարել հետևի երեսները</translation>
+    </message>
+    <message>
+      <source>Next batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդ խմբաքանակը</translation>
+    </message>
+    <message>
+      <source>It is right: into the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ճիշտ է. դնել հերթի</translation>
+    </message>
+    <message>
+      <source>Stop %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգառ %1՝ %2-ից</translation>
+    </message>
+    <message>
+      <source>One moment</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ վայրկյան</translation>
+    </message>
+    <message numerus="yes">
+      <source>Front: %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Առջև՝ %n բեկոր</numerusform>
+        <numerusform>Առջև՝ %n բեկոր</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Front: %1 sherds, now %2 are seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջև՝ %1 բեկոր, հիմա երևում է %2</translation>
+    </message>
+    <message>
+      <source>Front %1, back %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջև %1, հետև %2</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) are safe</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n լուսանկարն ապահով է</numerusform>
+        <numerusform>%n լուսանկարներն ապահով են</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեսախցիկը կենդանի պատկեր չի ցույց տալիս։</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Երևում է %n բեկոր</numerusform>
+        <numerusform>Երևում է %n բեկոր</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը և %2-ը գրեթե դիպչում են</translation>
+    </message>
+    <message>
+      <source>%1 reaches out of the picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը դուրս է գալիս պատկերից</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշաններ՝ %1 %2-ից</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too dark</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորների %1 %-ը չափազանց մութ է</translation>
+    </message>
+    <message>
+      <source>%1 % of the sherds is too bright</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորների %1 %-ը չափազանց լուսավոր է</translation>
+    </message>
+    <message>
+      <source>Light is right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լույսը ճիշտ է</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FooterLine</name>
+    <message>
+      <source>What the computer does</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What was done</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Progress of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing to compute</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվելու բան չկա</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HeaderLine</name>
+    <message>
+      <source>Where</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rig: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմ՝ %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Disk: room for %n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Սկավառակ՝ տեղ %n խմբաքանակի համար</numerusform>
+        <numerusform>Սկավառակ՝ տեղ %n խմբաքանակի համար</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::HelpPage</name>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Contents</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All &amp;keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;About</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Back to work (Esc)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Nothing leaves this computer: there is no network in it.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MainWindow</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 is computed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 stopped: %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետարկել</translation>
+    </message>
+    <message>
+      <source>Do again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կրկնել</translation>
+    </message>
+    <message>
+      <source>Manual</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All keys</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Other projects</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծեր</translation>
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարգավորումներ</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օգնություն</translation>
+    </message>
+    <message>
+      <source>Back to work</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This project is open in another window already: go on there.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 - Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Everywhere</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Room on the disk</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MessagePanel</name>
+    <message>
+      <source>What happened</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NewProject</name>
+    <message>
+      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose a folder for the project.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>There is a project in this folder already: open it, or choose another folder.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This folder holds other files: choose a new one.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlaceEdit</name>
+    <message>
+      <source>&amp;Bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Տոպրակ</translation>
+    </message>
+    <message>
+      <source>scan its label, or ARM1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կարդացրեք պիտակը կամ ARM1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>Site, trench, context and bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հուշարձան, խրամատ, համատեքստ և տոպրակ</translation>
+    </message>
+    <message>
+      <source>no bag: no numbers yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տոպրակ չկա՝ համարներ դեռ չկան</translation>
+    </message>
+    <message>
+      <source>site-trench-context-bag, please</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>խնդրում ենք՝ հուշարձան-խրամատ-համատեքստ-տոպրակ</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PlateView</name>
+    <message>
+      <source>Picture of the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի պատկերը</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) seen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Երևում է %n բեկոր</numerusform>
+        <numerusform>Երևում է %n բեկոր</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>5 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>5 սմ</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::QueueStation</name>
+    <message>
+      <source>Pause</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դադար</translation>
+    </message>
+    <message>
+      <source>Compute again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop this batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Report</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Review it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մատյան</translation>
+    </message>
+    <message>
+      <source>Batches</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Log of the computation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No batch yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Photograph the first batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հերթ</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es) stopped and need you</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Go on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շարունակել</translation>
+    </message>
+    <message>
+      <source>%1 has no report yet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop %1?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Let it go on</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Rail</name>
+    <message>
+      <source>Stations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1  %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigPage</name>
+    <message>
+      <source>Two of them look alike</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրանցից երկուսը նման են</translation>
+    </message>
+    <message>
+      <source>What do you photograph with?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչո՞վ եք լուսանկարում</translation>
+    </message>
+    <message>
+      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիրտուալ սարքակազմը կոտրում է անոթ և լուսանկարում բեկորները. փորձեք ամեն ինչ դրանով։ Սարքակազմի ֆայլը (RIG.json) նշում է ձեր տեսախցիկներն ու պտտվող սեղանը։</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օգտագործել վիրտուալ սարքակազմը</translation>
+    </message>
+    <message>
+      <source>Choose a rig file…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել սարքակազմի ֆայլ…</translation>
+    </message>
+    <message>
+      <source>Import photographs…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել լուսանկարներ…</translation>
+    </message>
+    <message>
+      <source>Import scans…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել սկաններ…</translation>
+    </message>
+    <message>
+      <source>The virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիրտուալ սարքակազմ</translation>
+    </message>
+    <message>
+      <source>small: a batch in a minute or two</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոքր՝ խմբաքանակը մեկ-երկու րոպեում</translation>
+    </message>
+    <message>
+      <source>normal</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սովորական</translation>
+    </message>
+    <message>
+      <source>fine: as a real camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մանրամասն՝ ինչպես իրական տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>&amp;Sherds on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Բեկորներ սկավառակին</translation>
+    </message>
+    <message>
+      <source>&amp;Photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Լուսանկարներ</translation>
+    </message>
+    <message>
+      <source>%1 pixels wide</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 պիքսել լայնություն</translation>
+    </message>
+    <message>
+      <source>Rig file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմի ֆայլ</translation>
+    </message>
+    <message>
+      <source>Rig (*.json)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմ (*.json)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SettingsPage</name>
+    <message>
+      <source>As the desktop</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Light</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Dark, for the tent</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sunlight: black on white, thick lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>all</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարգավորումներ</translation>
+    </message>
+    <message>
+      <source>&amp;Your initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>They stand in the history of each decision.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Theme</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Te&amp;xt size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Text size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Language</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Holds from the next start.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Processors for computing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StartScreen</name>
+    <message>
+      <source>Ostraka</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Potsherds, both sides, complete and measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խեցաբեկորներ՝ երկու երեսով, ամբողջական և չափված։</translation>
+    </message>
+    <message>
+      <source>&amp;Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Նախագծեր</translation>
+    </message>
+    <message>
+      <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Open a project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Բացել նախագիծ…</translation>
+    </message>
+    <message>
+      <source>Try with the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փորձել վիրտուալ սարքակազմով</translation>
+    </message>
+    <message>
+      <source>New project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր նախագիծ</translation>
+    </message>
+    <message>
+      <source>Aragats 2026</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose the folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստեղծել նախագիծը</translation>
+    </message>
+    <message>
+      <source>&amp;Name</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Site code</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>&amp;Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>A sherd will be</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1
+%2, %3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լավ</translation>
+    </message>
+    <message>
+      <source>Folder of the new project</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Folder of a project</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::StopBoard</name>
+    <message>
+      <source>Photographs of this side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս երեսի լուսանկարները</translation>
+    </message>
+    <message>
+      <source>%1 of %2 stops are done</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արված է %2 կանգառից %1-ը</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::Thumbnails</name>
+    <message>
+      <source>Picture</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+</TS>

@@ -1,0 +1,33 @@
+#pragma once
+#include <QWidget>
+
+#include "ui/capture/place_text.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace ostraka::ui {
+
+/// The bag that the sherds come from: typed, or scanned from its label by a code reader that types.
+class PlaceEdit final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlaceEdit(QWidget* parent = nullptr);
+  void setText(const QString& text);
+  QString text() const;
+  PlaceText place() const;  ///< empty when nothing or nonsense is typed
+  bool isUsable() const;    ///< a place, or nothing at all
+
+ signals:
+  void edited();
+  void entered();  ///< Return: the person is done
+
+ private:
+  void follow();
+
+  QLineEdit* edit_;
+  QLabel* note_;
+};
+
+}  // namespace ostraka::ui

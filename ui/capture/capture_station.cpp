@@ -298,7 +298,6 @@ void CaptureStation::followLive() {
       : (phase == CapturePhase::Place || phase == CapturePhase::Flip) ? wizard_->live()
                                                                       : std::nullopt,
       phase == CapturePhase::Done ? wizard_->instruction() : tr("The picture is on its way."));
-  plate_->setVisible(phase != CapturePhase::Done || wizard_->doubts().isEmpty());
   facts_->setFacts(wizard_->facts());
 }
 

@@ -48,6 +48,7 @@ void CaptureWizard::setSession(ProjectSession* session) {
   work_ = live_job_ = nullptr;
   after_live_ = {};
   session_ = session;
+  live_.reset();
   clearRig();
 }
 

@@ -49,7 +49,7 @@ bool PlaceEdit::isUsable() const {
 
 void PlaceEdit::follow() {
   note_->setText(text().isEmpty() ? tr("no bag: no numbers yet")
-                 : isUsable()     ? place().words()
+                 : isUsable()     ? QString()
                                   : tr("site-trench-context-bag, please"));
 }
 

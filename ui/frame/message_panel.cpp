@@ -33,7 +33,9 @@ MessagePanel::MessagePanel(QWidget* parent)
   words_->setAccessibleName(tr("What happened"));
   act_->setObjectName(QStringLiteral("messageAct"));
   second_->setObjectName(QStringLiteral("messageSecondAct"));
+  second_->setText(tr("Leave it"));
   second_->hide();
+  act_->setText(tr("All right"));
   auto* text = new QVBoxLayout;
   text->addWidget(headline_);
   text->addWidget(words_);

@@ -151,9 +151,10 @@ void MainWindow::buildActions() {
           &QAction::triggered, this, &MainWindow::closeProject);
   connect(rail_->addFoot(QStringLiteral("folder"), tr("Projects"), {}), &QAction::triggered, this,
           &MainWindow::closeProject);
-  connect(rail_->addFoot(QStringLiteral("settings"), tr("Settings"),
-                         QKeySequence(Qt::CTRL | Qt::Key_Comma)),
-          &QAction::triggered, this, &MainWindow::showSettings);
+  QAction* settings = rail_->addFoot(QStringLiteral("settings"), tr("Settings"),
+                                     QKeySequence(Qt::CTRL | Qt::Key_Comma));
+  addAction(settings);  // its key works without a project too
+  connect(settings, &QAction::triggered, this, &MainWindow::showSettings);
   connect(rail_->addFoot(QStringLiteral("help"), tr("Help"), {}), &QAction::triggered, this,
           &MainWindow::showManual);
   connect(addAct(QStringLiteral("leavePage"), QStringLiteral("previous"), tr("Back to work"),

@@ -55,6 +55,7 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   columns->addWidget(buildRecent(), 1);
   columns->addSpacing(fontMetrics().height());
   columns->addWidget(buildNew(), 1);
+  message_->setObjectName(QStringLiteral("startMessage"));
   message_->hide();
   connect(message_, &MessagePanel::acted, message_, &QWidget::hide);
   auto* all = new QVBoxLayout(this);
@@ -75,6 +76,7 @@ QWidget* StartScreen::buildRecent() {
   recent_ = new QListWidget(box);
   recent_->setObjectName(QStringLiteral("recentProjects"));
   label->setBuddy(recent_);
+  recent_->setAccessibleName(tr("Projects"));
   const int line = fontMetrics().height();
   recent_->setIconSize(QSize(line * 4, line * 3));
   no_recent_ = new QLabel(tr("No project yet. Make one, or try everything with the virtual rig: it "
@@ -141,6 +143,8 @@ QWidget* StartScreen::buildNew() {
   place->addWidget(browse);
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  form->setVerticalSpacing(fontMetrics().height());
   form->addRow(tr("&Name"), name_);
   form->addRow(tr("&Site code"), site_);
   form->addRow(tr("&Folder"), place);
@@ -173,6 +177,7 @@ void StartScreen::setRecent(const QStringList& folders) {
                  QLocale().toString(catalogue.lastModified(), QLocale::ShortFormat)),
         recent_);
     const QString picture = pictureOf(folder);
+    item->setSizeHint(QSize(0, targetSize(*this) + fontMetrics().height()));
     item->setData(Qt::UserRole, folder);
     item->setData(Qt::UserRole + 1, picture);
     const QPixmap ready = thumbnails_->get(picture, recent_->iconSize() * devicePixelRatioF());

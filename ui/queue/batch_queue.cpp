@@ -248,7 +248,7 @@ void BatchQueue::startNext() {
   emit workChanged();
 }
 
-void BatchQueue::finish(const QString& number, const JobOutcome& outcome) {
+void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   job_->deleteLater();
   job_ = nullptr;
   busy_number_.clear();

@@ -92,7 +92,7 @@ class BatchQueue final : public QAbstractListModel {
 
  private:
   void startNext();
-  void finish(const QString& number, const JobOutcome& outcome);
+  void finish(QString number, const JobOutcome& outcome);
   void keepFailure(const QString& number, const QString& sentence, bool cancelled);
   void touch(const QString& number);
   QueueRow* find(const QString& number);

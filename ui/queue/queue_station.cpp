@@ -90,6 +90,7 @@ void QueueStation::buildLayout() {
   log_->setAccessibleName(tr("Log of the computation"));
   log_->setMaximumBlockCount(2000);
   log_->hide();
+  message_->setObjectName(QStringLiteral("queueMessage"));
   message_->hide();
 
   auto* empty = new EmptyState(QStringLiteral("queue"), tr("No batch yet"),
@@ -199,6 +200,9 @@ void QueueStation::follow() {
   review_->setEnabled(state == QueueState::Review || state == QueueState::Done);
   if (!queue_->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}}, tr("Go on"));
+  else if (trouble_shown_)
+    message_->hide();
+  trouble_shown_ = !queue_->trouble().isEmpty();
   if (waiting() == waiting_said_) return;
   waiting_said_ = waiting();
   emit waitingChanged();

@@ -46,6 +46,7 @@ class QueueStation final : public Station {
 
   BatchQueue* queue_;
   int waiting_said_ = -1;
+  bool trouble_shown_ = false;
   QPointer<ProjectSession> session_;
   Thumbnails* thumbnails_ = nullptr;
   QListView* list_;

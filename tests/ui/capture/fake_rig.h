@@ -98,6 +98,7 @@ inline RigSource sourceOf(FakeRig& rig) {
     capture::SideSummary summary;
     summary.kept = options.stops * 3;
     summary.flagged = std::exchange(rig.flagged, {});
+    summary.check.counted = true;
     summary.check.sherds = options.side == batch::Side::Front ? rig.front : rig.back;
     return summary;
   };

@@ -113,6 +113,7 @@ class FirstRunTest : public QObject {
     const QueueRow& row = window.queue()->row(0);
     QVERIFY2(row.state == QueueState::Review || row.state == QueueState::Done,
              qPrintable(row.failure));
+    QVERIFY(row.figures.has_value());
     QCOMPARE(row.figures->sherds, 2);
     const auto sherds = window.session()->project().catalogue().sherdRows(catalogue::Filter(),
                                                                           catalogue::SherdOrder());

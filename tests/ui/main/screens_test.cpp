@@ -134,7 +134,7 @@ class ScreensTest : public QObject {
   void aFolderThatIsNoProjectIsRefusedOnTheStartScreen() {
     window_->openProject(home_->path("nothing"));
     QVERIFY(window_->session() == nullptr);
-    QVERIFY(named<QWidget>(*window_, "message")->isVisible());
+    QVERIFY(named<QWidget>(*window_, "startMessage")->isVisible());
   }
 
   void theThemeAndTheTextSizeHoldAtOnceAndAreKept() {

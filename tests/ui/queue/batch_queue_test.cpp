@@ -82,6 +82,7 @@ class BatchQueueTest : public QObject {
     QCOMPARE(bench.queue.row(0).state, QueueState::Shooting);
     QCOMPARE(bench.queue.row(2).number, first);
     QCOMPARE(bench.queue.row(2).state, QueueState::Review);
+    QVERIFY(bench.queue.row(2).figures.has_value());
     QCOMPARE(bench.queue.row(2).figures->ask, 1);
   }
 

@@ -1,0 +1,137 @@
+// The wizard's screen by keys, with a rig that answers as the test says.
+#include "ui/capture/capture_station.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QtTest>
+
+#include "catalogue/project.h"
+#include "fake_rig.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/frame/big_button.h"
+#include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class CaptureStationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    const std::filesystem::path folder = folder_->filePath("p").toStdString();
+    auto project = catalogue::Project::create(folder, record);
+    QVERIFY(project.has_value());
+    session_ = std::make_unique<ProjectSession>(
+        std::make_shared<catalogue::Project>(std::move(*project)), folder, jobs_);
+    rig_ = std::make_unique<FakeRig>();
+    wizard_ = std::make_unique<CaptureWizard>();
+    station_ = std::make_unique<CaptureStation>(wizard_.get());
+    station_->resize(1200, 640);
+    station_->openProject(*session_);
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+  }
+  void cleanup() {
+    station_->closeProject();
+    station_.reset();
+    wizard_.reset();
+    session_.reset();
+  }
+
+  void withoutARigItSaysWhatToDoFirst() {
+    QVERIFY(child<QWidget>("useVirtualRig")->isVisible());
+    QVERIFY(child<QWidget>("importPhotographsButton")->isVisible());
+    QVERIFY(!child<QWidget>("captureButton")->isVisible());
+  }
+
+  void spaceIsTheNextThingUntilTheBatchIsQueued() {
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QCOMPARE(child<QLabel>("captureHeadline")->text(), wizard_->headline());
+    QTest::mouseClick(child<BigButton>("captureButton"), Qt::LeftButton);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Done);
+    QCOMPARE(child<QLabel>("captureHeadline")->text(), QStringLiteral("You may clear the plate."));
+    // Readable from three metres: letters of 5 mm at least.
+    const QFontMetricsF letters(child<QLabel>("captureHeadline")->font());
+    const double per_mm = station_->screen()->logicalDotsPerInch() / 25.4;
+    QVERIFY(letters.capHeight() >= 5 * per_mm);
+  }
+
+  void aSpaceTypedIntoTheBagIsNoShot() {
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    auto* bag = child<QLineEdit>("capturePlace");
+    bag->setFocus();
+    QTest::keyClicks(bag, "ARM1 T3 0012 4");
+    QCOMPARE(wizard_->phase(), CapturePhase::Place);
+    QCOMPARE(wizard_->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QTest::keyClick(bag, Qt::Key_Return);
+    QTRY_VERIFY(child<BigButton>("captureButton")->hasFocus());
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+  }
+
+  void aFaultTakesThePlaceOfTheButtonAndSpaceTriesAgain() {
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer at stop 5.", "rig"};
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    auto* fault = child<MessagePanel>("captureFault");
+    QTRY_VERIFY(fault->isVisible());
+    QVERIFY(!child<BigButton>("captureButton")->isVisible());
+    QVERIFY(fault->words().contains("Camera B did not answer"));
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QVERIFY(!fault->isVisible());
+    QVERIFY(child<BigButton>("captureButton")->isVisible());
+  }
+
+  void aDoubtIsShownAndRTakesItAgain() {
+    rig_->flagged = {{0, 1}};
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    auto* doubts = child<MessagePanel>("captureDoubts");
+    QTRY_VERIFY(doubts->isVisible());
+    QTest::keyClick(station_.get(), Qt::Key_R);
+    QTRY_VERIFY(!doubts->isVisible());
+    QCOMPARE(wizard_->phase(), CapturePhase::Flip);
+  }
+
+  void theKeysOfTheCamerasChooseTheLivePicture() {
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QCOMPARE(wizard_->camera(), 2);
+    QTest::keyClick(station_.get(), Qt::Key_A);
+    QCOMPARE(wizard_->camera(), 0);
+    QTest::keyClick(station_.get(), Qt::Key_B);
+    QCOMPARE(wizard_->camera(), 1);
+  }
+
+ private:
+  template <class T>
+  T* child(const char* name) {
+    T* found = station_->findChild<T*>(QString::fromLatin1(name));
+    if (found == nullptr) qFatal("there is no %s", name);
+    return found;
+  }
+  InlineJobRunner jobs_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<FakeRig> rig_;
+  std::unique_ptr<CaptureWizard> wizard_;
+  std::unique_ptr<CaptureStation> station_;
+};
+
+QTEST_MAIN(CaptureStationTest)
+#include "capture_station_test.moc"

@@ -1,0 +1,130 @@
+// The queue's screen by keys.
+#include "ui/queue/queue_station.h"
+
+#include <QListView>
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+#include <QtTest>
+#include <atomic>
+#include <thread>
+
+#include "catalogue/project.h"
+#include "ui/frame/message_panel.h"
+#include "ui/frame/project_session.h"
+#include "ui/queue/batch_queue.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class QueueStationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    jobs_ = std::make_unique<ThreadedJobRunner>();
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    const std::filesystem::path folder = folder_->filePath("p").toStdString();
+    auto project = catalogue::Project::create(folder, record);
+    QVERIFY(project.has_value());
+    session_ = std::make_unique<ProjectSession>(
+        std::make_shared<catalogue::Project>(std::move(*project)), folder, *jobs_);
+    queue_ = std::make_unique<BatchQueue>();
+    begun_ = 0;
+    refuse_ = false;
+    queue_->setWork([this](const ComputeOptions&, Progress& progress,
+                           std::stop_token stop) -> Result<BatchFigures> {
+      ++begun_;
+      progress.note(NoteLevel::Info, "rig: camera B 0.31 px over 412 corners");
+      if (refuse_) return Error{ErrorCode::CannotWrite, "The disk is full.", "results"};
+      while (!stop.stop_requested()) {
+        progress.report(1, 3);
+        std::this_thread::yield();
+      }
+      return Error::cancelled();
+    });
+    station_ = std::make_unique<QueueStation>(queue_.get());
+    station_->resize(1000, 600);
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+  }
+  void cleanup() {
+    station_->closeProject();
+    station_.reset();
+    queue_.reset();
+    jobs_.reset();
+    session_.reset();
+  }
+
+  void anEmptyQueueSaysWhatToDoFirst() {
+    station_->openProject(*session_);
+    QSignalSpy wanted(station_.get(), &Station::wantsStation);
+    QTest::mouseClick(child<QPushButton>("queueToCapture"), Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toString(), QStringLiteral("capture"));
+  }
+
+  void spacePausesAndGoesOnDeleteStops() {
+    addBatch();
+    station_->openProject(*session_);
+    QTRY_COMPARE(begun_.load(), 1);
+    QTRY_COMPARE(queue_->row(0).state, QueueState::Busy);
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_Space);
+    QCOMPARE(queue_->row(0).state, QueueState::Paused);
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_Space);
+    QCOMPARE(queue_->row(0).state, QueueState::Busy);
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_Delete);
+    QTRY_COMPARE(queue_->row(0).state, QueueState::Failed);
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_R);
+    QTRY_COMPARE(begun_.load(), 2);
+  }
+
+  void theLogIsOneKeyAway() {
+    addBatch();
+    station_->openProject(*session_);
+    QTRY_VERIFY(child<QPlainTextEdit>("queueLogText")->toPlainText().contains("412 corners"));
+    QVERIFY(!child<QPlainTextEdit>("queueLogText")->isVisible());
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_L);
+    QVERIFY(child<QPlainTextEdit>("queueLogText")->isVisible());
+  }
+
+  void aFullDiskIsSaidWithAButtonThatGoesOn() {
+    refuse_ = true;
+    addBatch();
+    station_->openProject(*session_);
+    auto* message = child<MessagePanel>("queueMessage");
+    QTRY_VERIFY(message->isVisible());
+    QVERIFY(message->words().contains("disk is full"));
+    QCOMPARE(station_->waiting(), 1);
+    refuse_ = false;
+    QTest::mouseClick(child<QPushButton>("messageAct"), Qt::LeftButton);
+    QTRY_COMPARE(begun_.load(), 2);
+    QVERIFY(!message->isVisible());
+  }
+
+ private:
+  template <class T>
+  T* child(const char* name) {
+    T* found = station_->findChild<T*>(QString::fromLatin1(name));
+    if (found == nullptr) qFatal("there is no %s", name);
+    return found;
+  }
+  void addBatch() {
+    catalogue::BatchRecord record;
+    record.state = catalogue::BatchState::Queued;
+    QVERIFY(session_->project().catalogue().addBatch(record, {}).has_value());
+  }
+  std::atomic<int> begun_ = 0;
+  std::atomic<bool> refuse_ = false;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<JobRunner> jobs_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<BatchQueue> queue_;
+  std::unique_ptr<QueueStation> station_;
+};
+
+QTEST_MAIN(QueueStationTest)
+#include "queue_station_test.moc"

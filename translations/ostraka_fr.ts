@@ -142,7 +142,8 @@
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2 %</translation>
     </message>
   </context>
   <context>
@@ -174,7 +175,8 @@
     </message>
     <message>
       <source>%1: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -216,7 +218,8 @@
     </message>
     <message>
       <source>%1: %2, %3 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2, %3 %</translation>
     </message>
     <message>
       <source>being photographed</source>
@@ -360,6 +363,10 @@
       <source>R</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>R</translation>
+    </message>
+    <message>
+      <source>does not answer</source>
+      <translation type="unfinished" />
     </message>
   </context>
   <context>
@@ -683,7 +690,8 @@
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka</translation>
     </message>
     <message>
       <source>%1 is computed.</source>
@@ -740,7 +748,8 @@
     </message>
     <message>
       <source>%1 - Ostraka</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 - Ostraka</translation>
     </message>
     <message>
       <source>Virtual rig</source>
@@ -768,6 +777,15 @@
     <message>
       <source>What happened</source>
       <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Leave it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>D’accord</translation>
     </message>
   </context>
   <context>
@@ -936,11 +954,13 @@
     </message>
     <message>
       <source>%1  %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1  %2</translation>
     </message>
     <message>
       <source>%1: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
     </message>
   </context>
   <context>
@@ -1087,6 +1107,11 @@
     </message>
     <message>
       <source>%1 %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %</translation>
+    </message>
+    <message>
+      <source>Back to work (Esc)</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -1094,7 +1119,8 @@
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka</translation>
     </message>
     <message>
       <source>Potsherds, both sides, complete and measured.</source>
@@ -1127,7 +1153,8 @@
     </message>
     <message>
       <source>Aragats 2026</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aragats 2026</translation>
     </message>
     <message>
       <source>Choose…</source>
@@ -1169,7 +1196,9 @@
     <message>
       <source>%1
 %2, %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2, %3</translation>
     </message>
     <message>
       <source>All right</source>
@@ -1183,6 +1212,11 @@
     <message>
       <source>Folder of a project</source>
       <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projets</translation>
     </message>
   </context>
   <context>

@@ -139,7 +139,8 @@
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2 %</translation>
     </message>
   </context>
   <context>
@@ -169,7 +170,8 @@
     </message>
     <message>
       <source>%1: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -209,7 +211,8 @@
     </message>
     <message>
       <source>%1: %2, %3 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2, %3 %</translation>
     </message>
     <message>
       <source>being photographed</source>
@@ -352,6 +355,10 @@
       <source>R</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>R</translation>
+    </message>
+    <message>
+      <source>does not answer</source>
+      <translation type="unfinished" />
     </message>
   </context>
   <context>
@@ -670,7 +677,8 @@
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka</translation>
     </message>
     <message>
       <source>%1 is computed.</source>
@@ -727,7 +735,8 @@
     </message>
     <message>
       <source>%1 - Ostraka</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 - Ostraka</translation>
     </message>
     <message>
       <source>Virtual rig</source>
@@ -755,6 +764,15 @@
     <message>
       <source>What happened</source>
       <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Leave it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tamam</translation>
     </message>
   </context>
   <context>
@@ -921,11 +939,13 @@
     </message>
     <message>
       <source>%1  %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1  %2</translation>
     </message>
     <message>
       <source>%1: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
     </message>
   </context>
   <context>
@@ -1072,6 +1092,11 @@
     </message>
     <message>
       <source>%1 %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %</translation>
+    </message>
+    <message>
+      <source>Back to work (Esc)</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -1079,7 +1104,8 @@
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka</translation>
     </message>
     <message>
       <source>Potsherds, both sides, complete and measured.</source>
@@ -1112,7 +1138,8 @@
     </message>
     <message>
       <source>Aragats 2026</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aragats 2026</translation>
     </message>
     <message>
       <source>Choose…</source>
@@ -1154,7 +1181,9 @@
     <message>
       <source>%1
 %2, %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2, %3</translation>
     </message>
     <message>
       <source>All right</source>
@@ -1168,6 +1197,11 @@
     <message>
       <source>Folder of a project</source>
       <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Projects</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projeler</translation>
     </message>
   </context>
   <context>

@@ -197,7 +197,12 @@ QString CaptureStation::manualPage() const {
   return QStringLiteral("capture");
 }
 QString CaptureStation::rigWords() const {
-  return wizard_->phase() == CapturePhase::NoRig ? QString() : wizard_->rigWords();
+  if (wizard_->phase() == CapturePhase::NoRig) return {};
+  return isRigReady() ? wizard_->rigWords() : tr("does not answer");
+}
+bool CaptureStation::isRigReady() const {
+  return wizard_->phase() != CapturePhase::NoRig &&
+         !(wizard_->phase() == CapturePhase::Opening && wizard_->fault());
 }
 QString CaptureStation::placeWords() const {
   return wizard_->place().words();

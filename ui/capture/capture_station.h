@@ -37,6 +37,7 @@ class CaptureStation final : public Station {
   void setInFront(bool in_front) override;
 
   QString rigWords() const;
+  bool isRigReady() const;
   QString placeWords() const;
   BatchImporter* importer() const { return importer_; }
 

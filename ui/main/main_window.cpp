@@ -102,6 +102,7 @@ void MainWindow::buildLayout() {
   connect(start_, &StartScreen::made, this, &MainWindow::takeProject);
   connect(start_, &StartScreen::virtualRigWanted, this, &MainWindow::tryVirtualRig);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
+  connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
   connect(queue_, &BatchQueue::batchComputed, this,
@@ -208,6 +209,10 @@ void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   setWindowTitle(tr("%1 - Ostraka").arg(QDir(path).dirName()));
   all_->setCurrentIndex(1);
   connect(session_.get(), &ProjectSession::batchChanged, this, &MainWindow::followLines);
+  connect(session_.get(), &ProjectSession::initialsChanged, this, [this](const QString& who) {
+    settings_.initials = who;
+    writeSettings(settings_);
+  });
   measureRoom();
   showStation(0);
 }
@@ -297,7 +302,7 @@ void MainWindow::followLines() {
   header_->setWhere(where.isEmpty() && session_ != nullptr
                         ? QString::fromStdString(session_->folder().filename().string())
                         : where);
-  header_->setRig(capture_station_->rigWords(), wizard_->phase() != CapturePhase::NoRig);
+  header_->setRig(capture_station_->rigWords(), capture_station_->isRigReady());
 }
 
 void MainWindow::measureRoom() {

@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QRegularExpressionValidator>
 #include <QSlider>
 #include <QSpinBox>
@@ -55,6 +56,7 @@ void SettingsPage::buildLayout() {
   auto* title = new QLabel(tr("Settings"), this);
   title->setFont(scaledFont(*this, 1.8));
   auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setVerticalSpacing(fontMetrics().height());
   form->addRow(tr("&Your initials"), initials_);
   form->addRow(QString(), new QLabel(tr("They stand in the history of each decision."), this));
@@ -78,7 +80,15 @@ void SettingsPage::buildLayout() {
   middle->setMaximumWidth(fontMetrics().averageCharWidth() * 90);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(24, 24, 24, 24);
-  column->addWidget(title);
+  auto* close = new QPushButton(icon(QStringLiteral("previous")), tr("Back to work (Esc)"), this);
+  close->setObjectName(QStringLiteral("settingsClose"));
+  close->setShortcut(QKeySequence(Qt::Key_Escape));
+  close->setMinimumHeight(targetSize(*this) * 3 / 4);
+  connect(close, &QPushButton::clicked, this, &SettingsPage::closed);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title, 1);
+  head->addWidget(close);
+  column->addLayout(head);
   column->addWidget(middle);
   column->addStretch(1);
 }

@@ -21,6 +21,7 @@ class SettingsPage final : public QWidget {
 
  signals:
   void changed(const ostraka::ui::WindowSettings& settings);
+  void closed();
 
  private:
   void buildLayout();

@@ -39,6 +39,8 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
       pages_(new QStackedWidget(this)),
       rig_page_(new RigPage(this)) {
   setObjectName(QStringLiteral("capture"));
+  setFocusPolicy(Qt::ClickFocus);  // so that its keys work wherever a person clicked
+  setAccessibleName(tr("Capture"));
   buildActions();
   pages_->addWidget(rig_page_);
   pages_->addWidget(buildWorkPage());
@@ -152,7 +154,7 @@ QWidget* CaptureStation::buildFoot() {
   button_->setObjectName(QStringLiteral("captureButton"));
   button_->setKeyHint(tr("Space"));
   connect(button_, &QPushButton::clicked, next_, &QAction::trigger);
-  connect(place_, &PlaceEdit::entered, button_, qOverload<>(&QWidget::setFocus));
+  connect(place_, &PlaceEdit::entered, this, qOverload<>(&QWidget::setFocus));
   connect(place_, &PlaceEdit::edited, this, &CaptureStation::placeTyped);
   auto* more = new QToolButton(foot);
   more->setObjectName(QStringLiteral("captureMore"));
@@ -237,7 +239,7 @@ void CaptureStation::closeProject() {
 
 void CaptureStation::setInFront(bool in_front) {
   wizard_->setLive(in_front);
-  if (in_front && pages_->currentIndex() == 1) button_->setFocus();
+  if (in_front) setFocus();
 }
 
 void CaptureStation::chooseRig(const RigChoice& choice) {
@@ -245,7 +247,7 @@ void CaptureStation::chooseRig(const RigChoice& choice) {
   (void)session_->project().catalogue().setSetting(kRigKey, choice.toJson().toStdString());
   wizard_->setRig(choice.kind == RigChoice::Kind::Virtual ? virtualRigSource(choice)
                                                           : fileRigSource(choice.file));
-  button_->setFocus();
+  setFocus();
 }
 
 void CaptureStation::chooseImport(ImportKind kind) {

@@ -165,6 +165,10 @@ void QueueStation::closeProject() {
   session_ = nullptr;
 }
 
+void QueueStation::setInFront(bool in_front) {
+  if (in_front) list_->setFocus();
+}
+
 int QueueStation::waiting() const {
   return queue_->failed() + (queue_->trouble().isEmpty() ? 0 : 1);
 }

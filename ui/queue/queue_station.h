@@ -30,6 +30,7 @@ class QueueStation final : public Station {
   int waiting() const override;
   QString waitingText() const override;
   void showItem(const QString& batch) override;
+  void setInFront(bool in_front) override;
 
   QAction* pauseAction() const { return pause_; }
   QAction* logAction() const { return log_action_; }

@@ -80,7 +80,7 @@ class FirstRunTest : public QObject {
   void photograph(MainWindow& window) {
     CaptureWizard& wizard = *window.wizard();
     QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Place, kLong_ms);
-    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    QTest::keyClick(&window, Qt::Key_Space);
     QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Flip, kLong_ms);
     QVERIFY2(!wizard.fault(), wizard.fault() ? wizard.fault()->sentence().c_str() : "");
     QTest::keyClick(&window, Qt::Key_Space);

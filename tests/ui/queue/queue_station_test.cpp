@@ -50,6 +50,7 @@ class QueueStationTest : public QObject {
     station_->show();
     station_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    station_->setInFront(true);
   }
   void cleanup() {
     station_->closeProject();

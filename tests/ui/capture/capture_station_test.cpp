@@ -105,8 +105,8 @@ class CaptureStationTest : public QObject {
     auto* doubts = child<MessagePanel>("captureDoubts");
     QTRY_VERIFY(doubts->isVisible());
     QTest::keyClick(station_.get(), Qt::Key_R);
-    QTRY_VERIFY(!doubts->isVisible());
-    QCOMPARE(wizard_->phase(), CapturePhase::Flip);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QVERIFY(!doubts->isVisible());
   }
 
   void theKeysOfTheCamerasChooseTheLivePicture() {

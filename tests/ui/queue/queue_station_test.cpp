@@ -3,6 +3,7 @@
 
 #include <QListView>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
 #include <atomic>

@@ -1,0 +1,223 @@
+#include "ui/catalogue/catalogue_station.h"
+
+#include <QAccessible>
+#include <QApplication>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "sample_project.h"
+#include "ui/frame/look.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class CatalogueStationTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<SampleProject> sample_;
+  std::unique_ptr<CatalogueStation> station_;
+
+  template <class T>
+  T* child(const char* name) {
+    T* found = station_->findChild<T*>(name);
+    if (!found) qFatal("no %s", name);
+    return found;
+  }
+  QTableView* table() { return child<QTableView>("sherds"); }
+  void filter(const QString& line) {
+    auto* edit = child<QLineEdit>("filter");
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, line);
+    QTest::keyClick(edit, Qt::Key_Return);
+  }
+  void choose(int row) {
+    QTest::mouseClick(table()->viewport(), Qt::LeftButton, {},
+                      table()->visualRect(table()->model()->index(row, 0)).center());
+  }
+
+ private slots:
+  void init() {
+    sample_ = std::make_unique<SampleProject>(40);
+    station_ = std::make_unique<CatalogueStation>();
+    station_->resize(1280, 720);
+    station_->openProject(sample_->session());
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+  }
+  void cleanup() {
+    station_.reset();
+    sample_.reset();
+  }
+
+  void theFilterLineFindsAndItsChipsTakeAway() {
+    QCOMPARE(child<QLabel>("count")->text(), QString("40 sherd(s)"));
+    QTest::keyClick(station_.get(), Qt::Key_F, Qt::ControlModifier);
+    QTRY_VERIFY(child<QLineEdit>("filter")->hasFocus());
+    filter("rim ware:grey");
+    QCOMPARE(table()->model()->rowCount(), 7);  // every sixth of 40
+    QCOMPARE(station_->findChildren<QToolButton*>("chip").size(), 2);
+    QTest::mouseClick(station_->findChildren<QToolButton*>("chip").first(), Qt::LeftButton);
+    QCOMPARE(child<QLineEdit>("filter")->text(), QString("ware:grey"));
+    QCOMPARE(table()->model()->rowCount(), 20);
+  }
+
+  void aFilterThatIsNotUnderstoodIsNamedInPlace() {
+    filter("colour:red");
+    QVERIFY(child<QLabel>("problem")->isVisible());
+    QVERIFY(child<QLabel>("problem")->text().contains("colour"));
+    filter("grey");
+    QVERIFY(!child<QLabel>("problem")->isVisible());
+  }
+
+  void anEditIsSavedAtOnceAndCanBeUndone() {
+    choose(0);
+    QTest::keyClick(table(), Qt::Key_F2);
+    auto* part = child<QLineEdit>("field_part");
+    QTRY_VERIFY(part->hasFocus());
+    QTest::keyClicks(part, "rim; neck");
+    QTest::keyClick(part, Qt::Key_Return);
+    QCOMPARE(sample_->value(0, "part"), QString("rim; neck"));
+    QCOMPARE(table()->model()->index(0, 3).data().toString(), QString("rim; neck"));
+    QCOMPARE(sample_->session().undo().undoText(), QString("change part"));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "part"), QString("rim"));
+    QCOMPARE(part->text(), QString("rim"));
+    sample_->session().undo().redo();
+    QCOMPARE(sample_->value(0, "part"), QString("rim; neck"));
+    const auto history = sample_->catalogue().history(sample_->sherds()[0]);
+    QCOMPARE(history->front().field, std::string("part"));
+    QVERIFY(static_cast<bool>(history->front().by));
+  }
+
+  void aNumberThatIsTakenIsRefusedInPlace() {
+    choose(1);
+    auto* number = child<QLineEdit>("field_number");
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, "ARM1-T3-0012-0001");
+    QTest::keyClick(number, Qt::Key_Return);
+    auto* text = child<QLabel>("refusalText");
+    QVERIFY(text->isVisible());
+    QVERIFY(text->text().contains("belongs to another sherd"));
+    QVERIFY(text->text().contains("It is ARM1-T3-0012-0001."));
+    QCOMPARE(sample_->session().undo().count(), 0);
+  }
+
+  void manyAreChangedAtOnceAfterAPreview() {
+    filter("rim");
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+    auto* value = child<QLineEdit>("bulkValue");
+    QVERIFY(value->isVisible());
+    QTest::keyClick(table(), Qt::Key_F2);
+    QTRY_VERIFY(value->hasFocus());
+    auto* field = child<QComboBox>("bulkField");
+    field->setCurrentIndex(field->findData("condition"));
+    QTest::keyClicks(value, "singed");
+    QTRY_VERIFY(child<QLabel>("bulkSummary")->text().startsWith("0 change"));
+    QVERIFY(!child<QPushButton>("bulkApply")->isEnabled());
+    value->selectAll();
+    QTest::keyClicks(value, "burnt");
+    QTRY_VERIFY(child<QLabel>("bulkSummary")->text().startsWith("14 change"));
+    QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
+    QCOMPARE(sample_->value(0, "condition"), QString("burnt"));
+    QCOMPARE(sample_->value(39, "condition"), QString("burnt"));
+    QCOMPARE(sample_->value(1, "condition"), QString());
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(39, "condition"), QString());
+  }
+
+  void aDraftGetsTheNumberThatIsProposed() {
+    sample_->addDraft();
+    filter("state:draft");
+    choose(0);
+    auto* give = child<QPushButton>("giveNumber");
+    QVERIFY(give->isVisible());
+    QCOMPARE(give->text(), QString("Give the number ARM1-T3-0012-0021"));
+    QTest::mouseClick(give, Qt::LeftButton);
+    QCOMPARE(sample_->value(40, "number"), QString("ARM1-T3-0012-0021"));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(40, "number"), QString());
+  }
+
+  void anotherStationCanShowASherd() {
+    station_->showItem("arm1-t3-0013-0007");
+    QCOMPARE(table()->currentIndex().row(), 26);
+    QSignalSpy wants(station_.get(), &Station::wantsStation);
+    filter("rim");
+    QTest::mouseClick(child<QPushButton>("exportThese"), Qt::LeftButton);
+    QCOMPARE(wants.count(), 1);
+    QCOMPARE(wants.first().at(0).toString(), QString("export"));
+    QCOMPARE(wants.first().at(1).toString(), QString("filter:rim"));
+  }
+
+  void whoWorksIsAskedOnce() {
+    auto* initials = child<QLineEdit>("initials");
+    QVERIFY(!initials->isVisible());
+    sample_->session().setInitials("");
+    QVERIFY(initials->isVisible());
+    QTest::keyClicks(initials, "BK");
+    QTest::keyClick(initials, Qt::Key_Return);
+    QCOMPARE(sample_->session().initials(), QString("BK"));
+    QVERIFY(!initials->isVisible());
+  }
+
+  void anEmptyProjectSaysWhatToDoFirst() {
+    SampleProject empty(0);
+    station_->openProject(empty.session());
+    QVERIFY(station_->findChild<QTableView*>("sherds")->isHidden());
+    station_->closeProject();
+    QVERIFY(!station_->isEnabled());
+  }
+
+  void everyControlHasAName() {
+    choose(0);
+    for (QWidget* widget : station_->findChildren<QWidget*>()) {
+      const bool control = qobject_cast<QLineEdit*>(widget) || qobject_cast<QComboBox*>(widget) ||
+                           qobject_cast<QAbstractButton*>(widget) ||
+                           qobject_cast<QAbstractItemView*>(widget);
+      const bool part =
+          qobject_cast<QHeaderView*>(widget) || qobject_cast<QLineEdit*>(widget->parentWidget());
+      if (!control || part || !widget->isVisible()) continue;
+      const QAccessibleInterface* said = QAccessible::queryAccessibleInterface(widget);
+      QVERIFY2(said && !said->text(QAccessible::Name).isEmpty(),
+               qPrintable(widget->objectName() + widget->metaObject()->className()));
+    }
+  }
+
+  void looksRightInEveryTheme() {
+    const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
+    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
+      applyLook(*qApp, theme, 100);
+      filter("rim");
+      choose(1);
+      QTRY_COMPARE(table()->model()->index(1, 0).data(Qt::DecorationRole).typeId(),
+                   static_cast<int>(QMetaType::QImage));
+      if (!folder.isEmpty())
+        station_->grab().save(folder + "/catalogue-" + themeName(theme) + ".png");
+      table()->setFocus();
+      QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+      auto* value = child<QLineEdit>("bulkValue");
+      value->selectAll();
+      QTest::keyClicks(value, "mould");
+      QTRY_VERIFY(!child<QLabel>("bulkSummary")->text().isEmpty());
+      if (!folder.isEmpty())
+        station_->grab().save(folder + "/catalogue-many-" + themeName(theme) + ".png");
+      QVERIFY(child<QLabel>("bulkSummary")->isVisible());
+    }
+  }
+};
+
+QTEST_MAIN(CatalogueStationTest)
+#include "catalogue_station_test.moc"

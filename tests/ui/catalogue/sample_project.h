@@ -1,0 +1,124 @@
+#pragma once
+#include <QDir>
+#include <QImage>
+#include <QPainter>
+#include <QTemporaryDir>
+#include <memory>
+#include <stdexcept>
+
+#include "catalogue/project.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+
+/// A project with numbered, described sherds, pictures and all, in a folder that goes again.
+class SampleProject {
+ public:
+  explicit SampleProject(int sherds) {
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    record.title = "Sample";
+    auto made =
+        catalogue::Project::create(std::filesystem::path(folder_.path().toStdString()) / "sample",
+                                   record, [this] { return now_ms_ += 1000; });
+    project_ = std::make_shared<catalogue::Project>(must(std::move(made)));
+    session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);
+    session_->setInitials("AP");
+    act_.person =
+        must(catalogue().save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, act_));
+    catalogue::SiteRecord site;
+    site.code = "ARM1";
+    site.name = "Hill";
+    catalogue::TrenchRecord trench;
+    trench.site = must(catalogue().save(site, act_));
+    trench.code = "T3";
+    catalogue::ContextRecord context;
+    context.site = trench.site;
+    context.trench = must(catalogue().save(trench, act_));
+    for (const char* number : {"0012", "0013"}) {
+      context.number = number;
+      contexts_.push_back(must(catalogue().save(context, act_)));
+    }
+    must(catalogue().together([&]() -> Result<void> {
+      for (int i = 0; i < sherds; ++i) add(i);
+      return {};
+    }));
+  }
+
+  catalogue::Catalogue& catalogue() { return project_->catalogue(); }
+  ProjectSession& session() { return *session_; }
+  const std::vector<catalogue::SherdRow>& sherds() const { return sherds_; }
+  QString folder() const { return folder_.path(); }
+  QString value(int sherd, const std::string& field) {
+    return QString::fromStdString(catalogue::textOf(
+        must(catalogue().sherd(sherds_[static_cast<std::size_t>(sherd)])), field));
+  }
+  catalogue::SherdRow addDraft() {
+    catalogue::SherdRecord s;
+    s.context = contexts_[0];
+    sherds_.push_back(must(catalogue().addSherd(s, act_)));
+    return sherds_.back();
+  }
+
+  template <class T>
+  static T must(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().sentence());
+    return std::move(*result);
+  }
+  static void must(const Result<void>& result) {
+    if (!result) throw std::runtime_error(result.error().sentence());
+  }
+
+ private:
+  void add(int i) {
+    catalogue::SherdRecord s;
+    s.context = contexts_[static_cast<std::size_t>(i % 2)];
+    s.part = {i % 3 == 0 ? "rim" : "body"};
+    s.ware = i % 2 == 0 ? "grey" : "red slipped";
+    s.surface_out = i % 3 == 0 ? "burnished" : "plain";
+    s.munsell_out = "10YR 3/1";
+    s.measures = {{"length", 40.0 + i % 30},
+                  {"width", 30.0 + i % 7},
+                  {"thickness_mean", 4.0 + 0.5 * (i % 10)},
+                  {"weight", 20.0 + i % 13}};
+    const catalogue::SherdRow row = must(catalogue().addSherd(s, act_));
+    sherds_.push_back(row);
+    must(catalogue().assignNumbers(std::span(&row, 1), act_));
+    if (i < 30) {
+      const std::string path = "results/B0001/sherds/" + std::to_string(i) + "/preview.png";
+      picture(i).save(prepared(path));
+      must(catalogue().setModel(row, "", path));
+    }
+  }
+  QString prepared(const std::string& path) {
+    const QString file = QString::fromStdString((project_->folder() / path).string());
+    QDir().mkpath(file.section('/', 0, -2));
+    return file;
+  }
+  static QImage picture(int i) {
+    QImage image(240, 240, QImage::Format_RGB32);
+    image.fill(QColor(40, 40, 44));
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QPolygonF outline;
+    for (int k = 0; k < 9; ++k) {
+      const double angle = 0.698 * k, radius = 60 + (i * 17 + k * 29) % 45;
+      outline << QPointF(120 + radius * std::cos(angle), 120 + radius * std::sin(angle));
+    }
+    painter.setBrush(QColor(150 + i % 5 * 15, 105, 75));
+    painter.drawPolygon(outline);
+    return image;
+  }
+
+  QTemporaryDir folder_;
+  std::int64_t now_ms_ = 1'790'000'000'000;
+  ThreadedJobRunner jobs_;
+  std::shared_ptr<catalogue::Project> project_;
+  std::unique_ptr<ProjectSession> session_;
+  catalogue::Act act_;
+  std::vector<catalogue::ContextRow> contexts_;
+  std::vector<catalogue::SherdRow> sherds_;
+};
+
+}  // namespace ostraka::ui

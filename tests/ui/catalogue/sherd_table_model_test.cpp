@@ -1,0 +1,94 @@
+#include "ui/catalogue/sherd_table_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "sample_project.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class SherdTableModelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void keepsThePromisesOfAModel() {
+    SampleProject sample(300);
+    SherdTableModel model;
+    const QAbstractItemModelTester tester(&model,
+                                          QAbstractItemModelTester::FailureReportingMode::QtTest);
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), &sample.session().jobs());
+    QCOMPARE(model.rowCount(), 300);
+    QCOMPARE(model.setFilter("rim"), QString());
+    QCOMPARE(model.rowCount(), 100);
+    model.sort(5, Qt::DescendingOrder);
+    QCOMPARE(model.rowCount(), 100);
+    model.setCatalogue(nullptr, {}, nullptr);
+    QCOMPARE(model.rowCount(), 0);
+  }
+
+  void readsOnlyThePagesThatAreShown() {
+    SampleProject sample(1000);
+    SherdTableModel model;
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
+    QCOMPARE(model.pagesRead(), 0);
+    QCOMPARE(model.data(model.index(0, 0), Qt::DisplayRole).toString(),
+             QString("ARM1-T3-0012-0001"));
+    QCOMPARE(model.pagesRead(), 1);
+    QCOMPARE(model.data(model.index(999, 0), Qt::DisplayRole).toString(),
+             QString("ARM1-T3-0013-0500"));
+    for (int row = 0; row < SherdTableModel::kPage; ++row)
+      model.data(model.index(row, 3), Qt::DisplayRole);
+    QCOMPARE(model.pagesRead(), 2);
+  }
+
+  void oneChangeIsOneSignalAndNoReset() {
+    SampleProject sample(300);
+    SherdTableModel model;
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
+    const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    const QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
+    const catalogue::FieldChange change{sample.sherds()[0], "ware", "black"};
+    QVERIFY(sample.catalogue().change(std::span(&change, 1), {}).has_value());
+    QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("grey"));
+    model.refresh({sample.sherds()[0]});
+    QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("black"));
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(reset.count(), 0);
+    QCOMPARE(model.rowOf(sample.sherds()[1]), 150);  // the first of the second context
+  }
+
+  void aFilterThatIsNotUnderstoodLeavesTheRows() {
+    SampleProject sample(10);
+    SherdTableModel model;
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
+    QVERIFY(model.setFilter("colour:red").contains("'colour'"));
+    QCOMPARE(model.rowCount(), 10);
+  }
+
+  void picturesComeFromAWorker() {
+    SampleProject sample(5);
+    SherdTableModel model;
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), &sample.session().jobs());
+    const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    const auto picture = [&] { return model.data(model.index(0, 0), Qt::DecorationRole); };
+    QVERIFY(picture().typeId() != QMetaType::QImage);
+    QTRY_VERIFY(changed.count() > 0);
+    QCOMPARE(picture().typeId(), static_cast<int>(QMetaType::QImage));
+    QCOMPARE(picture().value<QImage>().width(), 96);
+  }
+
+  void readersHearTheFieldWithItsValue() {
+    SampleProject sample(1);
+    SherdTableModel model;
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
+    QCOMPARE(model.data(model.index(0, 4), Qt::AccessibleTextRole).toString(),
+             QString("ware: grey"));
+    QCOMPARE(model.data(model.index(0, 2), Qt::AccessibleTextRole).toString(),
+             QString("bag: not recorded"));
+  }
+};
+
+QTEST_MAIN(SherdTableModelTest)
+#include "sherd_table_model_test.moc"

@@ -1,0 +1,167 @@
+#include "ui/catalogue/bulk_edit.h"
+
+#include <QComboBox>
+#include <QCompleter>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "catalogue/project.h"
+#include "ui/catalogue/field_words.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr std::size_t kShown = 200;  // the preview's list; all are counted
+
+struct Preview {
+  std::vector<catalogue::ChangePreview> shown;
+  std::vector<catalogue::SherdRecord> records;  ///< of the first kShown
+};
+
+}  // namespace
+
+BulkEdit::BulkEdit(QWidget* parent) : QWidget(parent) {
+  buildLayout();
+}
+
+void BulkEdit::buildLayout() {
+  auto* column = new QVBoxLayout(this);
+  heading_ = new QLabel(this);
+  heading_->setFont(scaledFont(*this, 1.3));
+  field_ = new QComboBox(this);
+  field_->setObjectName("bulkField");
+  field_->setAccessibleName(tr("Field to change"));
+  for (const catalogue::SherdField& field : catalogue::sherdFields())
+    if (field.editable && std::string_view(field.name) != "number")
+      field_->addItem(fieldLabel(field.name), QString::fromLatin1(field.name));
+  value_ = new QLineEdit(this);
+  value_->setObjectName("bulkValue");
+  value_->setAccessibleName(tr("New value for all"));
+  value_->setPlaceholderText(tr("new value; empty deletes"));
+  summary_ = new QLabel(this);
+  summary_->setObjectName("bulkSummary");
+  summary_->setWordWrap(true);
+  table_ = new QTableWidget(0, 3, this);
+  table_->setHorizontalHeaderLabels({tr("sherd"), tr("now"), tr("then")});
+  table_->setAccessibleName(tr("What would change"));
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setStretchLastSection(true);
+  apply_ = new QPushButton(icon("check"), tr("Change"), this);
+  apply_->setObjectName("bulkApply");
+  apply_->setMinimumHeight(targetSize(*this));
+  numbers_ = new QPushButton(icon("label"), tr("Give numbers to the drafts"), this);
+  numbers_->setObjectName("bulkNumbers");
+  numbers_->setMinimumHeight(targetSize(*this));
+  auto* field_label = new QLabel(tr("Field"), this);
+  field_label->setBuddy(field_);
+  auto* value_label = new QLabel(tr("Value"), this);
+  value_label->setBuddy(value_);
+  for (QWidget* widget : {static_cast<QWidget*>(heading_), static_cast<QWidget*>(field_label),
+                          static_cast<QWidget*>(field_), static_cast<QWidget*>(value_label),
+                          static_cast<QWidget*>(value_), static_cast<QWidget*>(summary_)})
+    column->addWidget(widget);
+  column->addWidget(table_, 1);
+  column->addWidget(apply_);
+  column->addWidget(numbers_);
+  connect(field_, &QComboBox::currentIndexChanged, this, [this] {
+    offerTerms();
+    preview();
+  });
+  connect(value_, &QLineEdit::textEdited, this, [this] { preview(); });
+  connect(apply_, &QPushButton::clicked, this, [this] { emit wanted(good_); });
+  connect(numbers_, &QPushButton::clicked, this, &BulkEdit::numbersWanted);
+}
+
+void BulkEdit::setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds) {
+  session_ = session;
+  sherds_ = std::move(sherds);
+  heading_->setText(tr("%n sherd(s) chosen", nullptr, static_cast<int>(sherds_.size())));
+  offerTerms();
+  preview();
+}
+
+void BulkEdit::offerTerms() {
+  const std::string field = field_->currentData().toString().toStdString();
+  QStringList terms;
+  for (const catalogue::SherdField& known : catalogue::sherdFields())
+    if (session_ && field == known.name && !std::string_view(known.vocabulary).empty())
+      if (const auto vocabulary = session_->project().catalogue().vocabulary(known.vocabulary))
+        for (const catalogue::Term& term : *vocabulary) terms << QString::fromStdString(term.term);
+  auto* completer = new QCompleter(terms, value_);
+  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  delete value_->completer();
+  value_->setCompleter(completer);
+}
+
+void BulkEdit::preview() {
+  delete previewing_.data();  // what was typed before
+  good_.clear();
+  table_->setRowCount(0);
+  apply_->setEnabled(false);
+  summary_->clear();
+  if (!session_ || sherds_.empty()) return;
+  const auto work = [folder = session_->folder(), sherds = sherds_,
+                     field = field_->currentData().toString().toStdString(),
+                     value = value_->text().toStdString()](Progress&,
+                                                           std::stop_token) -> Result<Preview> {
+    const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+    if (!catalogue) return catalogue.error();
+    std::vector<catalogue::FieldChange> changes;
+    for (const catalogue::SherdRow& sherd : sherds) changes.push_back({sherd, field, value});
+    Result<std::vector<catalogue::ChangePreview>> shown = catalogue->preview(changes);
+    if (!shown) return shown.error();
+    Result<std::vector<catalogue::SherdRecord>> records =
+        catalogue->sherds(std::span(sherds).first(std::min<std::size_t>(sherds.size(), kShown)));
+    if (!records) return records.error();
+    return Preview{std::move(*shown), std::move(*records)};
+  };
+  previewing_ = session_->jobs().start(makeJob(tr("Preview of a change"), work), this);
+  connect(previewing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    const Result<Preview> preview = outcomeAs<Preview>(outcome);
+    if (preview)
+      showPreview(preview->shown, preview->records);
+    else
+      summary_->setText(QString::fromStdString(preview.error().sentence()));
+  });
+}
+
+void BulkEdit::showPreview(const std::vector<catalogue::ChangePreview>& shown,
+                           const std::vector<catalogue::SherdRecord>& records) {
+  int same = 0, refused = 0;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const catalogue::ChangePreview& change = shown[i];
+    const bool is_same = change.refusal.empty() && change.old_value == change.new_value;
+    same += is_same ? 1 : 0;
+    refused += change.refusal.empty() ? 0 : 1;
+    if (change.refusal.empty() && !is_same) good_.push_back(change.change);
+    if (i >= records.size() || is_same) continue;
+    const int row = table_->rowCount();
+    table_->insertRow(row);
+    const QString number = QString::fromStdString(records[i].number);
+    table_->setItem(row, 0, new QTableWidgetItem(number.isEmpty() ? tr("no number yet") : number));
+    table_->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(change.old_value)));
+    auto* then = new QTableWidgetItem(
+        change.refusal.empty() ? QString::fromStdString(change.new_value)
+                               : tr("refused: %1").arg(QString::fromStdString(change.refusal)));
+    then->setToolTip(then->text());
+    if (!change.refusal.empty()) then->setIcon(icon("error"));
+    table_->setItem(row, 2, then);
+  }
+  table_->resizeColumnsToContents();
+  summary_->setText(tr("%1 change, %2 stay as they are, %3 are refused.")
+                        .arg(good_.size())
+                        .arg(same)
+                        .arg(refused));
+  apply_->setEnabled(!good_.empty());
+  apply_->setText(tr("Change %n sherd(s)", nullptr, static_cast<int>(good_.size())));
+}
+
+}  // namespace ostraka::ui

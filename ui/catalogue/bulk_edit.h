@@ -1,0 +1,54 @@
+#pragma once
+#include <QPointer>
+#include <QWidget>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace ostraka::ui {
+
+class JobHandle;
+class ProjectSession;
+
+/// The same field of many sherds, with a preview of what changes and what is refused.
+class BulkEdit final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BulkEdit(QWidget* parent = nullptr);
+  /// session: nullptr when no project is open. The preview comes from a worker.
+  void setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds);
+  const std::vector<catalogue::SherdRow>& sherds() const { return sherds_; }
+
+ signals:
+  /// The changes that the preview showed without a refusal.
+  void wanted(const std::vector<catalogue::FieldChange>& changes);
+  void numbersWanted();
+
+ private:
+  void buildLayout();
+  void preview();
+  void showPreview(const std::vector<catalogue::ChangePreview>& shown,
+                   const std::vector<catalogue::SherdRecord>& records);
+  void offerTerms();
+
+  ProjectSession* session_ = nullptr;
+  QPointer<JobHandle> previewing_;
+  std::vector<catalogue::SherdRow> sherds_;
+  std::vector<catalogue::FieldChange> good_;
+  QLabel* heading_ = nullptr;
+  QComboBox* field_ = nullptr;
+  QLineEdit* value_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QPushButton* apply_ = nullptr;
+  QPushButton* numbers_ = nullptr;
+};
+
+}  // namespace ostraka::ui

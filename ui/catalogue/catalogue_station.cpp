@@ -1,0 +1,341 @@
+#include "ui/catalogue/catalogue_station.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QShortcut>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+
+#include "catalogue/project.h"
+#include "ui/catalogue/bulk_edit.h"
+#include "ui/catalogue/field_words.h"
+#include "ui/catalogue/sherd_details.h"
+#include "ui/catalogue/sherd_edits.h"
+#include "ui/catalogue/sherd_table_model.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+
+namespace ostraka::ui {
+
+CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
+  model_ = new SherdTableModel(this);
+  buildLayout();
+  addActions();
+  connect(model_, &SherdTableModel::failed, this, &CatalogueStation::complain);
+  connect(model_, &QAbstractItemModel::modelReset, this, [this] {
+    showCount();
+    showSelection();
+  });
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          [this] { showSelection(); });
+  connect(details_, &SherdDetails::edited, this, &CatalogueStation::saveField);
+  connect(details_, &SherdDetails::numberWanted, this, &CatalogueStation::giveNumbers);
+  connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueStation::giveNumbers);
+  connect(bulk_, &BulkEdit::wanted, this, [this](const std::vector<catalogue::FieldChange>& all) {
+    if (all.empty() || !edits_) return;
+    const QString field = fieldLabel(all.front().field);
+    complain(edits_->change(
+        tr("change %1 of %n sherd(s)", nullptr, static_cast<int>(all.size())).arg(field), all));
+  });
+  setEnabled(false);
+}
+
+CatalogueStation::~CatalogueStation() = default;
+
+QString CatalogueStation::title() const {
+  return tr("Catalogue");
+}
+
+void CatalogueStation::buildLayout() {
+  filter_ = new QLineEdit(this);
+  filter_->setObjectName("filter");
+  filter_->setAccessibleName(tr("Filter of the catalogue"));
+  filter_->setPlaceholderText(tr("rim T3 thickness>6"));
+  filter_->setToolTip(
+      tr("Words are looked for everywhere; ware:grey, thickness>6, -burnt, note:* also work."));
+  filter_->setClearButtonEnabled(true);
+  filter_->setMinimumHeight(targetSize(*this));
+  filter_->addAction(icon("search"), QLineEdit::LeadingPosition);
+  typing_ = new QTimer(this);
+  typing_->setSingleShot(true);
+  typing_->setInterval(150);
+  connect(filter_, &QLineEdit::textChanged, this, [this] { typing_->start(); });
+  connect(filter_, &QLineEdit::returnPressed, this, &CatalogueStation::applyFilter);
+  connect(typing_, &QTimer::timeout, this, &CatalogueStation::applyFilter);
+  auto* to_export = new QPushButton(icon("export"), tr("Export these"), this);
+  to_export->setObjectName("exportThese");
+  to_export->setMinimumHeight(targetSize(*this));
+  connect(to_export, &QPushButton::clicked, this, [this] {
+    QStringList rows;
+    for (const catalogue::SherdRow row : selected()) rows << QString::number(row.value);
+    emit wantsStation("export",
+                      rows.size() > 1 ? "rows:" + rows.join(',') : "filter:" + filter_->text());
+  });
+  chips_ = new QHBoxLayout;
+  count_ = new QLabel(this);
+  count_->setObjectName("count");
+  problem_ = new QLabel(this);
+  problem_->setObjectName("problem");
+  problem_->setWordWrap(true);
+  problem_->hide();
+  who_ = new QWidget(this);
+  auto* who_row = new QHBoxLayout(who_);
+  who_row->setContentsMargins(0, 0, 0, 0);
+  auto* initials = new QLineEdit(who_);
+  initials->setObjectName("initials");
+  initials->setAccessibleName(tr("Your initials"));
+  initials->setMaximumWidth(initials->fontMetrics().averageCharWidth() * 12);
+  auto* who_text = new QLabel(tr("Who is working? Your initials go into the history:"), who_);
+  who_text->setBuddy(initials);
+  who_row->addWidget(who_text);
+  who_row->addWidget(initials);
+  who_row->addStretch();
+  connect(initials, &QLineEdit::editingFinished, this, [this, initials] {
+    if (session_ && !initials->text().trimmed().isEmpty())
+      session_->setInitials(initials->text().trimmed());
+  });
+  table_ = new QTableView(this);
+  table_->setObjectName("sherds");
+  table_->setAccessibleName(tr("Sherds"));
+  table_->setModel(model_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSortingEnabled(true);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->setTabKeyNavigation(false);
+  const int height = std::max(targetSize(*this), 44);
+  table_->setIconSize({height - 6, height - 6});
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(height);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSortIndicator(0, Qt::AscendingOrder);
+  const int letter = fontMetrics().averageCharWidth();
+  for (int column = 0; column < model_->columnCount(); ++column)
+    table_->setColumnWidth(column, letter * (column == 0 ? 32 : 14));
+  empty_ = new QLabel(this);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  empty_->setFont(scaledFont(*this, 1.3));
+  left_ = new QStackedWidget(this);
+  left_->addWidget(table_);
+  left_->addWidget(empty_);
+  details_ = new SherdDetails(this);
+  bulk_ = new BulkEdit(this);
+  right_ = new QStackedWidget(this);
+  right_->addWidget(details_);
+  right_->addWidget(bulk_);
+  auto* split = new QSplitter(Qt::Horizontal, this);
+  split->addWidget(left_);
+  split->addWidget(right_);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 1);
+  split->setSizes({800, 380});
+  split->setChildrenCollapsible(false);
+  auto* line = new QHBoxLayout;
+  line->addWidget(filter_, 1);
+  line->addWidget(to_export);
+  auto* chips_row = new QHBoxLayout;
+  chips_row->addLayout(chips_);
+  chips_row->addStretch();
+  chips_row->addWidget(count_);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(line);
+  column->addLayout(chips_row);
+  column->addWidget(problem_);
+  column->addWidget(who_);
+  column->addWidget(split, 1);
+}
+
+void CatalogueStation::addActions() {
+  const auto add = [this](const QString& text, const QString& picture, const QKeySequence& keys,
+                          const char* name, auto act) {
+    auto* action = new QAction(icon(picture), text, this);
+    action->setObjectName(name);
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(action, &QAction::triggered, this, act);
+    addAction(action);
+  };
+  add(tr("Search"), "search", QKeySequence::Find, "search", [this] {
+    filter_->setFocus(Qt::ShortcutFocusReason);
+    filter_->selectAll();
+  });
+  add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] {
+    if (right_->currentWidget() == bulk_)
+      bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
+    else
+      details_->edit();
+  });
+  add(tr("Give numbers"), "label", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), "giveNumbers",
+      [this] { giveNumbers(); });
+}
+
+void CatalogueStation::openProject(ProjectSession& session) {
+  closeProject();
+  session_ = &session;
+  edits_ = new SherdEdits(session, this);
+  connect(edits_, &SherdEdits::changed, this, &CatalogueStation::sherdsChanged);
+  connect(edits_, &SherdEdits::failed, this, &CatalogueStation::complain);
+  connect(&session, &ProjectSession::batchChanged, this, [this] {
+    stale_ = true;
+    if (isVisible()) setInFront(true);
+  });
+  connect(&session, &ProjectSession::initialsChanged, this,
+          [this](const QString& initials) { who_->setVisible(initials.isEmpty()); });
+  who_->setVisible(session.initials().isEmpty());
+  details_->setVocabularies(session.project().catalogue());
+  model_->setCatalogue(&session.project().catalogue(), session.folder(), &session.jobs());
+  setEnabled(true);
+}
+
+void CatalogueStation::closeProject() {
+  if (session_) disconnect(session_, nullptr, this, nullptr);
+  session_ = nullptr;
+  delete edits_;
+  edits_ = nullptr;
+  filter_->clear();
+  typing_->stop();
+  model_->setCatalogue(nullptr, {}, nullptr);
+  bulk_->setSherds(nullptr, {});
+  details_->clear();
+  complain({});
+  setEnabled(false);
+}
+
+void CatalogueStation::setInFront(bool in_front) {
+  if (!in_front || !stale_ || !session_) return;
+  stale_ = false;
+  model_->reload();
+}
+
+void CatalogueStation::showItem(const QString& what) {
+  if (!session_) return;
+  const auto sherd = session_->project().catalogue().sherdByNumber(what.toStdString());
+  if (!sherd || !*sherd) {
+    filter_->setText(
+        session_->project().catalogue().batchByNumber(what.toStdString()) ? "batch:" + what : what);
+    applyFilter();
+    return;
+  }
+  if (model_->rowOf(*sherd) < 0) {
+    filter_->clear();
+    applyFilter();
+  }
+  table_->selectRow(model_->rowOf(*sherd));
+  table_->scrollTo(model_->index(model_->rowOf(*sherd), 0), QAbstractItemView::PositionAtCenter);
+}
+
+void CatalogueStation::applyFilter() {
+  typing_->stop();
+  complain(model_->setFilter(filter_->text()));
+  showChips();
+}
+
+void CatalogueStation::showChips() {
+  while (QLayoutItem* item = chips_->takeAt(0)) {
+    if (item->widget()) item->widget()->deleteLater();
+    delete item;
+  }
+  const auto& conditions = model_->filter().conditions;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    auto* chip = new QToolButton(this);
+    const QString text = QString::fromStdString(conditions[i].text);
+    chip->setText(text);
+    chip->setIcon(icon("cancel"));
+    chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    chip->setObjectName("chip");
+    chip->setAccessibleName(tr("Take away the condition %1").arg(text));
+    connect(chip, &QToolButton::clicked, this, [this, i] {
+      catalogue::Filter fewer = model_->filter();
+      fewer.conditions.erase(fewer.conditions.begin() + static_cast<std::ptrdiff_t>(i));
+      filter_->setText(QString::fromStdString(fewer.text()));
+      applyFilter();
+    });
+    chips_->addWidget(chip);
+  }
+}
+
+void CatalogueStation::showCount() {
+  const int rows = model_->rowCount();
+  count_->setText(tr("%n sherd(s)", nullptr, rows));
+  empty_->setText(model_->filter().conditions.empty()
+                      ? tr("No sherds yet. They come by themselves when a batch is computed; "
+                           "start with Capture.")
+                      : tr("No sherd fits. Take a condition away."));
+  left_->setCurrentWidget(rows > 0 ? static_cast<QWidget*>(table_) : empty_);
+}
+
+std::vector<catalogue::SherdRow> CatalogueStation::selected() const {
+  std::vector<catalogue::SherdRow> sherds;
+  for (const QItemSelectionRange& range : table_->selectionModel()->selection())
+    for (int row = range.top(); row <= range.bottom(); ++row)
+      sherds.push_back(model_->sherdAt(row));
+  return sherds;
+}
+
+void CatalogueStation::showSelection() {
+  const std::vector<catalogue::SherdRow> sherds = selected();
+  if (!session_ || sherds.empty()) {
+    right_->setCurrentWidget(details_);
+    details_->clear();
+  } else if (sherds.size() == 1) {
+    right_->setCurrentWidget(details_);
+    details_->showSherd(session_->project().catalogue(), session_->folder(), sherds.front());
+  } else {
+    bulk_->setSherds(session_, sherds);
+    right_->setCurrentWidget(bulk_);
+  }
+}
+
+void CatalogueStation::saveField(const QString& field, const QString& value) {
+  if (!edits_) return;
+  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
+  const catalogue::Catalogue& catalogue = session_->project().catalogue();
+  const auto shown = catalogue.preview(std::span(&change, 1));
+  if (shown && !shown->front().refusal.empty()) {
+    const catalogue::ChangePreview& refused = shown->front();
+    QString number, picture;
+    if (const auto other = catalogue.sherd(refused.in_the_way); refused.in_the_way && other) {
+      number = QString::fromStdString(other->number);
+      picture = QString::fromStdString((session_->folder() / other->preview_path).string());
+    }
+    details_->showRefusal(change.field, QString::fromStdString(refused.refusal), number, picture);
+    return;
+  }
+  complain(edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change}));
+}
+
+void CatalogueStation::giveNumbers() {
+  if (!edits_) return;
+  std::vector<catalogue::SherdRow> drafts;
+  const auto records = session_->project().catalogue().sherds(selected());
+  if (!records) return complain(QString::fromStdString(records.error().sentence()));
+  for (const catalogue::SherdRecord& sherd : *records)
+    if (sherd.state == catalogue::SherdState::Draft) drafts.push_back(sherd.row);
+  if (drafts.empty()) return complain(tr("The sherds that are chosen have their numbers."));
+  complain(edits_->assignNumbers(drafts));
+}
+
+void CatalogueStation::sherdsChanged(const std::vector<catalogue::SherdRow>& sherds) {
+  complain({});
+  model_->refresh(sherds);
+  showSelection();
+}
+
+void CatalogueStation::complain(const QString& sentence) {
+  problem_->setText(sentence);
+  problem_->setVisible(!sentence.isEmpty());
+}
+
+}  // namespace ostraka::ui

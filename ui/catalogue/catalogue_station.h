@@ -1,0 +1,69 @@
+#pragma once
+#include "catalogue/catalogue.h"
+#include "ui/frame/station.h"
+
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+class QStackedWidget;
+class QTableView;
+class QTimer;
+
+namespace ostraka::ui {
+
+class BulkEdit;
+class SherdDetails;
+class SherdEdits;
+class SherdTableModel;
+
+/// All sherds: filter line with chips, table with pictures, details or bulk edit at the right.
+class CatalogueStation final : public Station {
+  Q_OBJECT
+
+ public:
+  explicit CatalogueStation(QWidget* parent = nullptr);
+  ~CatalogueStation() override;
+
+  QString title() const override;
+  QString iconName() const override { return "catalogue"; }
+  QString manualPage() const override { return "catalogue"; }
+  void openProject(ProjectSession& session) override;
+  void closeProject() override;
+  void setInFront(bool in_front) override;
+
+ public slots:
+  /// A sherd's number, a batch's number, or a filter line.
+  void showItem(const QString& what) override;
+
+ private:
+  void buildLayout();
+  void addActions();
+  void applyFilter();
+  void showChips();
+  void showSelection();
+  void showCount();
+  std::vector<catalogue::SherdRow> selected() const;
+  void saveField(const QString& field, const QString& value);
+  void giveNumbers();
+  void sherdsChanged(const std::vector<catalogue::SherdRow>& sherds);
+  void complain(const QString& sentence);
+
+  ProjectSession* session_ = nullptr;
+  SherdEdits* edits_ = nullptr;
+  SherdTableModel* model_ = nullptr;
+  QLineEdit* filter_ = nullptr;
+  QTimer* typing_ = nullptr;
+  QHBoxLayout* chips_ = nullptr;
+  QLabel* count_ = nullptr;
+  QLabel* problem_ = nullptr;
+  QWidget* who_ = nullptr;
+  QTableView* table_ = nullptr;
+  QStackedWidget* left_ = nullptr;
+  QLabel* empty_ = nullptr;
+  QStackedWidget* right_ = nullptr;
+  SherdDetails* details_ = nullptr;
+  BulkEdit* bulk_ = nullptr;
+  bool stale_ = false;  ///< rows came or went while another station was in front
+};
+
+}  // namespace ostraka::ui

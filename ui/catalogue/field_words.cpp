@@ -1,0 +1,100 @@
+#include "ui/catalogue/field_words.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QHash>
+#include <QLocale>
+
+#include "catalogue/values.h"
+
+namespace ostraka::ui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Fields", text);
+}
+
+}  // namespace
+
+QString fieldLabel(const std::string& field) {
+  static const QHash<QString, const char*> labels = {
+      {"number", QT_TRANSLATE_NOOP("Fields", "number")},
+      {"uuid", QT_TRANSLATE_NOOP("Fields", "identifier")},
+      {"state", QT_TRANSLATE_NOOP("Fields", "state")},
+      {"void_reason", QT_TRANSLATE_NOOP("Fields", "void because")},
+      {"site", QT_TRANSLATE_NOOP("Fields", "site")},
+      {"trench", QT_TRANSLATE_NOOP("Fields", "trench")},
+      {"context", QT_TRANSLATE_NOOP("Fields", "context")},
+      {"bag", QT_TRANSLATE_NOOP("Fields", "bag")},
+      {"part", QT_TRANSLATE_NOOP("Fields", "part")},
+      {"ware", QT_TRANSLATE_NOOP("Fields", "ware")},
+      {"fabric", QT_TRANSLATE_NOOP("Fields", "fabric")},
+      {"inclusions", QT_TRANSLATE_NOOP("Fields", "inclusions")},
+      {"manufacture", QT_TRANSLATE_NOOP("Fields", "manufacture")},
+      {"firing", QT_TRANSLATE_NOOP("Fields", "firing")},
+      {"surface_out", QT_TRANSLATE_NOOP("Fields", "surface outside")},
+      {"surface_in", QT_TRANSLATE_NOOP("Fields", "surface inside")},
+      {"decoration", QT_TRANSLATE_NOOP("Fields", "decoration")},
+      {"munsell_out", QT_TRANSLATE_NOOP("Fields", "Munsell outside")},
+      {"munsell_in", QT_TRANSLATE_NOOP("Fields", "Munsell inside")},
+      {"munsell_core", QT_TRANSLATE_NOOP("Fields", "Munsell core")},
+      {"condition", QT_TRANSLATE_NOOP("Fields", "condition")},
+      {"joins", QT_TRANSLATE_NOOP("Fields", "joins with")},
+      {"vessel", QT_TRANSLATE_NOOP("Fields", "vessel")},
+      {"period", QT_TRANSLATE_NOOP("Fields", "period")},
+      {"date_edtf", QT_TRANSLATE_NOOP("Fields", "date")},
+      {"length_mm", QT_TRANSLATE_NOOP("Fields", "length, mm")},
+      {"width_mm", QT_TRANSLATE_NOOP("Fields", "width, mm")},
+      {"thickness_min_mm", QT_TRANSLATE_NOOP("Fields", "thickness least, mm")},
+      {"thickness_mean_mm", QT_TRANSLATE_NOOP("Fields", "thickness, mm")},
+      {"thickness_max_mm", QT_TRANSLATE_NOOP("Fields", "thickness most, mm")},
+      {"area_mm2", QT_TRANSLATE_NOOP("Fields", "area, mm²")},
+      {"volume_mm3", QT_TRANSLATE_NOOP("Fields", "volume, mm³")},
+      {"filled_pct", QT_TRANSLATE_NOOP("Fields", "not seen, %")},
+      {"rim_diameter_mm", QT_TRANSLATE_NOOP("Fields", "rim diameter, mm")},
+      {"rim_pct", QT_TRANSLATE_NOOP("Fields", "rim kept, %")},
+      {"weight_g", QT_TRANSLATE_NOOP("Fields", "weight, g")},
+      {"batch", QT_TRANSLATE_NOOP("Fields", "batch")},
+      {"note", QT_TRANSLATE_NOOP("Fields", "note")}};
+  const char* label = labels.value(QString::fromStdString(field), nullptr);
+  return label ? tr(label) : QString::fromStdString(field);
+}
+
+QString stateLabel(catalogue::SherdState state) {
+  switch (state) {
+    case catalogue::SherdState::Numbered:
+      return tr("numbered");
+    case catalogue::SherdState::Void:
+      return tr("void");
+    case catalogue::SherdState::Draft:
+      break;
+  }
+  return tr("draft");
+}
+
+QString methodLabel(const std::string& method) {
+  if (method == "scale") return tr("on a scale");
+  if (method == "calliper") return tr("with a calliper");
+  if (method == "estimate") return tr("estimated");
+  return tr("by the program");
+}
+
+QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field) {
+  if (field == "state") return stateLabel(sherd.state);
+  const std::string text = catalogue::textOf(sherd, field);
+  if (text.empty()) return {};
+  for (const catalogue::SherdField& known : catalogue::sherdFields())
+    if (field == known.name && known.kind == catalogue::FieldKind::Number) {
+      // Not std::stod: it obeys the language that Qt set.
+      const auto value = catalogue::parsedNumber(text);
+      if (!value) return {};
+      return QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
+    }
+  return QString::fromStdString(text);
+}
+
+QString when(std::int64_t ms) {
+  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(ms), QLocale::ShortFormat);
+}
+
+}  // namespace ostraka::ui

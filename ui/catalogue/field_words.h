@@ -1,0 +1,17 @@
+#pragma once
+#include <QString>
+
+#include "catalogue/sherd.h"
+
+namespace ostraka::ui {
+
+/// What people call a field of a sherd, with its unit: "length, mm".
+QString fieldLabel(const std::string& field);
+/// A value as people read it: numbers in the language's form with a sensible number of digits.
+QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field);
+QString stateLabel(catalogue::SherdState state);
+/// How a value was measured: "by the program", "on a scale".
+QString methodLabel(const std::string& method);
+QString when(std::int64_t ms);  ///< day and time in the language's form
+
+}  // namespace ostraka::ui

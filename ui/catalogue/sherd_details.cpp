@@ -1,0 +1,313 @@
+#include "ui/catalogue/sherd_details.h"
+
+#include <QComboBox>
+#include <QCompleter>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QStringListModel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "ui/catalogue/field_words.h"
+#include "ui/frame/look.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kPicture = 220, kSmallPicture = 64;
+
+QTreeWidget* table(const QStringList& columns, const QString& name, QWidget* parent) {
+  auto* tree = new QTreeWidget(parent);
+  tree->setHeaderLabels(columns);
+  tree->setRootIsDecorated(false);
+  tree->setAccessibleName(name);
+  tree->setSelectionMode(QAbstractItemView::NoSelection);
+  tree->setWordWrap(true);
+  tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  return tree;
+}
+
+// As high as its rows, so that only the page scrolls.
+void fitHeight(QTreeWidget* tree) {
+  const int row = tree->topLevelItemCount() > 0 ? tree->sizeHintForRow(0) : 0;
+  tree->setFixedHeight(tree->header()->sizeHint().height() +
+                       row * std::min(tree->topLevelItemCount(), 12) + 2 * tree->frameWidth() + 2);
+}
+
+void setPicture(QLabel* label, const QString& path, int size) {
+  const QPixmap pixmap(path);
+  label->setPixmap(pixmap.isNull()
+                       ? icon("sherd").pixmap(size, size)
+                       : pixmap.scaled(size, size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+}
+
+QString fileState(catalogue::FileState state) {
+  switch (state) {
+    case catalogue::FileState::Missing:
+      return SherdDetails::tr("missing");
+    case catalogue::FileState::Changed:
+      return SherdDetails::tr("changed");
+    case catalogue::FileState::Present:
+      break;
+  }
+  return SherdDetails::tr("present");
+}
+
+}  // namespace
+
+SherdDetails::SherdDetails(QWidget* parent) : QScrollArea(parent) {
+  buildLayout();
+  clear();
+}
+
+void SherdDetails::buildLayout() {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setAccessibleName(tr("Details of the sherd"));
+  auto* page = new QWidget(this);
+  auto* column = new QVBoxLayout(page);
+  picture_ = new QLabel(page);
+  picture_->setAlignment(Qt::AlignCenter);
+  picture_->setAccessibleName(tr("Picture of the sherd"));
+  number_ = new QLabel(page);
+  number_->setFont(scaledFont(*this, 1.4));
+  number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  number_->setAccessibleName(tr("Number of the sherd"));
+  give_number_ = new QPushButton(icon("label"), {}, page);
+  give_number_->setObjectName("giveNumber");
+  give_number_->setMinimumHeight(targetSize(*this));
+  connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
+  refusal_ = new QWidget(page);
+  refusal_->setObjectName("refusal");
+  auto* refused = new QHBoxLayout(refusal_);
+  refused->setContentsMargins(0, 0, 0, 0);
+  refusal_picture_ = new QLabel(refusal_);
+  refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
+  refusal_text_ = new QLabel(refusal_);
+  refusal_text_->setWordWrap(true);
+  refusal_text_->setObjectName("refusalText");
+  refused->addWidget(refusal_picture_);
+  refused->addWidget(refusal_text_, 1);
+  form_ = new QFormLayout;
+  form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+    if (!field.editable) continue;
+    auto* label = new QLabel(fieldLabel(field.name), page);
+    QWidget* editor = editorFor(field);
+    label->setBuddy(editor);
+    form_->addRow(label, editor);
+  }
+  measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
+  history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
+  files_ = table({tr("file"), tr("kind"), tr("state")}, tr("Files"), page);
+  const auto heading = [&](const QString& text) {
+    auto* label = new QLabel(text, page);
+    label->setFont(scaledFont(*this, 1.15));
+    return label;
+  };
+  column->addWidget(picture_);
+  column->addWidget(number_);
+  column->addWidget(give_number_);
+  column->addWidget(refusal_);
+  column->addLayout(form_);
+  column->addWidget(heading(tr("Measured")));
+  column->addWidget(measures_);
+  column->addWidget(heading(tr("History")));
+  column->addWidget(history_);
+  column->addWidget(heading(tr("Files")));
+  column->addWidget(files_);
+  column->addStretch();
+  setWidget(page);
+}
+
+QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
+  const QString name = QString::fromLatin1(field.name);
+  QWidget* editor = nullptr;
+  const auto told = [this, name](const QString& value) {
+    if (!sherd_ || value == shown_.value(name)) return;
+    emit edited(name, value);
+  };
+  if (field.kind == catalogue::FieldKind::Term) {
+    auto* box = new QComboBox(this);
+    connect(box, &QComboBox::activated, this, [box, told](int) { told(box->currentText()); });
+    editor = box;
+  } else {
+    auto* line = new QLineEdit(this);
+    if (field.kind == catalogue::FieldKind::Terms) {
+      auto* completer = new QCompleter(new QStringListModel(line), line);
+      completer->setCaseSensitivity(Qt::CaseInsensitive);
+      line->setCompleter(completer);
+    }
+    connect(line, &QLineEdit::editingFinished, this, [line, told] { told(line->text()); });
+    editor = line;
+  }
+  editor->setObjectName("field_" + name);
+  editor->setAccessibleName(fieldLabel(field.name));
+  editors_.insert(name, editor);
+  return editor;
+}
+
+void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
+  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+    if (std::string_view(field.vocabulary).empty()) continue;
+    QStringList terms;
+    if (const auto vocabulary = catalogue.vocabulary(field.vocabulary))
+      for (const catalogue::Term& term : *vocabulary) terms << QString::fromStdString(term.term);
+    QWidget* editor = editors_.value(field.name);
+    if (auto* box = qobject_cast<QComboBox*>(editor)) {
+      box->clear();
+      box->addItem({});
+      box->addItems(terms);
+    } else if (auto* line = qobject_cast<QLineEdit*>(editor)) {
+      qobject_cast<QStringListModel*>(line->completer()->model())->setStringList(terms);
+      line->setPlaceholderText(terms.mid(0, 4).join("; ") + "; …");
+    }
+  }
+}
+
+void SherdDetails::setText(const std::string& field, const QString& text) {
+  const QString name = QString::fromStdString(field);
+  shown_.insert(name, text);
+  QWidget* editor = editors_.value(name);
+  if (auto* box = qobject_cast<QComboBox*>(editor)) {
+    if (box->findText(text) < 0) box->addItem(text);
+    box->setCurrentText(text);
+  } else if (auto* line = qobject_cast<QLineEdit*>(editor)) {
+    line->setText(text);
+    line->setCursorPosition(0);
+  }
+}
+
+void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
+                             const std::filesystem::path& project, catalogue::SherdRow row) {
+  const Result<catalogue::SherdRecord> sherd = catalogue.sherd(row);
+  if (!sherd) {
+    clear();
+    return;
+  }
+  sherd_ = row;
+  widget()->setEnabled(true);
+  refusal_->hide();
+  setPicture(picture_, QString::fromStdString((project / sherd->preview_path).string()), kPicture);
+  number_->setText(sherd->number.empty() ? tr("no number yet")
+                                         : QString::fromStdString(sherd->number));
+  give_number_->setVisible(sherd->number.empty());
+  if (sherd->number.empty()) {
+    const auto proposed = catalogue.proposeNumbers(std::span(&row, 1));
+    give_number_->setEnabled(proposed.has_value());
+    give_number_->setText(
+        proposed ? tr("Give the number %1").arg(QString::fromStdString(proposed->front()))
+                 : QString::fromStdString(proposed.error().what));
+  }
+  for (const catalogue::SherdField& field : catalogue::sherdFields())
+    if (field.editable) setText(field.name, QString::fromStdString(textOf(*sherd, field.name)));
+  showMeasures(catalogue);
+  showHistory(catalogue);
+  showFiles(catalogue, project);
+}
+
+void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue) {
+  measures_->clear();
+  if (const auto all = catalogue.measurements(sherd_))
+    for (const catalogue::Measurement& m : *all) {
+      QString label = fieldLabel(m.kind);
+      for (const catalogue::SherdField& field : catalogue::sherdFields())
+        if (std::string(field.name).starts_with(m.kind)) label = fieldLabel(field.name);
+      auto* item = new QTreeWidgetItem(
+          measures_, {label, QLocale().toString(m.value, 'f', m.value >= 1000 ? 0 : 2),
+                      methodLabel(m.method)});
+      item->setFont(1, tabularFont(font()));
+      item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    }
+  fitHeight(measures_);
+}
+
+void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
+  history_->clear();
+  QHash<qint64, QString> people;
+  if (const auto persons = catalogue.persons())
+    for (const catalogue::PersonRecord& person : *persons)
+      people.insert(person.row.value, QString::fromStdString(person.initials));
+  if (const auto all = catalogue.history(sherd_))
+    for (const catalogue::HistoryEntry& entry : *all) {
+      const QString old_value = QString::fromStdString(entry.old_value);
+      const QString new_value = QString::fromStdString(entry.new_value);
+      const QString label = fieldLabel(entry.field);
+      const QString what =
+          entry.field.empty() ? tr("added")
+          : old_value.isEmpty()
+              ? tr("%1: %2").arg(label, new_value)
+              : tr("%1: %2 → %3")
+                    .arg(label, old_value, new_value.isEmpty() ? tr("nothing") : new_value);
+      new QTreeWidgetItem(history_,
+                          {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
+    }
+  fitHeight(history_);
+}
+
+void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
+                             const std::filesystem::path& project) {
+  files_->clear();
+  if (const auto all = catalogue.files(sherd_))
+    for (const catalogue::FileRecord& file : *all) {
+      std::error_code code;
+      const bool there = std::filesystem::exists(project / file.path, code);
+      auto* item = new QTreeWidgetItem(
+          files_, {QString::fromStdString(std::filesystem::path(file.path).filename().string()),
+                   QString::fromStdString(file.role),
+                   fileState(there ? file.state : catalogue::FileState::Missing)});
+      item->setToolTip(0, QString::fromStdString(file.path));
+    }
+  fitHeight(files_);
+}
+
+void SherdDetails::clear() {
+  sherd_ = {};
+  refusal_->hide();
+  give_number_->hide();
+  setPicture(picture_, {}, kPicture);
+  number_->setText(tr("Choose a sherd."));
+  for (const catalogue::SherdField& field : catalogue::sherdFields())
+    if (field.editable) setText(field.name, {});
+  for (QTreeWidget* tree : {measures_, history_, files_}) {
+    tree->clear();
+    fitHeight(tree);
+  }
+  widget()->setEnabled(false);
+}
+
+void SherdDetails::edit(const std::string& wanted) {
+  QString name = QString::fromStdString(wanted);
+  if (!editors_.contains(name)) name = "part";
+  QWidget* editor = editors_.value(name);
+  ensureWidgetVisible(editor);
+  editor->setFocus(Qt::ShortcutFocusReason);
+  if (auto* line = qobject_cast<QLineEdit*>(editor)) line->selectAll();
+}
+
+void SherdDetails::showRefusal(const std::string& field, const QString& sentence,
+                               const QString& other, const QString& picture) {
+  const QString name = QString::fromStdString(field);
+  refusal_text_->setText(other.isEmpty() ? sentence : tr("%1 It is %2.").arg(sentence, other));
+  refusal_picture_->setVisible(!other.isEmpty());
+  if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);
+  // Under the field that it is about.
+  int row = 0;
+  QFormLayout::ItemRole role = QFormLayout::FieldRole;
+  if (form_->indexOf(refusal_) >= 0)
+    delete form_->takeRow(refusal_).fieldItem;  // the item only; the widget is used again
+  else
+    widget()->layout()->removeWidget(refusal_);
+  form_->getWidgetPosition(editors_.value(name), &row, &role);
+  form_->insertRow(row + 1, refusal_);
+  refusal_->show();
+  shown_.insert(name, {});  // the same text may be tried again
+  ensureWidgetVisible(refusal_);
+}
+
+}  // namespace ostraka::ui

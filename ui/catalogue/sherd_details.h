@@ -1,0 +1,62 @@
+#pragma once
+#include <QHash>
+#include <QScrollArea>
+#include <filesystem>
+
+#include "catalogue/catalogue.h"
+
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace ostraka::ui {
+
+/// One sherd: picture, number, fields with their vocabularies, measures with where they come from,
+/// history, files. It shows and asks; who saves is told by signals.
+class SherdDetails final : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit SherdDetails(QWidget* parent = nullptr);
+
+  /// Which terms a field offers. Call after the vocabularies changed.
+  void setVocabularies(const catalogue::Catalogue& catalogue);
+  void showSherd(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
+                 catalogue::SherdRow sherd);
+  void clear();
+  catalogue::SherdRow sherd() const { return sherd_; }
+  /// The cursor into the first field that is empty, or into this one.
+  void edit(const std::string& field = {});
+  /// In place, beside the field: what was wrong; with the picture of the sherd in the way.
+  void showRefusal(const std::string& field, const QString& sentence, const QString& other,
+                   const QString& picture);
+
+ signals:
+  void edited(const QString& field, const QString& value);
+  void numberWanted();
+
+ private:
+  void buildLayout();
+  QWidget* editorFor(const catalogue::SherdField& field);
+  void setText(const std::string& field, const QString& text);
+  void showMeasures(const catalogue::Catalogue& catalogue);
+  void showHistory(const catalogue::Catalogue& catalogue);
+  void showFiles(const catalogue::Catalogue& catalogue, const std::filesystem::path& project);
+
+  catalogue::SherdRow sherd_;
+  QLabel* picture_ = nullptr;
+  QLabel* number_ = nullptr;
+  QPushButton* give_number_ = nullptr;
+  QFormLayout* form_ = nullptr;
+  QHash<QString, QWidget*> editors_;
+  QHash<QString, QString> shown_;  ///< what a field showed before it was edited
+  QWidget* refusal_ = nullptr;
+  QLabel* refusal_text_ = nullptr;
+  QLabel* refusal_picture_ = nullptr;
+  QTreeWidget* measures_ = nullptr;
+  QTreeWidget* history_ = nullptr;
+  QTreeWidget* files_ = nullptr;
+};
+
+}  // namespace ostraka::ui

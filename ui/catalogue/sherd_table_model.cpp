@@ -1,0 +1,191 @@
+#include "ui/catalogue/sherd_table_model.h"
+
+#include <QFont>
+#include <QImageReader>
+
+#include "ui/catalogue/field_words.h"
+#include "ui/frame/look.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kPictureSize = 96;
+
+bool isNumber(const std::string& field) {
+  for (const catalogue::SherdField& known : catalogue::sherdFields())
+    if (field == known.name) return known.kind == catalogue::FieldKind::Number;
+  return false;
+}
+
+// Scaled while it is read, in another thread.
+Result<QImage> readPicture(const QString& path) {
+  QImageReader reader(path);
+  reader.setScaledSize(reader.size().scaled(kPictureSize, kPictureSize, Qt::KeepAspectRatio));
+  QImage image = reader.read();
+  if (image.isNull())
+    return Error{ErrorCode::Missing, "The picture cannot be read.", path.toStdString()};
+  return image;
+}
+
+}  // namespace
+
+SherdTableModel::SherdTableModel(QObject* parent)
+    : QAbstractTableModel(parent), fields_{"number",   "context",   "bag",      "part",
+                                           "ware",     "length_mm", "width_mm", "thickness_mean_mm",
+                                           "weight_g", "state",     "batch"} {}
+
+void SherdTableModel::setCatalogue(const catalogue::Catalogue* catalogue,
+                                   const std::filesystem::path& project, JobRunner* jobs) {
+  delete requests_.data();
+  requests_ = new QObject(this);
+  catalogue_ = catalogue;
+  project_ = project;
+  jobs_ = jobs;
+  filter_ = {};
+  pictures_.clear();
+  asked_.clear();
+  reload();
+}
+
+QString SherdTableModel::setFilter(const QString& line) {
+  const Result<catalogue::Filter> filter = catalogue::parseFilter(line.toStdString());
+  if (!filter) return QString::fromStdString(filter.error().sentence());
+  filter_ = *filter;
+  reload();
+  return {};
+}
+
+void SherdTableModel::reload() {
+  std::vector<catalogue::SherdRow> rows;
+  if (catalogue_) {
+    Result<std::vector<catalogue::SherdRow>> found = catalogue_->sherdRows(filter_, order_);
+    if (!found) {
+      emit failed(QString::fromStdString(found.error().sentence()));
+      return;
+    }
+    rows = std::move(*found);
+  }
+  beginResetModel();
+  rows_ = std::move(rows);
+  row_of_.clear();
+  pages_.clear();
+  endResetModel();
+}
+
+void SherdTableModel::refresh(const std::vector<catalogue::SherdRow>& sherds) {
+  int first = static_cast<int>(rows_.size()), last = -1;
+  for (const catalogue::SherdRow& sherd : sherds) {
+    const int row = rowOf(sherd);
+    if (row < 0) continue;
+    pages_.remove(row / kPage);
+    first = std::min(first, row);
+    last = std::max(last, row);
+  }
+  if (last >= 0) emit dataChanged(index(first, 0), index(last, columnCount() - 1));
+}
+
+catalogue::SherdRow SherdTableModel::sherdAt(int row) const {
+  return row >= 0 && row < static_cast<int>(rows_.size()) ? rows_[static_cast<std::size_t>(row)]
+                                                          : catalogue::SherdRow{};
+}
+
+int SherdTableModel::rowOf(catalogue::SherdRow sherd) const {
+  if (row_of_.isEmpty())
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      row_of_.insert(rows_[i].value, static_cast<int>(i));
+  return row_of_.value(sherd.value, -1);
+}
+
+int SherdTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int SherdTableModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(fields_.size());
+}
+
+const catalogue::SherdRecord* SherdTableModel::record(int row) const {
+  const int page = row / kPage;
+  if (!pages_.contains(page)) {
+    const auto begin = static_cast<std::size_t>(page * kPage);
+    const std::size_t count = std::min<std::size_t>(kPage, rows_.size() - begin);
+    Result<std::vector<catalogue::SherdRecord>> read =
+        catalogue_->sherds(std::span(rows_).subspan(begin, count));
+    ++pages_read_;
+    if (!read) return nullptr;
+    pages_.insert(page, new std::vector<catalogue::SherdRecord>(std::move(*read)));
+  }
+  return &(*pages_.object(page))[static_cast<std::size_t>(row % kPage)];
+}
+
+QVariant SherdTableModel::picture(int row, const catalogue::SherdRecord& sherd) const {
+  if (sherd.preview_path.empty()) return icon("sherd");
+  const QString path = QString::fromStdString((project_ / sherd.preview_path).string());
+  if (const QImage* known = pictures_.object(path)) return *known;
+  std::vector<int>& waiting = asked_[path];
+  const bool asked = !waiting.empty();
+  waiting.push_back(row);
+  if (!asked && jobs_) {
+    auto* self = const_cast<SherdTableModel*>(this);
+    JobHandle* job =
+        jobs_->start(makeJob(tr("Picture of a sherd"),
+                             [path](Progress&, std::stop_token) { return readPicture(path); }),
+                     requests_);
+    connect(job, &JobHandle::finished, self, [self, job, path](const JobOutcome& outcome) {
+      const Result<QImage> image = outcomeAs<QImage>(outcome);
+      self->pictureArrived(path, image ? *image : QImage());
+      job->deleteLater();
+    });
+  }
+  return icon("sherd");
+}
+
+void SherdTableModel::pictureArrived(const QString& path, const QImage& image) {
+  pictures_.insert(path, new QImage(image));
+  for (const int row : asked_.take(path))
+    if (row < rowCount()) emit dataChanged(index(row, 0), index(row, 0), {Qt::DecorationRole});
+}
+
+QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount() || !catalogue_) return {};
+  const std::string& field = fields_[static_cast<std::size_t>(index.column())];
+  if (role == SherdRole) return QVariant::fromValue<qint64>(sherdAt(index.row()).value);
+  if (role == FieldRole) return QString::fromStdString(field);
+  if (role == Qt::TextAlignmentRole)
+    return QVariant(Qt::AlignVCenter | (isNumber(field) ? Qt::AlignRight : Qt::AlignLeft));
+  if (role != Qt::DisplayRole && role != Qt::DecorationRole && role != Qt::ToolTipRole &&
+      role != Qt::AccessibleTextRole && role != Qt::FontRole)
+    return {};
+  if (role == Qt::DecorationRole && index.column() != 0) return {};
+  const catalogue::SherdRecord* sherd = record(index.row());
+  if (!sherd) return {};
+  if (role == Qt::FontRole) {
+    QFont font;
+    if (isNumber(field)) return tabularFont(font);
+    if (index.column() != 0 || sherd->state == catalogue::SherdState::Numbered) return {};
+    font.setItalic(sherd->state == catalogue::SherdState::Draft);
+    font.setStrikeOut(sherd->state == catalogue::SherdState::Void);
+    return font;
+  }
+  if (role == Qt::DecorationRole) return picture(index.row(), *sherd);
+  const QString text = fieldText(*sherd, field);
+  if (role == Qt::AccessibleTextRole)
+    return tr("%1: %2").arg(fieldLabel(field), text.isEmpty() ? tr("not recorded") : text);
+  if (field == "number" && text.isEmpty()) return tr("no number yet");
+  return text;
+}
+
+QVariant SherdTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
+  if (role == Qt::DisplayRole) return fieldLabel(fields_[static_cast<std::size_t>(section)]);
+  return {};
+}
+
+void SherdTableModel::sort(int column, Qt::SortOrder order) {
+  if (column < 0 || column >= columnCount()) return;
+  order_ = {fields_[static_cast<std::size_t>(column)], order == Qt::DescendingOrder};
+  reload();
+}
+
+}  // namespace ostraka::ui

@@ -20,7 +20,7 @@ TEST(NetworkShare, FoldersOnSharesAreRecognised) {
 }
 
 TEST(NetworkShare, FoldersOnOwnDisksAreFine) {
-  EXPECT_EQ(networkShareOf("/home/anna/project", kMounts), "");
+  EXPECT_EQ(networkShareOf("/data/anna/project", kMounts), "");
   EXPECT_EQ(networkShareOf("/media/usb stick/project", kMounts), "");
   EXPECT_EQ(networkShareOf("/srv/fieldwork", kMounts), "") << "only the beginning of the name";
   EXPECT_EQ(networkShareOf("/srv/field/local/project", kMounts), "") << "a disk below a share";

@@ -99,7 +99,7 @@ class SmallProject : public ::testing::Test {
     s.side = side;
     s.index = index;
     s.name = (side == batch::Side::Front ? "f00" : "b00") + std::to_string(index);
-    s.path = "results/B0001/work/" + s.name + ".ply";
+    s.path = "results/B0001/scans/" + s.name + ".ply";
     return *catalogue().save(s, anna);
   }
   Result<std::vector<FieldChange>> set(SherdRow sherd, const std::string& field,
@@ -119,7 +119,8 @@ class SmallProject : public ::testing::Test {
     EXPECT_TRUE(rows) << (rows ? "" : rows.error().sentence());
     if (!rows) return {"?"};
     std::vector<std::string> numbers;
-    for (const SherdRecord& sherd : valueIn(catalogue().sherds(*rows))) numbers.push_back(sherd.number);
+    for (const SherdRecord& sherd : valueIn(catalogue().sherds(*rows)))
+      numbers.push_back(sherd.number);
     return numbers;
   }
 

@@ -140,10 +140,10 @@ TEST_F(Export, RecordsOfStrangersAreReadWithCare) {
   EXPECT_NE(why("[1]").find("no record"), std::string::npos);
   EXPECT_NE(why(R"({"format":"ostraka-sherd/1","number":7})").find("another type"),
             std::string::npos);
-  EXPECT_NE(
-      why(R"({"format":"ostraka-sherd/1","measurements":[{"kind":"length","value":1,"unit":"cm"}]})")
-          .find("another unit than mm"),
-      std::string::npos);
+  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","measurements":)"
+                R"([{"kind":"length","value":1,"unit":"cm"}]})")
+                .find("another unit than mm"),
+            std::string::npos);
   const Result<ReadSherdJson> own =
       parseSherdJson(R"({"format":"ostraka-sherd/1","id":"x","mine":{"a":1}})", "x");
   ASSERT_TRUE(own);

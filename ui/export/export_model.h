@@ -1,0 +1,70 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "exchange/export_folder.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+/// What is exported, in which forms, where to, and how far it is. Runs without a display.
+class ExportModel final : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class What { All, Filtered, Chosen };
+  enum class State { Choosing, Running, Done, Failed };
+
+  explicit ExportModel(QObject* parent = nullptr);
+  void openProject(ProjectSession* session);  ///< nullptr closes it
+
+  What what() const { return what_; }
+  const QString& filter() const { return filter_; }
+  const std::vector<catalogue::SherdRow>& chosen() const { return chosen_; }
+  const std::set<exchange::Form>& forms() const { return forms_; }
+  const QString& target() const { return target_; }
+  void setAll();
+  void setFilter(const QString& line);
+  void setChosen(std::vector<catalogue::SherdRow> sherds);
+  void setForm(exchange::Form form, bool wanted);
+  void setTarget(const QString& folder);
+
+  State state() const { return state_; }
+  bool canStart() const;
+  QString sizeText() const;  ///< "212 sherds, 640 files, 3.1 GB, about 2 minutes"
+  QString problem() const { return problem_; }
+  QString progressText() const;
+  double fraction() const { return fraction_; }
+  QString closingLine() const;  ///< "212 sherds, 3.1 GB, manifest checked"
+  QStringList warnings() const;
+
+  void start();
+  void cancel();
+
+ signals:
+  void changed();
+  void finished();
+
+ private:
+  void measureSize();
+  void ended(const Result<exchange::Exported>& done);
+  exchange::ExportOptions options() const;
+
+  ProjectSession* session_ = nullptr;
+  What what_ = What::All;
+  QString filter_, target_, problem_;
+  std::vector<catalogue::SherdRow> chosen_;
+  std::set<exchange::Form> forms_ = exchange::ExportOptions().forms;
+  State state_ = State::Choosing;
+  std::optional<exchange::ExportSize> size_;
+  std::optional<exchange::Exported> done_;
+  double fraction_ = 0, seconds_left_ = -1;
+  QPointer<JobHandle> sizing_, running_;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,201 @@
+#include "ui/export/export_station.h"
+
+#include <QCheckBox>
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "ui/frame/look.h"
+
+namespace ostraka::ui {
+
+ExportStation::ExportStation(QWidget* parent) : Station(parent), model_(this) {
+  buildLayout();
+  connect(&model_, &ExportModel::changed, this, &ExportStation::refresh);
+  connect(&model_, &ExportModel::finished, this, [this] {
+    if (model_.state() == ExportModel::State::Done)
+      emit said(tr("Exported: %1").arg(model_.closingLine()));
+  });
+  closeProject();
+}
+
+QString ExportStation::title() const {
+  return tr("Export");
+}
+
+QWidget* ExportStation::buildWhat() {
+  auto* box = new QGroupBox(tr("What"), this);
+  all_ = new QRadioButton(tr("All sherds"), box);
+  all_->setObjectName("all");
+  filtered_ = new QRadioButton(tr("Those that fit this filter:"), box);
+  filtered_->setObjectName("filtered");
+  chosen_ = new QRadioButton(box);
+  chosen_->setObjectName("chosen");
+  filter_ = new QLineEdit(box);
+  filter_->setObjectName("exportFilter");
+  filter_->setAccessibleName(tr("Filter of what is exported"));
+  filter_->setPlaceholderText(tr("context:0012"));
+  auto* column = new QVBoxLayout(box);
+  for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
+                          static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
+    column->addWidget(widget);
+  connect(all_, &QRadioButton::clicked, &model_, &ExportModel::setAll);
+  connect(filtered_, &QRadioButton::clicked, this, [this] { model_.setFilter(filter_->text()); });
+  connect(chosen_, &QRadioButton::clicked, this, [this] { model_.setChosen(model_.chosen()); });
+  connect(filter_, &QLineEdit::editingFinished, this, [this] {
+    if (filter_->text() != model_.filter()) model_.setFilter(filter_->text());
+  });
+  return box;
+}
+
+QWidget* ExportStation::buildForms() {
+  auto* box = new QGroupBox(tr("Forms"), this);
+  auto* column = new QVBoxLayout(box);
+  const std::pair<exchange::Form, QString> all[] = {
+      {exchange::Form::Csv, tr("Tables (CSV), for spreadsheets")},
+      {exchange::Form::Json, tr("Records (JSON), to be read back whole")},
+      {exchange::Form::Pictures, tr("A picture of each model (PNG)")},
+      {exchange::Form::Ply, tr("Models as PLY, in mm")},
+      {exchange::Form::Glb, tr("Models as GLB, for the web and for slides")},
+      {exchange::Form::Obj, tr("Models as OBJ, in mm")},
+      {exchange::Form::Photographs, tr("The photographs, unchanged")}};
+  for (const auto& [form, text] : all) {
+    auto* check = new QCheckBox(text, box);
+    check->setObjectName("form" + QString::number(static_cast<int>(form)));
+    connect(check, &QCheckBox::clicked, this,
+            [this, kind = form](bool wanted) { model_.setForm(kind, wanted); });
+    forms_.emplace_back(check, form);
+    column->addWidget(check);
+  }
+  return box;
+}
+
+QWidget* ExportStation::buildWhere() {
+  auto* box = new QGroupBox(tr("Where"), this);
+  target_ = new QLineEdit(box);
+  target_->setObjectName("target");
+  target_->setAccessibleName(tr("New folder for the export"));
+  auto* choose = new QPushButton(icon("folder"), tr("Choose …"), box);
+  choose->setObjectName("browse");
+  choose->setMinimumHeight(targetSize(*this));
+  auto* row = new QHBoxLayout(box);
+  row->addWidget(target_, 1);
+  row->addWidget(choose);
+  connect(target_, &QLineEdit::textEdited, &model_, &ExportModel::setTarget);
+  connect(choose, &QPushButton::clicked, this, &ExportStation::browse);
+  return box;
+}
+
+void ExportStation::buildLayout() {
+  size_ = new QLabel(this);
+  size_->setObjectName("size");
+  size_->setWordWrap(true);
+  size_->setFont(scaledFont(*this, 1.15));
+  problem_ = new QLabel(this);
+  problem_->setObjectName("problem");
+  problem_->setWordWrap(true);
+  closing_ = new QLabel(this);
+  closing_->setObjectName("closing");
+  closing_->setWordWrap(true);
+  closing_->setFont(scaledFont(*this, 1.3));
+  bar_ = new QProgressBar(this);
+  bar_->setRange(0, 1000);
+  bar_->setAccessibleName(tr("Progress of the export"));
+  start_ = new QPushButton(icon("export"), tr("Export"), this);
+  start_->setObjectName("start");
+  cancel_ = new QPushButton(icon("cancel"), tr("Stop"), this);
+  cancel_->setObjectName("cancel");
+  open_ = new QPushButton(icon("folder"), tr("Open folder"), this);
+  open_->setObjectName("open");
+  for (QPushButton* button : {start_, cancel_, open_}) button->setMinimumHeight(targetSize(*this));
+  connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
+  connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
+  connect(open_, &QPushButton::clicked, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(model_.target())); });
+  auto* upper = new QHBoxLayout;
+  upper->addWidget(buildWhat(), 1);
+  upper->addWidget(buildForms(), 1);
+  auto* act = new QHBoxLayout;
+  act->addWidget(start_, 1);
+  act->addWidget(cancel_);
+  act->addWidget(open_);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(upper);
+  column->addWidget(buildWhere());
+  column->addWidget(size_);
+  column->addWidget(bar_);
+  column->addWidget(problem_);
+  column->addWidget(closing_);
+  column->addStretch();
+  column->addLayout(act);
+}
+
+void ExportStation::openProject(ProjectSession& session) {
+  setEnabled(true);
+  model_.openProject(&session);
+}
+
+void ExportStation::closeProject() {
+  model_.openProject(nullptr);
+  setEnabled(false);
+}
+
+void ExportStation::showItem(const QString& what) {
+  if (what.startsWith("rows:")) {
+    std::vector<catalogue::SherdRow> rows;
+    for (const QString& row : what.mid(5).split(',', Qt::SkipEmptyParts))
+      rows.push_back({row.toLongLong()});
+    model_.setChosen(std::move(rows));
+  } else if (what.startsWith("filter:") && what.size() > 7) {
+    model_.setFilter(what.mid(7));
+  } else {
+    model_.setAll();
+  }
+}
+
+void ExportStation::browse() {
+  const QString parent = QFileDialog::getExistingDirectory(this, tr("Where shall the folder be?"));
+  if (parent.isEmpty()) return;
+  const QString name = model_.target().section('/', -1);
+  model_.setTarget(parent + "/" + (name.isEmpty() ? "export" : name));
+}
+
+void ExportStation::refresh() {
+  const bool running = model_.state() == ExportModel::State::Running;
+  const QSignalBlocker quiet(filter_);
+  all_->setChecked(model_.what() == ExportModel::What::All);
+  filtered_->setChecked(model_.what() == ExportModel::What::Filtered);
+  chosen_->setChecked(model_.what() == ExportModel::What::Chosen);
+  chosen_->setText(
+      tr("The %n chosen in the catalogue", nullptr, static_cast<int>(model_.chosen().size())));
+  chosen_->setEnabled(!model_.chosen().empty());
+  if (!filter_->hasFocus()) filter_->setText(model_.filter());
+  for (const auto& [check, form] : forms_) check->setChecked(model_.forms().contains(form));
+  if (!target_->hasFocus()) target_->setText(model_.target());
+  size_->setText(model_.sizeText());
+  QString problem = model_.problem();
+  const QStringList warnings = model_.warnings();
+  if (!warnings.isEmpty()) problem += (problem.isEmpty() ? "" : "\n") + warnings.join('\n');
+  problem_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+  closing_->setText(model_.closingLine());
+  closing_->setVisible(model_.state() == ExportModel::State::Done);
+  bar_->setVisible(running);
+  bar_->setValue(qRound(1000 * model_.fraction()));
+  bar_->setFormat(model_.progressText());
+  start_->setEnabled(model_.canStart());
+  cancel_->setVisible(running);
+  open_->setVisible(model_.state() == ExportModel::State::Done);
+  for (QWidget* box : findChildren<QGroupBox*>()) box->setEnabled(!running);
+}
+
+}  // namespace ostraka::ui

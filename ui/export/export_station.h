@@ -1,0 +1,56 @@
+#pragma once
+#include "ui/export/export_model.h"
+#include "ui/frame/station.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QRadioButton;
+
+namespace ostraka::ui {
+
+/// What, in which forms, where to; size and time before it starts, progress, and a closing line.
+class ExportStation final : public Station {
+  Q_OBJECT
+
+ public:
+  explicit ExportStation(QWidget* parent = nullptr);
+
+  QString title() const override;
+  QString iconName() const override { return "export"; }
+  QString manualPage() const override { return "export"; }
+  void openProject(ProjectSession& session) override;
+  void closeProject() override;
+  ExportModel& model() { return model_; }
+
+ public slots:
+  /// "rows:1,2,3" or "filter:LINE", from the catalogue.
+  void showItem(const QString& what) override;
+
+ private:
+  void buildLayout();
+  QWidget* buildWhat();
+  QWidget* buildForms();
+  QWidget* buildWhere();
+  void refresh();
+  void browse();
+
+  ExportModel model_;
+  QRadioButton* all_ = nullptr;
+  QRadioButton* filtered_ = nullptr;
+  QRadioButton* chosen_ = nullptr;
+  QLineEdit* filter_ = nullptr;
+  std::vector<std::pair<QCheckBox*, exchange::Form>> forms_;
+  QLineEdit* target_ = nullptr;
+  QLabel* size_ = nullptr;
+  QLabel* problem_ = nullptr;
+  QLabel* closing_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+  QPushButton* start_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QPushButton* open_ = nullptr;
+};
+
+}  // namespace ostraka::ui

@@ -41,6 +41,7 @@ void BulkEdit::buildLayout() {
   for (const catalogue::SherdField& field : catalogue::sherdFields())
     if (field.editable && std::string_view(field.name) != "number")
       field_->addItem(fieldLabel(field.name), QString::fromLatin1(field.name));
+  field_->setCurrentIndex(field_->findData("part"));
   value_ = new QLineEdit(this);
   value_->setObjectName("bulkValue");
   value_->setAccessibleName(tr("New value for all"));
@@ -84,6 +85,7 @@ void BulkEdit::setSherds(ProjectSession* session, std::vector<catalogue::SherdRo
   session_ = session;
   sherds_ = std::move(sherds);
   heading_->setText(tr("%n sherd(s) chosen", nullptr, static_cast<int>(sherds_.size())));
+  value_->clear();
   offerTerms();
   preview();
 }
@@ -106,8 +108,13 @@ void BulkEdit::preview() {
   good_.clear();
   table_->setRowCount(0);
   apply_->setEnabled(false);
+  apply_->setText(tr("Change"));
   summary_->clear();
   if (!session_ || sherds_.empty()) return;
+  if (!value_->isModified()) {  // an empty line deletes only when a person emptied it
+    summary_->setText(tr("Type a value to see what would change."));
+    return;
+  }
   const auto work = [folder = session_->folder(), sherds = sherds_,
                      field = field_->currentData().toString().toStdString(),
                      value = value_->text().toStdString()](Progress&,

@@ -120,9 +120,13 @@ void CatalogueStation::buildLayout() {
   table_->verticalHeader()->setDefaultSectionSize(height);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSortIndicator(0, Qt::AscendingOrder);
+  // Room for the heading with its arrow, and for a picture with a whole number.
   const int letter = fontMetrics().averageCharWidth();
-  for (int column = 0; column < model_->columnCount(); ++column)
-    table_->setColumnWidth(column, letter * (column == 0 ? 32 : 14));
+  for (int column = 0; column < model_->columnCount(); ++column) {
+    const QString heading = model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    table_->setColumnWidth(column, std::max(fontMetrics().horizontalAdvance(heading) + 5 * letter,
+                                            column == 0 ? height + 30 * letter : 16 * letter));
+  }
   empty_ = new QLabel(this);
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
@@ -300,6 +304,7 @@ void CatalogueStation::showSelection() {
 
 void CatalogueStation::saveField(const QString& field, const QString& value) {
   if (!edits_) return;
+  if (field == "place") return move(value.split('\n'));
   const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
   const catalogue::Catalogue& catalogue = session_->project().catalogue();
   const auto shown = catalogue.preview(std::span(&change, 1));
@@ -314,6 +319,16 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
     return;
   }
   complain(edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change}));
+}
+
+void CatalogueStation::move(const QStringList& place) {
+  const catalogue::SherdRow sherd = details_->sherd();
+  std::vector<catalogue::FieldChange> changes;
+  const char* fields[] = {"site", "trench", "context"};
+  for (int i = 0; i < 3 && i < place.size(); ++i)
+    changes.push_back({sherd, fields[i], place[i].toStdString()});
+  changes.push_back({sherd, "bag", ""});  // the old bag stays in the old context
+  complain(edits_->change(tr("move to another context"), changes));
 }
 
 void CatalogueStation::giveNumbers() {

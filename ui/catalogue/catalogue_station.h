@@ -44,6 +44,7 @@ class CatalogueStation final : public Station {
   void showCount();
   std::vector<catalogue::SherdRow> selected() const;
   void saveField(const QString& field, const QString& value);
+  void move(const QStringList& place);
   void giveNumbers();
   void sherdsChanged(const std::vector<catalogue::SherdRow>& sherds);
   void complain(const QString& sentence);

@@ -95,13 +95,22 @@ void SherdDetails::buildLayout() {
   form_ = new QFormLayout;
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  QLabel* void_label = nullptr;
   for (const catalogue::SherdField& field : catalogue::sherdFields()) {
-    if (!field.editable) continue;
-    auto* label = new QLabel(fieldLabel(field.name), page);
+    const std::string name = field.name;
+    if (name == "site") addPlace();
+    // A context is chosen with its trench and site; what voids a sherd comes last.
+    if (!field.editable || name == "site" || name == "trench" || name == "context") continue;
+    auto* label = new QLabel(fieldLabel(name), page);
     QWidget* editor = editorFor(field);
     label->setBuddy(editor);
+    if (name == "void_reason") {
+      void_label = label;
+      continue;
+    }
     form_->addRow(label, editor);
   }
+  form_->addRow(void_label, editors_.value("void_reason"));
   measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
   history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
   files_ = table({tr("file"), tr("kind"), tr("state")}, tr("Files"), page);
@@ -125,6 +134,19 @@ void SherdDetails::buildLayout() {
   setWidget(page);
 }
 
+void SherdDetails::addPlace() {
+  place_ = new QComboBox(this);
+  place_->setObjectName("field_place");
+  place_->setAccessibleName(tr("Context"));
+  place_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(place_, &QComboBox::activated, this, [this](int index) {
+    if (sherd_ && index >= 0) emit edited("place", place_->itemData(index).toString());
+  });
+  auto* label = new QLabel(tr("context"), this);
+  label->setBuddy(place_);
+  form_->addRow(label, place_);
+}
+
 QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
   const QString name = QString::fromLatin1(field.name);
   QWidget* editor = nullptr;
@@ -134,6 +156,7 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
   };
   if (field.kind == catalogue::FieldKind::Term) {
     auto* box = new QComboBox(this);
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(box, &QComboBox::activated, this, [box, told](int) { told(box->currentText()); });
     editor = box;
   } else {
@@ -206,6 +229,16 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   }
   for (const catalogue::SherdField& field : catalogue::sherdFields())
     if (field.editable) setText(field.name, QString::fromStdString(textOf(*sherd, field.name)));
+  place_->clear();
+  if (const auto contexts = catalogue.contexts())
+    for (const catalogue::ContextRecord& context : *contexts) {
+      const QStringList codes = {QString::fromStdString(context.site_code),
+                                 QString::fromStdString(context.trench_code),
+                                 QString::fromStdString(context.number)};
+      place_->addItem(codes.join(' ').simplified(), codes.join('\n'));
+      if (context.row == sherd->context) place_->setCurrentIndex(place_->count() - 1);
+    }
+  if (!sherd->context) place_->setCurrentIndex(-1);
   showMeasures(catalogue);
   showHistory(catalogue);
   showFiles(catalogue, project);
@@ -272,6 +305,7 @@ void SherdDetails::clear() {
   give_number_->hide();
   setPicture(picture_, {}, kPicture);
   number_->setText(tr("Choose a sherd."));
+  place_->clear();
   for (const catalogue::SherdField& field : catalogue::sherdFields())
     if (field.editable) setText(field.name, {});
   for (QTreeWidget* tree : {measures_, history_, files_}) {

@@ -5,6 +5,7 @@
 
 #include "catalogue/catalogue.h"
 
+class QComboBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
@@ -33,11 +34,13 @@ class SherdDetails final : public QScrollArea {
                    const QString& picture);
 
  signals:
+  /// field "place": site, trench and context, a line each.
   void edited(const QString& field, const QString& value);
   void numberWanted();
 
  private:
   void buildLayout();
+  void addPlace();
   QWidget* editorFor(const catalogue::SherdField& field);
   void setText(const std::string& field, const QString& text);
   void showMeasures(const catalogue::Catalogue& catalogue);
@@ -49,6 +52,7 @@ class SherdDetails final : public QScrollArea {
   QLabel* number_ = nullptr;
   QPushButton* give_number_ = nullptr;
   QFormLayout* form_ = nullptr;
+  QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
   QHash<QString, QString> shown_;  ///< what a field showed before it was edited
   QWidget* refusal_ = nullptr;

@@ -122,7 +122,7 @@ const catalogue::SherdRecord* SherdTableModel::record(int row) const {
 QVariant SherdTableModel::picture(int row, const catalogue::SherdRecord& sherd) const {
   if (sherd.preview_path.empty()) return icon("sherd");
   const QString path = QString::fromStdString((project_ / sherd.preview_path).string());
-  if (const QImage* known = pictures_.object(path)) return *known;
+  if (const QIcon* known = pictures_.object(path)) return *known;
   std::vector<int>& waiting = asked_[path];
   const bool asked = !waiting.empty();
   waiting.push_back(row);
@@ -142,7 +142,8 @@ QVariant SherdTableModel::picture(int row, const catalogue::SherdRecord& sherd) 
 }
 
 void SherdTableModel::pictureArrived(const QString& path, const QImage& image) {
-  pictures_.insert(path, new QImage(image));
+  pictures_.insert(path,
+                   new QIcon(image.isNull() ? icon("sherd") : QIcon(QPixmap::fromImage(image))));
   for (const int row : asked_.take(path))
     if (row < rowCount()) emit dataChanged(index(row, 0), index(row, 0), {Qt::DecorationRole});
 }

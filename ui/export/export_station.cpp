@@ -47,6 +47,9 @@ QWidget* ExportStation::buildWhat() {
   auto* column = new QVBoxLayout(box);
   for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
                           static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
+    widget->setMinimumHeight(targetSize(*this) * 3 / 4);
+  for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
+                          static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
     column->addWidget(widget);
   connect(all_, &QRadioButton::clicked, &model_, &ExportModel::setAll);
   connect(filtered_, &QRadioButton::clicked, this, [this] { model_.setFilter(filter_->text()); });
@@ -70,6 +73,7 @@ QWidget* ExportStation::buildForms() {
       {exchange::Form::Photographs, tr("The photographs, unchanged")}};
   for (const auto& [form, text] : all) {
     auto* check = new QCheckBox(text, box);
+    check->setMinimumHeight(targetSize(*this) * 3 / 4);  // the row between them counts, too
     check->setObjectName("form" + QString::number(static_cast<int>(form)));
     connect(check, &QCheckBox::clicked, this,
             [this, kind = form](bool wanted) { model_.setForm(kind, wanted); });
@@ -87,6 +91,7 @@ QWidget* ExportStation::buildWhere() {
   auto* choose = new QPushButton(icon("folder"), tr("Choose …"), box);
   choose->setObjectName("browse");
   choose->setMinimumHeight(targetSize(*this));
+  target_->setMinimumHeight(targetSize(*this));
   auto* row = new QHBoxLayout(box);
   row->addWidget(target_, 1);
   row->addWidget(choose);
@@ -175,8 +180,9 @@ void ExportStation::refresh() {
   all_->setChecked(model_.what() == ExportModel::What::All);
   filtered_->setChecked(model_.what() == ExportModel::What::Filtered);
   chosen_->setChecked(model_.what() == ExportModel::What::Chosen);
-  chosen_->setText(
-      tr("The %n chosen in the catalogue", nullptr, static_cast<int>(model_.chosen().size())));
+  chosen_->setText(model_.chosen().empty() ? tr("Those chosen in the catalogue")
+                                           : tr("The %n chosen in the catalogue", nullptr,
+                                                static_cast<int>(model_.chosen().size())));
   chosen_->setEnabled(!model_.chosen().empty());
   if (!filter_->hasFocus()) filter_->setText(model_.filter());
   for (const auto& [check, form] : forms_) check->setChecked(model_.forms().contains(form));

@@ -49,6 +49,7 @@ class SherdTableModelTest : public QObject {
     model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
     const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
     const QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
+    QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("grey"));
     const catalogue::FieldChange change{sample.sherds()[0], "ware", "black"};
     QVERIFY(sample.catalogue().change(std::span(&change, 1), {}).has_value());
     QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("grey"));
@@ -72,11 +73,12 @@ class SherdTableModelTest : public QObject {
     SherdTableModel model;
     model.setCatalogue(&sample.catalogue(), sample.session().folder(), &sample.session().jobs());
     const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
-    const auto picture = [&] { return model.data(model.index(0, 0), Qt::DecorationRole); };
-    QVERIFY(picture().typeId() != QMetaType::QImage);
+    const auto sizes = [&] {
+      return model.data(model.index(0, 0), Qt::DecorationRole).value<QIcon>().availableSizes();
+    };
+    QVERIFY(!sizes().contains(QSize(96, 96)));
     QTRY_VERIFY(changed.count() > 0);
-    QCOMPARE(picture().typeId(), static_cast<int>(QMetaType::QImage));
-    QCOMPARE(picture().value<QImage>().width(), 96);
+    QVERIFY(sizes().contains(QSize(96, 96)));
   }
 
   void readersHearTheFieldWithItsValue() {

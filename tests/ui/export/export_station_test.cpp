@@ -1,0 +1,124 @@
+#include "ui/export/export_station.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "sample_project.h"
+#include "ui/frame/look.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class ExportStationTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<SampleProject> sample_;
+  std::unique_ptr<ExportStation> station_;
+
+  template <class T>
+  T* child(const char* name) {
+    T* found = station_->findChild<T*>(name);
+    if (!found) qFatal("no %s", name);
+    return found;
+  }
+  void toFolder(const QString& name) {
+    auto* target = child<QLineEdit>("target");
+    target->setFocus();
+    target->selectAll();
+    QTest::keyClicks(target, sample_->folder() + "/" + name);
+  }
+
+ private slots:
+  void init() {
+    sample_ = std::make_unique<SampleProject>(40);
+    station_ = std::make_unique<ExportStation>();
+    station_->resize(1280, 720);
+    station_->openProject(sample_->session());
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+  }
+  void cleanup() {
+    station_.reset();
+    sample_.reset();
+  }
+
+  void theSizeIsShownBeforeItStarts() {
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("40 sherd(s), 30 files"));
+    station_->showItem("filter:rim");
+    QVERIFY(child<QRadioButton>("filtered")->isChecked());
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("14 sherd(s)"));
+    station_->showItem(
+        QString("rows:%1,%2").arg(sample_->sherds()[0].value).arg(sample_->sherds()[1].value));
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("2 sherd(s)"));
+    QVERIFY(child<QRadioButton>("chosen")->isChecked());
+  }
+
+  void anExportEndsWithAClosingLineAndAFolder() {
+    toFolder("out");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    const QSignalSpy said(station_.get(), &Station::said);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    QVERIFY2(station_->model().state() == ExportModel::State::Done,
+             qPrintable(station_->model().problem()));
+    QVERIFY(child<QLabel>("closing")->text().startsWith("40 sherd(s), "));
+    QVERIFY(child<QLabel>("closing")->text().endsWith("manifest checked"));
+    QVERIFY(child<QPushButton>("open")->isVisible());
+    QVERIFY(QFileInfo::exists(sample_->folder() + "/out/data/sherds.csv"));
+    QVERIFY(QFileInfo::exists(sample_->folder() + "/out/data/images/ARM1-T3-0012-0001.png"));
+    QCOMPARE(said.count(), 1);
+    QVERIFY2(!child<QPushButton>("start")->isEnabled(), "never over a folder that is there");
+  }
+
+  void stoppingLeavesNothingBehind() {
+    toFolder("stopped");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    station_->model().cancel();
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    QVERIFY(child<QLabel>("problem")->text().contains("nothing was left behind"));
+    QVERIFY(!QFileInfo::exists(sample_->folder() + "/stopped"));
+    QVERIFY(!QFileInfo::exists(sample_->folder() + "/stopped.partial"));
+  }
+
+  void aFilterThatIsNotUnderstoodIsNamed() {
+    station_->showItem("filter:colour:red");
+    QTRY_VERIFY(child<QLabel>("problem")->text().contains("colour"));
+    QVERIFY(!child<QPushButton>("start")->isEnabled());
+  }
+
+  void withoutAFormThereIsNothingToDo() {
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    for (QCheckBox* form : station_->findChildren<QCheckBox*>())
+      if (form->isChecked())
+        QTest::mouseClick(form, Qt::LeftButton, {}, QPoint(8, form->height() / 2));
+    QTRY_VERIFY(!child<QPushButton>("start")->isEnabled());
+  }
+
+  void looksRightInEveryTheme() {
+    const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
+    toFolder("shown");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+      applyLook(*qApp, theme, 100);
+      QTRY_COMPARE(station_->palette().color(QPalette::Window),
+                   qApp->palette().color(QPalette::Window));
+      if (!folder.isEmpty()) station_->grab().save(folder + "/export-" + themeName(theme) + ".png");
+      QVERIFY(child<QLabel>("size")->isVisible());
+    }
+  }
+};
+
+QTEST_MAIN(ExportStationTest)
+#include "export_station_test.moc"

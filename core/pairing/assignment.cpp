@@ -178,7 +178,9 @@ std::vector<Alternative> alternativesOf(const Chances& chances, int front, int b
 
 Decision decide(const Evidence& e, const Chances& chances, int n_back,
                 const AssignOptions& options) {
-  Decision d{e.front, e.back, 0, 0, false, {}, {}};
+  Decision d;
+  d.front = e.front;
+  d.back = e.back;
   const double of_front =
       chances.of_front[static_cast<std::size_t>(e.front)][static_cast<std::size_t>(e.back)];
   const double of_back =
@@ -195,11 +197,14 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
   if (!d.alternatives.empty()) rival = std::max(rival, d.alternatives[0].score);
   d.margin = d.score - std::min(rival, std::max(alone, partner * (1 - pose)));
   if (e.slipped) {
+    d.doubt = Doubt::SelfCheck;
     d.reason = "The registration's self-check fails: the back may lie at a wrong place.";
   } else if (partner < options.flag_below) {
+    d.doubt = d.alternatives.empty() ? Doubt::Strangers : Doubt::OtherPartner;
     d.reason = d.alternatives.empty() ? "The two sides fit hardly better than strangers."
                                       : "Another partner fits nearly as well.";
   } else if (d.score < options.flag_below) {
+    d.doubt = Doubt::OtherPose;
     d.reason = "Another pose of the same two sides fits nearly as well.";
   }
   d.ambiguous = !d.reason.empty();

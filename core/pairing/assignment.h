@@ -23,13 +23,24 @@ struct Alternative {
   double score = 0;  ///< probability, 0..1
 };
 
+/// Why a person must look, for programs; Decision::reason says it to people.
+enum class Doubt {
+  None,
+  SelfCheck,     ///< the registration's: see its Slip
+  OtherPartner,  ///< another partner fits nearly as well
+  Strangers,     ///< the two sides fit hardly better than strangers
+  OtherPose,     ///< another pose of the same two sides fits nearly as well
+  Displaced      ///< a person gave its partner to another; set by who knows that, never here
+};
+
 struct Decision {
   int front = 0, back = 0;
   double score = 0;   ///< probability that the pair and its pose are right
   double margin = 0;  ///< score minus the probability of the best alternative
   bool ambiguous = false;
   std::vector<Alternative> alternatives;  ///< other partners of these two scans, likeliest first
-  std::string reason;                     ///< one sentence when ambiguous
+  Doubt doubt = Doubt::None;
+  std::string reason;  ///< one sentence when ambiguous
 };
 
 struct AssignOptions {

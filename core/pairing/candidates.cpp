@@ -97,6 +97,13 @@ PlanarPose poseOfShift(const Outline& front, const Outline& back, int shift, dou
   return pose;
 }
 
+/// Nothing is moved: the pose as it is, judged.
+PlanarFit asItStands(const Outline& front, const Outline& back, const PlanarPose& pose) {
+  PlanarAlignOptions none;
+  none.rounds = 0;
+  return alignOutlines(*front.field, *back.field, pose, none);
+}
+
 /// The start points whose turning angles fit better than their neighbours', best first.
 std::vector<int> bestShifts(const std::vector<double>& costs, int max_count) {
   const int n = static_cast<int>(costs.size());
@@ -214,11 +221,8 @@ PairCandidate paperCandidate(const Outline& front, const Outline& back,
     const double scale = options.scale == Scale::Free
                              ? std::sqrt(front.contour.area_mm2 / back.contour.area_mm2)
                              : 1.0;
-    PlanarAlignOptions none;
-    none.rounds = 0;
-    StartPose start = startPose(
-        front, back,
-        alignOutlines(*front.field, *back.field, poseOfShift(front, back, shift, scale), none));
+    StartPose start =
+        startPose(front, back, asItStands(front, back, poseOfShift(front, back, shift, scale)));
     const double cost = costs[static_cast<std::size_t>(shift)];
     start.log_likelihood = (kEven * kEven - cost * cost) / (2 * kSame * kSame);
     candidate.starts.push_back(start);
@@ -300,6 +304,19 @@ Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fr
                   static_cast<std::int64_t>(fronts.size()));
   return withinReach(std::move(all), static_cast<int>(fronts.size()),
                      static_cast<int>(backs.size()), options.reach);
+}
+
+Result<StartPose> startPoseAt(const scan::Scan& front, const scan::Scan& back, int shift,
+                              const CandidateOptions& options) {
+  if (const Result<void> valid = options.check(); !valid) return valid.error();
+  const Result<Outline> f = outlineOf(front, batch::Side::Front, options.contour);
+  if (!f) return f.error();
+  const Result<Outline> b = outlineOf(back, batch::Side::Back, options.contour);
+  if (!b) return b.error();
+  const int around = (shift % kAngleSamples + kAngleSamples) % kAngleSamples;
+  StartPose start = startPose(*f, *b, asItStands(*f, *b, poseOfShift(*f, *b, around, 1.0)));
+  start.shift = around;
+  return start;
 }
 
 }  // namespace ostraka::pairing

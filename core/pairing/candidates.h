@@ -51,4 +51,10 @@ Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fr
                                                   const CandidateOptions& options,
                                                   Progress& progress, std::stop_token stop);
 
+/// The start pose that lays one start point of the back's contour (`shift`, in 1/200 of its length,
+/// any integer) on the front's: for stepping along the outline by hand, not aligned any further.
+/// Traces both contours, about 50 ms. Errors: NotEnough without a usable contour.
+Result<StartPose> startPoseAt(const scan::Scan& front, const scan::Scan& back, int shift,
+                              const CandidateOptions& options);
+
 }  // namespace ostraka::pairing

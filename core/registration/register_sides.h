@@ -45,6 +45,18 @@ struct RegistrationOptions {
   Result<void> check() const;
 };
 
+/// Why a pose must not be believed, for programs; `reason` says it to people.
+enum class Slip {
+  None,
+  UpsideDown,    ///< both sides face the same way
+  FacesCross,    ///< crossing_share
+  NoSharedRim,   ///< rim_overlap
+  RimMisfits,    ///< rim_rms_mm
+  RimLoose,      ///< uncertainty_mm
+  RivalPlace,    ///< runner_up_mm
+  OutlinesAlone  ///< the rims could not be compared
+};
+
 /// Where the back belongs, and how far that can be trusted.
 struct Registration {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
@@ -62,6 +74,7 @@ struct Registration {
   double crossing_share = 0;  ///< share of faces that lie behind the other side's face
   double thickness_mm = 0;    ///< median distance of the faces
   bool slipped = false;       ///< the pose must not be believed
+  Slip slip = Slip::None;     ///< why
   std::string reason;         ///< why slipped, one sentence; empty otherwise
   int start = -1;             ///< index of the start it came from
 };

@@ -84,23 +84,24 @@ void judgeRegistration(const Strip& front, const Strip& back, Registration& foun
   found.crossing_share = wall.crossing_share;
   found.thickness_mm = wall.median_mm;
   const double facing = front.up.dot(found.front_from_back.linear() * back.up);
-  const auto slip = [&found](std::string reason) {
+  const auto slip = [&found](Slip why, std::string reason) {
     found.slipped = true;
+    found.slip = why;
     found.reason = std::move(reason);
   };
   if (facing > 0)
-    slip("The back lies upside down: both sides face the same way.");
+    slip(Slip::UpsideDown, "The back lies upside down: both sides face the same way.");
   else if (wall.compared > 20 && wall.crossing_share > kLargestCrossing)
-    slip(sentence("The faces cross: %.0f %% of the front lies behind the back.",
+    slip(Slip::FacesCross, sentence("The faces cross: %.0f %% of the front lies behind the back.",
                   100 * wall.crossing_share));
   else if (found.rim_overlap < kSmallestOverlap)
-    slip("The two scans share almost no broken edge; outlines alone tie them.");
+    slip(Slip::NoSharedRim, "The two scans share almost no broken edge; outlines alone tie them.");
   else if (found.rim_rms_mm > kLargestRmsMm)
-    slip(sentence("The broken edges do not fit: %.2f mm RMS.", found.rim_rms_mm));
+    slip(Slip::RimMisfits, sentence("The broken edges do not fit: %.2f mm RMS.", found.rim_rms_mm));
   else if (found.uncertainty_mm > kLargestUncertaintyMm)
-    slip(sentence("The rim hardly fixes the pose: uncertain by %.2f mm.", found.uncertainty_mm));
+    slip(Slip::RimLoose, sentence("The rim hardly fixes the pose: uncertain by %.2f mm.", found.uncertainty_mm));
   else if (found.runner_up_gap < kRivalGap && found.runner_up_mm > kRivalMm)
-    slip(sentence("A place %.1f mm along the rim fits nearly as well.", found.runner_up_mm));
+    slip(Slip::RivalPlace, sentence("A place %.1f mm along the rim fits nearly as well.", found.runner_up_mm));
 }
 
 }  // namespace ostraka::registration

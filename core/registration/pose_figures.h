@@ -1,0 +1,31 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "registration/strip.h"
+
+namespace ostraka::registration {
+
+/// How well two sides fit at a pose, which nothing moves: for poses made by hand.
+struct PoseFigures {
+  double rim_rms_mm = 0;  ///< as Registration::rim_rms_mm; 0 where no points meet
+  double rim_overlap = 0;
+  double crossing_share = 0;
+  double thickness_mm = 0;
+};
+
+/// The figures that registerSides reports, at this pose. About 20 ms.
+PoseFigures figuresAt(const Strip& front, const Strip& back,
+                      const Eigen::Isometry3d& front_from_back);
+
+/// One point of the rim and how far the other side's surface lies from it.
+struct RimDistance {
+  Eigen::Vector3f point = Eigen::Vector3f::Zero();  ///< front's frame, mm
+  float distance_mm = 0;                            ///< along the normals, positive: a gap
+};
+
+/// Both strips' points that meet the other side within reach_mm with normals within 45 degrees.
+std::vector<RimDistance> rimDistances(const Strip& front, const Strip& back,
+                                      const Eigen::Isometry3d& front_from_back, double reach_mm);
+
+}  // namespace ostraka::registration

@@ -25,6 +25,7 @@ ordered_json toJson(const ProcessSummary& summary, int status) {
                       {"back", s.back},
                       {"score", s.score},
                       {"ambiguous", s.ambiguous},
+                      {"decided_by", s.decided_by},
                       {"rim_rms_mm", s.rim_rms_mm},
                       {"uncertainty_mm", s.uncertainty_mm},
                       {"model", s.has_model},
@@ -32,6 +33,8 @@ ordered_json toJson(const ProcessSummary& summary, int status) {
   return {{"sherds", sherds},
           {"unpaired_front", summary.unpaired_front},
           {"unpaired_back", summary.unpaired_back},
+          {"set_aside", summary.set_aside},
+          {"reshoot", summary.reshoot},
           {"warnings", summary.warnings},
           {"reprojection_rms_px", summary.reprojection_rms_px},
           {"seconds", summary.seconds},
@@ -50,8 +53,9 @@ void printTable(const ProcessSummary& summary) {
   std::printf("%-6s %-8s %-8s %7s %10s %12s  %s\n", "sherd", "front", "back", "score", "rim RMS mm",
               "uncertain mm", "");
   for (const SherdSummary& s : summary.sherds) {
-    const std::string state =
-        std::string(s.ambiguous ? "AMBIGUOUS " : "") + (s.has_model ? "" : "no model ") + s.remark;
+    const std::string state = std::string(s.ambiguous ? "AMBIGUOUS " : "") +
+                              (s.decided_by.empty() ? "" : "decided by " + s.decided_by + " ") +
+                              (s.has_model ? "" : "no model ") + s.remark;
     std::printf("%-6s %-8s %-8s %7.4f %10.3f %12.3f  %s\n", s.number.c_str(), s.front.c_str(),
                 s.back.c_str(), s.score, s.rim_rms_mm, s.uncertainty_mm, state.c_str());
   }
@@ -59,6 +63,9 @@ void printTable(const ProcessSummary& summary) {
     std::printf("Fronts without a back: %s\n", joined(summary.unpaired_front).c_str());
   if (!summary.unpaired_back.empty())
     std::printf("Backs without a front: %s\n", joined(summary.unpaired_back).c_str());
+  if (!summary.reshoot.empty())
+    std::printf("To be photographed again: %s\n", joined(summary.reshoot).c_str());
+  if (!summary.set_aside.empty()) std::printf("Set aside: %s\n", joined(summary.set_aside).c_str());
   std::printf("%zu sherds, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
               summary.reprojection_rms_px, summary.seconds, summary.report.c_str());
   if (summary.ambiguous() > 0)

@@ -6,6 +6,7 @@
 
 #include "batch/batch.h"
 #include "model/model.h"
+#include "pipeline/decisions.h"
 #include "pipeline/pair_sides.h"
 #include "pipeline/process_batch.h"
 #include "pipeline/stage.h"
@@ -20,6 +21,7 @@ struct Run {
   const batch::Batch& batch;
   std::filesystem::path work;  ///< OUT/work
   std::string batch_hash;      ///< names and contents of everything that is read from the batch
+  const Decisions& decisions;  ///< of people, those that hold
   Progress& progress;
   std::stop_token stop;
 };
@@ -49,12 +51,14 @@ struct DecidedPair {
   std::string reason;
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   double rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
+  std::string decided_by, decided_at;  ///< a person's word; empty: the program's own
 };
 
 struct Pairs {
   nlohmann::ordered_json json;  ///< as pairs.json
   std::vector<DecidedPair> pairs;
   std::vector<std::string> unpaired_front, unpaired_back;
+  std::vector<std::string> set_aside, reshoot;  ///< by a person; fronts, then backs
 };
 
 /// The chain, one call per arrow (design.md). Each runs its stage or finds it whole.
@@ -62,13 +66,19 @@ Result<Staged<Poses>> poseStage(const Run& run);
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses);
 Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
                                       const Staged<Masks>& masks);
+/// Pieces as people joined and split them; without such decisions as the program found them.
 Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
                                                   const Staged<PointCloud>& cloud);
+/// The mask's file in OUT/work/masks_front or masks_back: cam0_pos00.png.
+std::string maskName(const rig::PosedImage& image);
+/// The folder under OUT/work that holds the scans of a side: scans_front, or pieces_front.
+std::string scanFolder(const Run& run, batch::Side side);
 /// Front size / back size where the poses have no scale, else 1 without a stage.
 Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
                                   const Staged<std::vector<scan::Scan>>& fronts,
                                   const Staged<std::vector<scan::Scan>>& backs);
-Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses,
+/// Rims compared, and what people decided put into effect. back_scale: of scaleStage.
+Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, double back_scale,
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Staged<std::vector<scan::Scan>>& fronts,
                                 const Staged<std::vector<scan::Scan>>& backs);

@@ -25,6 +25,7 @@ registration::Registration outlinesAlone(const pairing::PairCandidate& candidate
   rough.runner_up_gap = 1e9;
   rough.uncertainty_mm = 1;  // a start's tilt and height
   rough.slipped = true;
+  rough.slip = registration::Slip::OutlinesAlone;
   rough.reason = "Only the outlines tie these sides: " + std::move(why);
   return rough;
 }
@@ -124,9 +125,11 @@ std::vector<PreparedStrip> stripsOf(std::span<const scan::Scan> scans,
 
 }  // namespace
 
-Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
-                            const registration::Witnesses& witnesses, const PairOptions& options,
-                            Progress& progress, std::stop_token stop) {
+Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
+                                    std::span<const scan::Scan> backs,
+                                    const registration::Witnesses& witnesses,
+                                    const PairOptions& options, Progress& progress,
+                                    std::stop_token stop) {
   const Result<std::vector<pairing::PairCandidate>> candidates =
       pairing::findCandidates(fronts, backs, options.candidates, progress, stop);
   if (!candidates) return candidates.error();
@@ -158,7 +161,9 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
 
   const std::vector<double> rims = rimsOf(registered, backs);
   const int n_scans = static_cast<int>(std::max(fronts.size(), backs.size()));
-  std::vector<pairing::Evidence> evidence;
+  CandidateTable table;
+  for (const scan::Scan& scan : fronts) table.fronts.push_back(refOf(scan, batch::Side::Front));
+  for (const scan::Scan& scan : backs) table.backs.push_back(refOf(scan, batch::Side::Back));
   for (std::size_t i = 0; i < registered.size(); ++i) {
     const Registered& r = registered[i];
     if (!r.registration) continue;
@@ -167,33 +172,45 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
             ? 0.0
             : placeLogLikelihood(fronts[static_cast<std::size_t>(r.candidate->front)],
                                  backs[static_cast<std::size_t>(r.candidate->back)]);
-    evidence.push_back(
-        evidenceOf(r, backs[static_cast<std::size_t>(r.candidate->back)], rims[i], hint, n_scans));
+    table.candidates.push_back(
+        {evidenceOf(r, backs[static_cast<std::size_t>(r.candidate->back)], rims[i], hint, n_scans),
+         *r.registration, r.candidate->starts});
   }
-  const Result<pairing::Assignment> assignment = pairing::assignPairs(
-      evidence, static_cast<int>(fronts.size()), static_cast<int>(backs.size()), options.assign);
-  if (!assignment) return assignment.error();
-
-  PairTable table;
-  table.unpaired_front = assignment->unpaired_front;
-  table.unpaired_back = assignment->unpaired_back;
-  table.candidates = static_cast<int>(candidates->size());
-  for (pairing::Decision decision : assignment->pairs)
-    for (const Registered& r : registered) {
-      if (!r.registration || r.candidate->front != decision.front ||
-          r.candidate->back != decision.back)
-        continue;
-      if (r.registration->slipped) decision.reason = r.registration->reason;
-      table.pairs.push_back(
-          {decision, *r.registration,
-           r.candidate->starts.at(static_cast<std::size_t>(std::max(0, r.registration->start)))
-               .contour_rms_mm});
-    }
   return table;
 }
 
-ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,
-                    std::span<const scan::Scan> backs) {
+Result<PairTable> assigned(const CandidateTable& candidates,
+                           const pairing::AssignOptions& options) {
+  std::vector<pairing::Evidence> evidence;
+  for (const RegisteredCandidate& c : candidates.candidates) evidence.push_back(c.evidence);
+  const Result<pairing::Assignment> assignment =
+      pairing::assignPairs(evidence, static_cast<int>(candidates.fronts.size()),
+                           static_cast<int>(candidates.backs.size()), options);
+  if (!assignment) return assignment.error();
+  PairTable table;
+  table.unpaired_front = assignment->unpaired_front;
+  table.unpaired_back = assignment->unpaired_back;
+  table.candidates = static_cast<int>(candidates.candidates.size());
+  for (pairing::Decision decision : assignment->pairs) {
+    const RegisteredCandidate* c = candidates.find(decision.front, decision.back);
+    if (c == nullptr) continue;
+    if (c->registration.slipped) decision.reason = c->registration.reason;
+    table.pairs.push_back({decision, c->registration, c->start().contour_rms_mm, 0, {}, {}});
+  }
+  return table;
+}
+
+Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
+                            const registration::Witnesses& witnesses, const PairOptions& options,
+                            Progress& progress, std::stop_token stop) {
+  const Result<CandidateTable> table =
+      compareSides(fronts, backs, witnesses, options, progress, stop);
+  if (!table) return table.error();
+  return assigned(*table, options.assign);
+}
+
+ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
+                    const std::vector<ScanRef>& backs) {
   const auto front = [&](int i) { return fronts[static_cast<std::size_t>(i)].id; };
   const auto back = [&](int i) { return backs[static_cast<std::size_t>(i)].id; };
   ordered_json pairs = ordered_json::array();
@@ -217,15 +234,39 @@ ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,
                      {"slipped", pair.registration.slipped}});
     if (pair.registration.rim_rms_mm > 0)
       pairs.back()["rim_rms_mm"] = pair.registration.rim_rms_mm;  // null: no rims to compare
+    if (pair.decided != 0)
+      pairs.back()["decided"] = {
+          {"decision", pair.decided}, {"by", pair.decided_by}, {"at", pair.decided_at}};
     if (pair.registration.scale != 1) pairs.back()["scale"] = pair.registration.scale;
   }
-  ordered_json lone_fronts = ordered_json::array(), lone_backs = ordered_json::array();
-  for (const int i : table.unpaired_front) lone_fronts.push_back(front(i));
-  for (const int i : table.unpaired_back) lone_backs.push_back(back(i));
-  return {{"unit", "mm"},
-          {"pairs", pairs},
-          {"unpaired_front", lone_fronts},
-          {"unpaired_back", lone_backs}};
+  const auto ids = [](const std::vector<int>& indices, const std::vector<ScanRef>& scans) {
+    ordered_json list = ordered_json::array();
+    for (const int i : indices) list.push_back(scans[static_cast<std::size_t>(i)].id);
+    return list;
+  };
+  ordered_json json = {{"unit", "mm"},
+                       {"pairs", pairs},
+                       {"unpaired_front", ids(table.unpaired_front, fronts)},
+                       {"unpaired_back", ids(table.unpaired_back, backs)}};
+  // Only where a person said so: without decisions the file is as ever.
+  const auto add = [&](const char* key, const std::vector<int>& front_scans,
+                       const std::vector<int>& back_scans) {
+    if (front_scans.empty() && back_scans.empty()) return;
+    ordered_json both = ids(front_scans, fronts);
+    for (const ordered_json& id : ids(back_scans, backs)) both.push_back(id);
+    json[key] = both;
+  };
+  add("set_aside", table.aside_front, table.aside_back);
+  add("reshoot", table.reshoot_front, table.reshoot_back);
+  return json;
+}
+
+ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,
+                    std::span<const scan::Scan> backs) {
+  std::vector<ScanRef> front_refs, back_refs;
+  for (const scan::Scan& scan : fronts) front_refs.push_back(refOf(scan, batch::Side::Front));
+  for (const scan::Scan& scan : backs) back_refs.push_back(refOf(scan, batch::Side::Back));
+  return toJson(table, front_refs, back_refs);
 }
 
 }  // namespace ostraka::pipeline

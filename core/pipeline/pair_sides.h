@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "pairing/assignment.h"
 #include "pairing/candidates.h"
+#include "pipeline/candidate_table.h"
 #include "registration/register_sides.h"
 #include "scan/scan.h"
 
@@ -30,16 +31,30 @@ struct SherdPair {
   pairing::Decision decision;
   registration::Registration registration;
   double contour_rms_mm = 0;
+  int decided = 0;                     ///< number of a person's decision; 0: the program's own
+  std::string decided_by, decided_at;  ///< who and when
 };
 
 struct PairTable {
   std::vector<SherdPair> pairs;  ///< by front
   std::vector<int> unpaired_front, unpaired_back;
-  int candidates = 0;  ///< pairs whose rims were compared
+  std::vector<int> aside_front, aside_back;      ///< taken out by a person
+  std::vector<int> reshoot_front, reshoot_back;  ///< to be shot again, says a person
+  int candidates = 0;                            ///< pairs whose rims were compared
 };
 
-/// Which back belongs to which front, and where: candidates by their contours, each registered by
-/// its rim, then one assignment over the batch. witnesses may be empty. Errors as the stages'.
+/// All pairs within reach by their outlines, each registered by its rim. The table's files and
+/// scale are left to the caller. witnesses may be empty. Errors as the stages'.
+Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
+                                    std::span<const scan::Scan> backs,
+                                    const registration::Witnesses& witnesses,
+                                    const PairOptions& options, Progress& progress,
+                                    std::stop_token stop);
+
+/// One assignment over the batch. Errors: those of assignPairs.
+Result<PairTable> assigned(const CandidateTable& table, const pairing::AssignOptions& options);
+
+/// Which back belongs to which front, and where: both of the above.
 Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
                             const registration::Witnesses& witnesses, const PairOptions& options,
                             Progress& progress, std::stop_token stop);
@@ -47,5 +62,7 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
 /// pairs.json as metrics.md describes it, scans named by their ids.
 nlohmann::ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,
                               std::span<const scan::Scan> backs);
+nlohmann::ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
+                              const std::vector<ScanRef>& backs);
 
 }  // namespace ostraka::pipeline

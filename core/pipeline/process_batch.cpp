@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "cloud/ply.h"
 #include "pairing/common_scale.h"
+#include "pipeline/candidate_table.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/report.h"
 
@@ -112,15 +113,16 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
 }
 
 // Without a known length the backs are brought to the fronts' size: from here on there is one unit.
-Result<void> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& front, Sides& back,
-                        std::vector<ReportStage>& stages) {
-  if (poses.value.has_scale) return {};
+// Returns the factor.
+Result<double> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& front, Sides& back,
+                          std::vector<ReportStage>& stages) {
+  if (poses.value.has_scale) return 1.0;
   const Result<Staged<double>> scale = scaleStage(run, poses, front.scans, back.scans);
   if (!scale) return scale.error();
   stages.push_back({"sizes of the sides", scale->record});
   for (scan::Scan& scan : back.scans.value) scan = pairing::scaled(scan, scale->value);
   resizeSide(poses.value.images, batch::Side::Back, scale->value);
-  return {};
+  return scale->value;
 }
 
 // Copies what a model stage left to OUT/sherds/<number>; without a model only the scans.
@@ -151,11 +153,6 @@ Result<void> publishLone(const Run& run, const std::vector<std::string>& ids,
   return {};
 }
 
-std::string numbered(std::size_t index) {
-  const std::string number = std::to_string(index + 1);
-  return number.size() < 2 ? "0" + number : number;
-}
-
 // What an earlier run left on top must not look whole while this one may change it.
 void withdrawResults(const fs::path& output) {
   std::error_code ignored;
@@ -164,12 +161,12 @@ void withdrawResults(const fs::path& output) {
   fs::remove_all(output / "unpaired", ignored);
 }
 
-void removeStaleSherds(const fs::path& output, std::size_t count) {
+void removeStaleSherds(const fs::path& output, const std::vector<SherdSummary>& sherds) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(output / "sherds", ignored)) {
-    bool current = false;
-    for (std::size_t i = 0; i < count; ++i)
-      current = current || entry.path().filename() == numbered(i);
+    const bool current = std::any_of(sherds.begin(), sherds.end(), [&](const SherdSummary& s) {
+      return entry.path().filename() == s.number;
+    });
     if (!current) fs::remove_all(entry.path(), ignored);
   }
 }
@@ -183,6 +180,7 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   line.rim_rms_mm = sherd.pair->rim_rms_mm;
   line.uncertainty_mm = sherd.pair->uncertainty_mm;
   line.ambiguous = sherd.pair->ambiguous;
+  line.decided_by = sherd.pair->decided_by;
   line.has_model = sherd.figures.value("model", false);
   line.remark = sherd.pair->ambiguous ? sherd.pair->reason : "";
   if (!line.has_model && !record.notes.warnings.empty())
@@ -201,10 +199,10 @@ Result<ProcessSummary> runChain(const Run& run) {
   Result<Sides> back = processSide(run, batch::Side::Back, *poses, stages);
   if (!back) return back.error();
   run.progress.begin("pairs", 0.07);
-  if (const Result<void> sized = matchSizes(run, *poses, *front, *back, stages); !sized)
-    return sized.error();
+  const Result<double> back_scale = matchSizes(run, *poses, *front, *back, stages);
+  if (!back_scale) return back_scale.error();
   const Result<Staged<Pairs>> pairs =
-      pairStage(run, *poses, front->masks, back->masks, front->scans, back->scans);
+      pairStage(run, *poses, *back_scale, front->masks, back->masks, front->scans, back->scans);
   if (!pairs) return pairs.error();
   stages.push_back({"pairs", pairs->record});
 
@@ -212,6 +210,8 @@ Result<ProcessSummary> runChain(const Run& run) {
   report.batch_name = fs::weakly_canonical(run.batch.folder).filename().string();
   report.unpaired_front = pairs->value.unpaired_front;
   report.unpaired_back = pairs->value.unpaired_back;
+  report.set_aside = pairs->value.set_aside;
+  report.reshoot = pairs->value.reshoot;
   report.poses = &poses->value;
   report.front_masks = &front->masks.value;
   report.back_masks = &back->masks.value;
@@ -222,7 +222,7 @@ Result<ProcessSummary> runChain(const Run& run) {
     if (run.stop.stop_requested()) return Error::cancelled();
     const scan::Scan& f = front->scans.value[static_cast<std::size_t>(decided[i].front)];
     const scan::Scan& b = back->scans.value[static_cast<std::size_t>(decided[i].back)];
-    const std::string number = numbered(i);
+    const std::string number = sherdNumber(f.id);
     const Result<StageRecord> record =
         modelStage(run, number, decided[i], f, b,
                    front->scans.record.outputs_hash + back->scans.record.outputs_hash);
@@ -235,7 +235,7 @@ Result<ProcessSummary> runChain(const Run& run) {
     run.progress.report(static_cast<std::int64_t>(i) + 1,
                         static_cast<std::int64_t>(decided.size()));
   }
-  removeStaleSherds(run.options.output, decided.size());
+  removeStaleSherds(run.options.output, summary.sherds);
   if (const auto r =
           publishLone(run, report.unpaired_front, front->scans.value, batch::Side::Front);
       !r)
@@ -256,6 +256,8 @@ Result<ProcessSummary> runChain(const Run& run) {
   if (const auto r = writeJson(output / "report.json", reportJson(report)); !r) return r.error();
   summary.unpaired_front = report.unpaired_front;
   summary.unpaired_back = report.unpaired_back;
+  summary.set_aside = pairs->value.set_aside;
+  summary.reshoot = pairs->value.reshoot;
   summary.warnings = report.warnings;
   summary.reprojection_rms_px = poses->record.notes.figures.value("reprojection_rms_px", 0.0);
   summary.report = output / "report.html";
@@ -277,7 +279,7 @@ int ProcessSummary::ambiguous() const {
 }
 
 bool ProcessSummary::whole() const {
-  return !sherds.empty() && unpaired_front.empty() && unpaired_back.empty() &&
+  return !sherds.empty() && unpaired_front.empty() && unpaired_back.empty() && reshoot.empty() &&
          std::all_of(sherds.begin(), sherds.end(),
                      [](const SherdSummary& s) { return s.has_model; });
 }
@@ -288,12 +290,16 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const auto begin = std::chrono::steady_clock::now();
   const Result<batch::Batch> batch = batch::readBatch(options.batch, {}, progress);
   if (!batch) return batch.error();
+  const Result<Decisions> decisions = readDecisions(options.output);
+  if (!decisions) return decisions.error();
+  const Decisions holding = standing(*decisions);
   const ordered_json hashes = hashesOf(*batch, options.threads);
   if (const Result<void> claimed = claimOutput(options.output, hashes); !claimed)
     return claimed.error();
   withdrawResults(options.output);
   LoggedProgress logged(progress, options.output / "log.txt");
-  const Run run{options, *batch, options.output / "work", sha256(hashes.dump()), logged, stop};
+  const Run run{options, *batch, options.output / "work", sha256(hashes.dump()), holding,
+                logged,  stop};
   Result<ProcessSummary> summary = runChain(run);
   if (summary)
     summary->seconds =

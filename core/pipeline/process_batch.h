@@ -32,12 +32,15 @@ struct SherdSummary {
   double score = 0, rim_rms_mm = 0, uncertainty_mm = 0;
   bool ambiguous = false;
   bool has_model = false;
-  std::string remark;  ///< why a person must look, or why there is no model; else empty
+  std::string decided_by;  ///< the person who settled this pair; empty: the program
+  std::string remark;      ///< why a person must look, or why there is no model; else empty
 };
 
 struct ProcessSummary {
   std::vector<SherdSummary> sherds;
   std::vector<std::string> unpaired_front, unpaired_back;
+  std::vector<std::string> set_aside;  ///< scans that a person took out
+  std::vector<std::string> reshoot;    ///< scans that a person wants shot again: not whole
   std::vector<std::string> warnings;
   double reprojection_rms_px = 0;
   double seconds = 0;  ///< of this run, not of stages done earlier
@@ -47,6 +50,7 @@ struct ProcessSummary {
 };
 
 /// Photographs to complete sherds, stage by stage (OUT/work), going on from the last whole stage.
+/// What people decided (OUT/decisions.json, decisions.h) is an input like any other.
 /// Errors: UnusableInput (the batch, or an OUT of another batch), CannotWrite, NotEnough,
 /// Cancelled.
 Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& progress,

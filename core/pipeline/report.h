@@ -28,7 +28,7 @@ struct ReportInput {
   std::string batch_name;
   std::vector<ReportStage> stages;
   std::vector<ReportSherd> sherds;
-  std::vector<std::string> unpaired_front, unpaired_back, warnings;
+  std::vector<std::string> unpaired_front, unpaired_back, set_aside, reshoot, warnings;
   const Poses* poses = nullptr;
   const Masks* front_masks = nullptr;
   const Masks* back_masks = nullptr;

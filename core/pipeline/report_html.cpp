@@ -217,6 +217,10 @@ std::string measureLine(const nlohmann::ordered_json& figures) {
          fixed(100 * figures.value("filled_share", 0.0), 1) + " % of the surface.</p>";
 }
 
+std::string decidedWords(const DecidedPair& pair) {
+  return "Decided by " + pair.decided_by + ", " + pair.decided_at.substr(0, 10) + ".";
+}
+
 std::string sherdSection(const ReportSherd& sherd) {
   const DecidedPair& pair = *sherd.pair;
   std::string html = "<section class=\"sherd" + std::string(pair.ambiguous ? " doubt" : "") +
@@ -225,6 +229,7 @@ std::string sherdSection(const ReportSherd& sherd) {
                      fixed(100 * pair.score, 1) + " %</p>";
   if (pair.ambiguous)
     html += "<p class=\"ask\">A person must look: " + escaped(pair.reason) + "</p>";
+  if (!pair.decided_by.empty()) html += "<p>" + escaped(decidedWords(pair)) + "</p>";
   html += measureLine(sherd.figures);
   if (const Result<std::string> preview = readFile(sherd.preview))
     html += picture(*preview, "png", "model of sherd " + sherd.number);
@@ -245,7 +250,7 @@ std::string pairTable(const ReportInput& input) {
             fixed(p.margin, 2) + "</td><td>" + fixed(p.rim_rms_mm, 3) + "</td><td>" +
             fixed(100 * p.rim_overlap, 0) + " %</td><td>" + fixed(p.uncertainty_mm, 3) +
             "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
-            escaped(p.reason) + "</td></tr>";
+            escaped(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
   }
   html += "</table>";
   const auto lone = [&](const std::vector<std::string>& ids, const char* words) {
@@ -256,6 +261,8 @@ std::string pairTable(const ReportInput& input) {
   };
   lone(input.unpaired_front, "Fronts without a back:");
   lone(input.unpaired_back, "Backs without a front:");
+  lone(input.reshoot, "To be photographed again:");
+  lone(input.set_aside, "Set aside:");
   return html;
 }
 

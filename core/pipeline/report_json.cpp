@@ -21,6 +21,8 @@ ordered_json reportJson(const ReportInput& input) {
                       {"margin", pair.margin},
                       {"ambiguous", pair.ambiguous},
                       {"reason", pair.reason},
+                      {"decided_by", pair.decided_by},
+                      {"decided_at", pair.decided_at},
                       {"rim_rms_mm", pair.rim_rms_mm},
                       {"rim_overlap", pair.rim_overlap},
                       {"uncertainty_mm", pair.uncertainty_mm},
@@ -34,6 +36,8 @@ ordered_json reportJson(const ReportInput& input) {
           {"sherds", sherds},
           {"unpaired_front", input.unpaired_front},
           {"unpaired_back", input.unpaired_back},
+          {"set_aside", input.set_aside},
+          {"reshoot", input.reshoot},
           {"warnings", input.warnings}};
 }
 

@@ -1,4 +1,4 @@
-// Pairing with registration, and the models: both sides together.
+// The sizes of the sides, and the models: both sides together.
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
@@ -18,49 +18,6 @@ using nlohmann::ordered_json;
 
 // The GLB is for showing: a tenth of a pixel's size off the model at most.
 constexpr double kGlbDeviation_mm = 0.03;
-
-std::vector<registration::SilhouetteView> silhouettes(const std::vector<rig::PosedImage>& images,
-                                                      const Masks& masks) {
-  std::vector<registration::SilhouetteView> views;
-  for (std::size_t i = 0; i < images.size(); ++i) views.push_back({images[i], masks[i]});
-  return views;
-}
-
-int indexOf(const std::vector<scan::Scan>& scans, const std::string& id) {
-  for (std::size_t i = 0; i < scans.size(); ++i)
-    if (scans[i].id == id) return static_cast<int>(i);
-  return -1;
-}
-
-Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fronts,
-                        const std::vector<scan::Scan>& backs) {
-  const Result<std::string> text = readFile(file);
-  if (!text) return text.error();
-  Pairs pairs;
-  pairs.json = ordered_json::parse(*text, nullptr, false);
-  try {
-    for (const ordered_json& p : pairs.json.at("pairs")) {
-      const Result<Eigen::Isometry3d> pose =
-          isometryFromJson(p.at("T_front_from_back"), file.string());
-      if (!pose) return pose.error();
-      pairs.pairs.push_back({indexOf(fronts, p.at("front")), indexOf(backs, p.at("back")),
-                             p.at("score"), p.at("margin"), p.at("ambiguous"), p.at("slipped"),
-                             p.at("reason"), *pose,
-                             p.at("rim_rms_mm").is_null() ? 0.0 : p.at("rim_rms_mm").get<double>(),
-                             p.at("rim_overlap"), p.at("uncertainty_mm")});
-      if (pairs.pairs.back().front < 0 || pairs.pairs.back().back < 0)
-        return Error{ErrorCode::UnusableInput,
-                     "A pair names a scan that is not there; delete this file and start again.",
-                     file.string()};
-    }
-    pairs.unpaired_front = pairs.json.at("unpaired_front").get<std::vector<std::string>>();
-    pairs.unpaired_back = pairs.json.at("unpaired_back").get<std::vector<std::string>>();
-  } catch (const nlohmann::json::exception&) {
-    return Error{ErrorCode::UnusableInput, "This is no table of pairs; delete it and start again.",
-                 file.string()};
-  }
-  return pairs;
-}
 
 ordered_json toJson(const model::Measures& m) {
   return {{"length_mm", m.length_mm},
@@ -135,45 +92,6 @@ Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
                run.progress);
   if (!record) return record.error();
   return Staged<double>{record->notes.figures.value("front_over_back", 1.0), *record};
-}
-
-Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses,
-                                const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
-                                const Staged<std::vector<scan::Scan>>& fronts,
-                                const Staged<std::vector<scan::Scan>>& backs) {
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    PairOptions options;
-    options.threads = run.options.threads;
-    options.candidates.threads = run.options.threads;
-    options.candidates.method = run.options.pairing == PairingForm::Paper
-                                    ? pairing::Method::Paper
-                                    : pairing::Method::Default;
-    options.place = run.batch.plate ? PlaceEvidence::Weak : PlaceEvidence::None;
-    const auto front_views = silhouettes(poses.value.of(batch::Side::Front), front_masks.value);
-    const auto back_views = silhouettes(poses.value.of(batch::Side::Back), back_masks.value);
-    const bool on_plate = run.batch.plate.has_value();
-    const registration::Witnesses witnesses{front_views, back_views, on_plate, on_plate};
-    const Result<PairTable> table =
-        pairSides(fronts.value, backs.value, witnesses, options, run.progress, run.stop);
-    if (!table) return table.error();
-    ordered_json json = pipeline::toJson(*table, fronts.value, backs.value);
-    if (!poses.value.has_scale) json["has_scale"] = false;
-    const Result<void> written = writeJson(folder / "pairs.json", json);
-    if (!written) return written.error();
-    return StageNotes{{{"candidates", table->candidates}, {"pairs", table->pairs.size()}}, {}};
-  };
-  const Result<StageRecord> record = runStage(run.work, "pairs",
-                                              {{"poses", poses.record.outputs_hash},
-                                               {"front_masks", front_masks.record.outputs_hash},
-                                               {"back_masks", back_masks.record.outputs_hash},
-                                               {"fronts", fronts.record.outputs_hash},
-                                               {"backs", backs.record.outputs_hash},
-                                               {"pairing", static_cast<int>(run.options.pairing)}},
-                                              work, run.progress);
-  if (!record) return record.error();
-  Result<Pairs> pairs = readPairs(run.work / "pairs" / "pairs.json", fronts.value, backs.value);
-  if (!pairs) return pairs.error();
-  return Staged<Pairs>{std::move(*pairs), *record};
 }
 
 Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,

@@ -13,6 +13,7 @@
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
 #include "pipeline/no_plate.h"
+#include "pipeline/piece_edits.h"
 #include "rig/calibrate.h"
 #include "rig/colmap_program.h"
 #include "scan/rim.h"
@@ -26,12 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-std::string maskName(const rig::PosedImage& image) {
-  const std::string stop = std::to_string(image.stop);
-  return std::string("cam") + std::to_string(image.camera) + "_pos" +
-         std::string(stop.size() < 2 ? 2 - stop.size() : 0, '0') + stop + ".png";
-}
 
 Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& images,
                                            int threads) {
@@ -166,6 +161,12 @@ double coverage(const std::vector<cv::Mat1b>& masks) {
 }
 
 }  // namespace
+
+std::string maskName(const rig::PosedImage& image) {
+  const std::string stop = std::to_string(image.stop);
+  return std::string("cam") + std::to_string(image.camera) + "_pos" +
+         std::string(stop.size() < 2 ? 2 - stop.size() : 0, '0') + stop + ".png";
+}
 
 std::vector<rig::PosedImage> Poses::of(batch::Side side) const {
   std::vector<rig::PosedImage> chosen;
@@ -303,34 +304,74 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
   return Staged<PointCloud>{std::move(*cloud), *record};
 }
 
-Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
-                                                  const Staged<PointCloud>& cloud) {
-  const std::string name = std::string("scans_") + batch::name(side);
-  const std::string frame = std::string("plate_") + batch::name(side);
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    const Result<scan::SplitResult> split = scan::splitScans(cloud.value, side, {}, run.progress);
-    if (!split) return split.error();
-    ordered_json points = ordered_json::object();
-    for (const scan::Scan& scan : split->scans) {
-      if (const Result<void> written = writePly(folder / (scan.id + ".ply"), scan.cloud, frame);
-          !written)
-        return written.error();
-      points[scan.id] = scan.cloud.size();
-    }
-    return StageNotes{{{"points", points}}, split->warnings};
-  };
-  const Result<StageRecord> record =
-      runStage(run.work, name, {{"cloud", cloud.record.outputs_hash}}, work, run.progress);
-  if (!record) return record.error();
+namespace {
+
+using Scans = Staged<std::vector<scan::Scan>>;
+
+Result<ordered_json> writeScans(const fs::path& folder, const std::vector<scan::Scan>& scans,
+                                const std::string& frame) {
+  ordered_json points = ordered_json::object();
+  for (const scan::Scan& scan : scans) {
+    const Result<void> written = writePly(folder / (scan.id + ".ply"), scan.cloud, frame);
+    if (!written) return written.error();
+    points[scan.id] = scan.cloud.size();
+  }
+  return points;
+}
+
+Result<Scans> readScans(const fs::path& folder, const StageRecord& record) {
   std::vector<scan::Scan> scans;
-  for (const auto& [id, points] : record->notes.figures.at("points").items()) {
-    Result<PointCloud> points_of = readPlyCloud(run.work / name / (id + ".ply"));
+  for (const auto& [id, points] : record.notes.figures.at("points").items()) {
+    Result<PointCloud> points_of = readPlyCloud(folder / (id + ".ply"));
     if (!points_of) return points_of.error();
     scan::Scan scan{id, std::move(*points_of), {}, Eigen::Vector3d::UnitZ()};
     scan.rim = scan::findRim(scan.cloud, {.up = scan.up});
     scans.push_back(std::move(scan));
   }
-  return Staged<std::vector<scan::Scan>>{std::move(scans), *record};
+  return Scans{std::move(scans), record};
+}
+
+Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
+  const std::string frame = std::string("plate_") + batch::name(side);
+  Decisions edits;
+  for (const PairDecision& d : run.decisions)
+    if (hasEdits({d}, side)) edits.push_back(d);
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    const EditedPieces edited = editedPieces(found.value, side, edits);
+    const Result<ordered_json> points = writeScans(folder, edited.scans, frame);
+    if (!points) return points.error();
+    return StageNotes{{{"points", *points}}, edited.warnings};
+  };
+  const std::string name = scanFolder(run, side);
+  const Result<StageRecord> record =
+      runStage(run.work, name, {{"scans", found.record.outputs_hash}, {"edits", toJson(edits)}},
+               work, run.progress);
+  if (!record) return record.error();
+  return readScans(run.work / name, *record);
+}
+
+}  // namespace
+
+std::string scanFolder(const Run& run, batch::Side side) {
+  return (hasEdits(run.decisions, side) ? "pieces_" : "scans_") + std::string(batch::name(side));
+}
+
+Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<PointCloud>& cloud) {
+  const std::string name = std::string("scans_") + batch::name(side);
+  const std::string frame = std::string("plate_") + batch::name(side);
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    const Result<scan::SplitResult> split = scan::splitScans(cloud.value, side, {}, run.progress);
+    if (!split) return split.error();
+    const Result<ordered_json> points = writeScans(folder, split->scans, frame);
+    if (!points) return points.error();
+    return StageNotes{{{"points", *points}}, split->warnings};
+  };
+  const Result<StageRecord> record =
+      runStage(run.work, name, {{"cloud", cloud.record.outputs_hash}}, work, run.progress);
+  if (!record) return record.error();
+  Result<Scans> found = readScans(run.work / name, *record);
+  if (!found || !hasEdits(run.decisions, side)) return found;
+  return editStage(run, side, *found);
 }
 
 }  // namespace ostraka::pipeline

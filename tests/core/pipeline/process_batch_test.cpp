@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "pipeline/candidate_table.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::pipeline {
@@ -69,6 +70,15 @@ class ProcessBatch : public testing::Test {
     return hashes;
   }
 
+  // A result of its own to change, without computing it anew.
+  static void copyOfWhole(const char* name) {
+    QuietProgress quiet;
+    if (!fs::exists(folder_ / "out" / "report.json")) {
+      ASSERT_TRUE(process(folder_ / "out", 0, quiet).has_value());
+    }
+    fs::copy(folder_ / "out", folder_ / name, fs::copy_options::recursive);
+  }
+
   static fs::path folder_;
 };
 
@@ -112,6 +122,65 @@ TEST_F(ProcessBatch, StoppedAndStartedAgainWithOtherThreadsLeavesTheSameBytes) {
   }
   ASSERT_TRUE(process(folder_ / "again", 1, quiet).has_value());
   EXPECT_EQ(results(folder_ / "again"), results(folder_ / "out"));
+}
+
+TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {
+  QuietProgress quiet;
+  copyOfWhole("decided");
+  const auto before = results(folder_ / "decided");
+  const Result<CandidateTable> table =
+      readCandidates(folder_ / "decided" / "work" / "pairs" / "candidates.json");
+  ASSERT_TRUE(table.has_value()) << table.error().sentence();
+  PairDecision swapped;
+  swapped.kind = DecisionKind::Pair;
+  swapped.by = "AP";
+  const Result<nlohmann::json> pairs = readJson(folder_ / "decided" / "pairs.json");
+  const bool straight = pairs->at("pairs").at(0).at("back") == table->backs[0].id;
+  swapped.scans = {table->fronts[0], table->backs[straight ? 1 : 0]};
+  const Result<PairDecision> written = appendDecision(folder_ / "decided", swapped);
+  ASSERT_TRUE(written.has_value()) << written.error().sentence();
+
+  const Result<ProcessSummary> summary = process(folder_ / "decided", 1, quiet);
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_FALSE(summary->sherds.empty());
+  EXPECT_EQ(summary->sherds[0].back, swapped.scans[1].id) << "a person's word, however it fits";
+  EXPECT_EQ(summary->sherds[0].decided_by, "AP");
+  EXPECT_FALSE(summary->sherds[0].ambiguous);
+  for (const char* stage : {"rig", "dense_front", "dense_back", "scans_front", "pairs"})
+    EXPECT_TRUE(fs::exists(folder_ / "decided" / "work" / stage / "stage.json")) << stage;
+  const Result<std::string> log = readFile(folder_ / "decided" / "log.txt");
+  EXPECT_NE(log->find("pairs: whole from an earlier run"), std::string::npos);
+
+  PairDecision undo;
+  undo.kind = DecisionKind::Withdraw;
+  undo.by = "AP";
+  undo.replaces = {written->number};
+  ASSERT_TRUE(appendDecision(folder_ / "decided", undo).has_value());
+  ASSERT_TRUE(process(folder_ / "decided", 1, quiet).has_value());
+  EXPECT_EQ(results(folder_ / "decided"), before) << "withdrawn, all is as it was";
+}
+
+TEST_F(ProcessBatch, SetAsideASherdIsNeitherMadeNorMissed) {
+  QuietProgress quiet;
+  copyOfWhole("aside");
+  const Result<CandidateTable> table =
+      readCandidates(folder_ / "aside" / "work" / "pairs" / "candidates.json");
+  const Result<nlohmann::json> pairs = readJson(folder_ / "aside" / "pairs.json");
+  PairDecision aside;
+  aside.kind = DecisionKind::Aside;
+  aside.by = "AP";
+  aside.scans = {table->fronts[0]};
+  for (const ScanRef& back : table->backs)
+    if (back.id == pairs->at("pairs").at(0).at("back")) aside.scans.push_back(back);
+  ASSERT_TRUE(appendDecision(folder_ / "aside", aside).has_value());
+  const Result<ProcessSummary> summary = process(folder_ / "aside", 1, quiet);
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_EQ(summary->sherds.size(), 1u);
+  EXPECT_EQ(summary->sherds[0].number, "02") << "the other keeps its number";
+  EXPECT_EQ(summary->set_aside.size(), 2u);
+  EXPECT_TRUE(summary->whole());
+  EXPECT_FALSE(fs::exists(folder_ / "aside" / "sherds" / "01"));
+  EXPECT_TRUE(fs::exists(folder_ / "aside" / "sherds" / "02" / "model.ply"));
 }
 
 TEST_F(ProcessBatch, RefusesAFolderThatHoldsSomethingElse) {

@@ -1,0 +1,190 @@
+#include "pipeline/candidate_table.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "base/json.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using registration::Slip;
+
+constexpr std::array<const char*, 8> kSlips = {
+    "",          "upside_down", "faces_cross",   "no_shared_rim", "rim_misfits",
+    "rim_loose", "rival_place", "outlines_alone"};
+constexpr std::array<const char*, 6> kDoubts = {"",          "self_check", "other_partner",
+                                                "strangers", "other_pose", "displaced"};
+
+Slip slipOf(const std::string& name) {
+  for (std::size_t i = 0; i < kSlips.size(); ++i)
+    if (name == kSlips[i]) return static_cast<Slip>(i);
+  return Slip::None;
+}
+
+ordered_json scansJson(const std::vector<ScanRef>& scans, const std::vector<std::string>& files) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    list.push_back({{"id", scans[i].id},
+                    {"place_mm", {scans[i].place_mm.x(), scans[i].place_mm.y()}},
+                    {"file", i < files.size() ? files[i] : ""}});
+  return list;
+}
+
+void readScans(const json& list, batch::Side side, std::vector<ScanRef>& scans,
+               std::vector<std::string>& files) {
+  for (const json& value : list) {
+    const json& at = value.at("place_mm");
+    scans.push_back({side, value.at("id").get<std::string>(),
+                     Eigen::Vector2d(at.at(0).get<double>(), at.at(1).get<double>())});
+    files.push_back(value.at("file").get<std::string>());
+  }
+}
+
+ordered_json toJson(const RegisteredCandidate& c, const CandidateTable& table) {
+  ordered_json starts = ordered_json::array();
+  for (const pairing::StartPose& start : c.starts)
+    starts.push_back({{"shift", start.shift},
+                      {"contour_rms_mm", start.contour_rms_mm},
+                      {"log_likelihood", start.log_likelihood},
+                      {"T_front_from_back", ostraka::toJson(start.front_from_back)}});
+  const registration::Registration& r = c.registration;
+  return {{"front", table.fronts[static_cast<std::size_t>(c.evidence.front)].id},
+          {"back", table.backs[static_cast<std::size_t>(c.evidence.back)].id},
+          {"log_likelihood", c.evidence.log_likelihood},
+          {"rim_rms_mm", r.rim_rms_mm},
+          {"rim_overlap", r.rim_overlap},
+          {"uncertainty_mm", r.uncertainty_mm},
+          {"runner_up_gap", r.runner_up_gap},
+          {"runner_up_mm", r.runner_up_mm},
+          {"crossing_share", r.crossing_share},
+          {"thickness_mm", r.thickness_mm},
+          {"scale", r.scale},
+          {"slipped", r.slipped},
+          {"slip", name(r.slip)},
+          {"reason", r.reason},
+          {"start", r.start},
+          {"T_front_from_back", ostraka::toJson(r.front_from_back)},
+          {"starts", starts}};
+}
+
+int indexOf(const std::vector<ScanRef>& scans, const std::string& id) {
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    if (scans[i].id == id) return static_cast<int>(i);
+  return -1;
+}
+
+Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTable& table,
+                                          const std::string& where) {
+  RegisteredCandidate c;
+  registration::Registration& r = c.registration;
+  r.rim_rms_mm = value.at("rim_rms_mm").get<double>();
+  r.rim_overlap = value.at("rim_overlap").get<double>();
+  r.uncertainty_mm = value.at("uncertainty_mm").get<double>();
+  r.runner_up_gap = value.at("runner_up_gap").get<double>();
+  r.runner_up_mm = value.at("runner_up_mm").get<double>();
+  r.crossing_share = value.at("crossing_share").get<double>();
+  r.thickness_mm = value.at("thickness_mm").get<double>();
+  r.scale = value.at("scale").get<double>();
+  r.slipped = value.at("slipped").get<bool>();
+  r.slip = slipOf(value.at("slip").get<std::string>());
+  r.reason = value.at("reason").get<std::string>();
+  r.start = value.at("start").get<int>();
+  const Result<Eigen::Isometry3d> pose = isometryFromJson(value.at("T_front_from_back"), where);
+  if (!pose) return pose.error();
+  r.front_from_back = *pose;
+  for (const json& entry : value.at("starts")) {
+    pairing::StartPose start;
+    start.shift = entry.at("shift").get<int>();
+    start.contour_rms_mm = entry.at("contour_rms_mm").get<double>();
+    start.log_likelihood = entry.at("log_likelihood").get<double>();
+    const Result<Eigen::Isometry3d> begin = isometryFromJson(entry.at("T_front_from_back"), where);
+    if (!begin) return begin.error();
+    start.front_from_back = *begin;
+    c.starts.push_back(start);
+  }
+  c.evidence.front = indexOf(table.fronts, value.at("front").get<std::string>());
+  c.evidence.back = indexOf(table.backs, value.at("back").get<std::string>());
+  if (c.evidence.front < 0 || c.evidence.back < 0 || c.starts.empty())
+    return Error{ErrorCode::UnusableInput, "A candidate names a scan that is not there.", where};
+  c.evidence.log_likelihood = value.at("log_likelihood").get<double>();
+  c.evidence.rim_rms_mm = r.rim_rms_mm;
+  c.evidence.overlap = r.rim_overlap;
+  c.evidence.slipped = r.slipped;
+  c.evidence.runner_up_start_log_likelihood = c.evidence.log_likelihood - r.runner_up_gap;
+  return c;
+}
+
+}  // namespace
+
+const pairing::StartPose& RegisteredCandidate::start() const {
+  const std::size_t i = static_cast<std::size_t>(std::max(0, registration.start));
+  return starts.at(std::min(i, starts.size() - 1));
+}
+
+const RegisteredCandidate* CandidateTable::find(int front, int back) const {
+  for (const RegisteredCandidate& c : candidates)
+    if (c.evidence.front == front && c.evidence.back == back) return &c;
+  return nullptr;
+}
+
+ScanRef refOf(const scan::Scan& scan, batch::Side side) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector3f& p : scan.cloud.points) sum += p.head<2>().cast<double>();
+  return {side, scan.id, sum / std::max<double>(1.0, static_cast<double>(scan.cloud.size()))};
+}
+
+std::string sherdNumber(const std::string& front_id) {
+  const std::size_t digits = front_id.find_first_of("123456789");
+  const std::string number = digits == std::string::npos ? "0" : front_id.substr(digits);
+  return number.size() < 2 ? "0" + number : number;
+}
+
+ordered_json toJson(const CandidateTable& table) {
+  ordered_json candidates = ordered_json::array();
+  for (const RegisteredCandidate& c : table.candidates) candidates.push_back(toJson(c, table));
+  return {{"unit", "mm"},
+          {"fronts", scansJson(table.fronts, table.front_files)},
+          {"backs", scansJson(table.backs, table.back_files)},
+          {"back_scale", table.back_scale},
+          {"has_scale", table.has_scale},
+          {"on_plate", table.on_plate},
+          {"candidates", candidates}};
+}
+
+Result<CandidateTable> readCandidates(const std::filesystem::path& file) {
+  const Result<json> text = readJson(file);
+  if (!text) return text.error();
+  CandidateTable table;
+  try {
+    readScans(text->at("fronts"), batch::Side::Front, table.fronts, table.front_files);
+    readScans(text->at("backs"), batch::Side::Back, table.backs, table.back_files);
+    table.back_scale = text->at("back_scale").get<double>();
+    table.has_scale = text->at("has_scale").get<bool>();
+    table.on_plate = text->at("on_plate").get<bool>();
+    for (const json& value : text->at("candidates")) {
+      Result<RegisteredCandidate> candidate = candidateFrom(value, table, file.string());
+      if (!candidate) return candidate.error();
+      table.candidates.push_back(std::move(*candidate));
+    }
+  } catch (const json::exception&) {
+    return Error{ErrorCode::UnusableInput,
+                 "This is no table of candidates; compute the batch again, only its pairs are "
+                 "done anew.",
+                 file.string()};
+  }
+  return table;
+}
+
+const char* name(pairing::Doubt doubt) {
+  return kDoubts.at(static_cast<std::size_t>(doubt));
+}
+
+const char* name(Slip slip) {
+  return kSlips.at(static_cast<std::size_t>(slip));
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,195 @@
+#include "pipeline/decided_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "registration/pose_figures.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+using Eigen::Isometry3d;
+using registration::Registration;
+
+// Rims that pull a person's pose farther than this have found another place along the break.
+constexpr double kHeld_mm = 5;
+constexpr double kSamePose_mm = 0.5;
+
+std::string waiting(const PairDecision& decision, const ScanRef& scan) {
+  return "Decision " + std::to_string(decision.number) + " by " + decision.by + " is about " +
+         scan.id + ", which is not on the plate any more; decide again.";
+}
+
+// The program's own word on a pair: what it would give it if nobody had decided.
+pairing::Decision ownWord(const PairTable& free, int front, int back) {
+  pairing::Decision own;
+  own.front = front;
+  own.back = back;
+  for (const SherdPair& pair : free.pairs) {
+    const pairing::Decision& d = pair.decision;
+    if (d.front == front && d.back == back) return d;
+    for (const pairing::Alternative& a : d.alternatives)
+      if (a.front == front && a.back == back && a.score > own.score) {
+        own.score = a.score;
+        own.margin = a.score - d.score;
+      }
+  }
+  return own;
+}
+
+int partnerOf(const PairTable& table, int front) {
+  for (const SherdPair& pair : table.pairs)
+    if (pair.decision.front == front) return pair.decision.back;
+  return -1;
+}
+
+SherdPair decidedPair(const CandidateTable& table, const PairTable& free,
+                      const Settled::Pair& settled) {
+  SherdPair pair;
+  pair.decision = ownWord(free, settled.front, settled.back);
+  pair.decision.ambiguous = false;
+  pair.decision.doubt = pairing::Doubt::None;
+  pair.decision.reason.clear();
+  pair.decided = settled.decision.number;
+  pair.decided_by = settled.decision.by;
+  pair.decided_at = settled.decision.at;
+  const RegisteredCandidate* known = table.find(settled.front, settled.back);
+  const std::optional<Isometry3d>& given = settled.decision.front_from_back;
+  const ScanRef& back = table.backs[static_cast<std::size_t>(settled.back)];
+  if (known != nullptr) {
+    pair.contour_rms_mm = known->start().contour_rms_mm;
+    pair.registration = known->registration;
+    if (!given || apart_mm(back, *given, known->registration.front_from_back) < kSamePose_mm)
+      return pair;
+  }
+  pair.registration = Registration{};
+  if (given) pair.registration.front_from_back = *given;
+  return pair;
+}
+
+}  // namespace
+
+double apart_mm(const ScanRef& back, const Isometry3d& a, const Isometry3d& b) {
+  constexpr double kRadius_mm = 20, kHalfWall_mm = 3;  // of a common sherd
+  const Eigen::Vector3d centre(back.place_mm.x(), back.place_mm.y(), kHalfWall_mm);
+  const double turn =
+      Eigen::AngleAxisd(Eigen::Matrix3d(a.linear().transpose() * b.linear())).angle();
+  return std::sqrt((a * centre - b * centre).squaredNorm() +
+                   2.0 / 3.0 * turn * turn * kRadius_mm * kRadius_mm);
+}
+
+Settled settledBy(const Decisions& standing, const CandidateTable& table) {
+  Settled settled;
+  for (const PairDecision& d : standing) {
+    std::vector<int> fronts, backs;
+    for (const ScanRef& ref : d.scans) {
+      const bool front = ref.side == batch::Side::Front;
+      const int index = resolved(ref, front ? table.fronts : table.backs);
+      if (index < 0 && d.kind != DecisionKind::Join && d.kind != DecisionKind::Split)
+        settled.warnings.push_back(waiting(d, ref));
+      if (index >= 0) (front ? fronts : backs).push_back(index);
+    }
+    if (d.kind == DecisionKind::Pair && fronts.size() == 1 && backs.size() == 1)
+      settled.pairs.push_back({fronts[0], backs[0], d});
+    const auto add = [](std::vector<int>& to, const std::vector<int>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    if (d.kind == DecisionKind::Aside) {
+      add(settled.aside_front, fronts);
+      add(settled.aside_back, backs);
+    } else if (d.kind == DecisionKind::Reshoot) {
+      add(settled.reshoot_front, fronts);
+      add(settled.reshoot_back, backs);
+    }
+  }
+  return settled;
+}
+
+Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
+                           const pairing::AssignOptions& options) {
+  Result<PairTable> free = assigned(table, options);
+  if (!free) return free;
+  std::set<int> taken_front(settled.aside_front.begin(), settled.aside_front.end());
+  std::set<int> taken_back(settled.aside_back.begin(), settled.aside_back.end());
+  taken_front.insert(settled.reshoot_front.begin(), settled.reshoot_front.end());
+  taken_back.insert(settled.reshoot_back.begin(), settled.reshoot_back.end());
+  for (const Settled::Pair& pair : settled.pairs) {
+    taken_front.insert(pair.front);
+    taken_back.insert(pair.back);
+  }
+  if (taken_front.empty() && taken_back.empty()) return free;
+
+  CandidateTable rest = table;
+  std::erase_if(rest.candidates, [&](const RegisteredCandidate& c) {
+    return taken_front.contains(c.evidence.front) || taken_back.contains(c.evidence.back);
+  });
+  Result<PairTable> decided = assigned(rest, options);
+  if (!decided) return decided;
+  std::erase_if(decided->unpaired_front, [&](int i) { return taken_front.contains(i); });
+  std::erase_if(decided->unpaired_back, [&](int i) { return taken_back.contains(i); });
+  for (SherdPair& pair : decided->pairs)
+    if (partnerOf(*free, pair.decision.front) != pair.decision.back) {
+      pair.decision.ambiguous = true;  // nothing is taken silently
+      pair.decision.doubt = pairing::Doubt::Displaced;
+      pair.decision.reason = "Its back was given to another front by a person.";
+    }
+  for (const Settled::Pair& pair : settled.pairs)
+    decided->pairs.push_back(decidedPair(table, *free, pair));
+  std::stable_sort(
+      decided->pairs.begin(), decided->pairs.end(),
+      [](const SherdPair& a, const SherdPair& b) { return a.decision.front < b.decision.front; });
+  decided->candidates = free->candidates;
+  decided->aside_front = settled.aside_front;
+  decided->aside_back = settled.aside_back;
+  decided->reshoot_front = settled.reshoot_front;
+  decided->reshoot_back = settled.reshoot_back;
+  return decided;
+}
+
+Result<Registration> registerDecided(const PairDecision& decision, const scan::Scan& front,
+                                     const scan::Scan& back,
+                                     const registration::Witnesses& witnesses,
+                                     const PairOptions& options, Progress& progress,
+                                     std::stop_token stop) {
+  std::vector<Isometry3d> starts;
+  if (decision.front_from_back) {
+    starts.push_back(*decision.front_from_back);
+  } else {
+    pairing::CandidateOptions reach = options.candidates;
+    reach.reach = 1e9;  // a person said that they belong together
+    const auto found = pairing::findCandidates({&front, 1}, {&back, 1}, reach, progress, stop);
+    if (!found) return found.error();
+    for (const pairing::PairCandidate& c : *found)
+      for (const pairing::StartPose& start : c.starts) starts.push_back(start.front_from_back);
+  }
+  const auto front_strip = registration::prepareStrip(front, options.registration.strip);
+  const auto back_strip = registration::prepareStrip(back, options.registration.strip);
+  Result<Registration> found =
+      !front_strip  ? Result<Registration>(front_strip.error())
+      : !back_strip ? Result<Registration>(back_strip.error())
+                    : registration::registerSides(*front_strip, *back_strip, starts, witnesses,
+                                                  options.registration, progress, stop);
+  if (found) found->start = 0;
+  const std::optional<Isometry3d>& given = decision.front_from_back;
+  if (!given || (!found && found.error().code == ErrorCode::Cancelled)) return found;
+  const ScanRef place = refOf(back, batch::Side::Back);
+  const double moved = found ? apart_mm(place, *given, found->front_from_back) : 1.0;
+  if (found && decision.settle == Settle::ByRims && moved < kHeld_mm) return found;
+  Registration stands = found ? *found : Registration{};
+  stands.front_from_back = *given;
+  stands.start = 0;
+  stands.runner_up_gap = 1e9;
+  stands.uncertainty_mm = std::hypot(stands.uncertainty_mm, moved);
+  if (front_strip && back_strip) {
+    const registration::PoseFigures figures =
+        registration::figuresAt(*front_strip, *back_strip, *given);
+    stands.rim_rms_mm = figures.rim_rms_mm;
+    stands.rim_overlap = figures.rim_overlap;
+    stands.crossing_share = figures.crossing_share;
+    stands.thickness_mm = figures.thickness_mm;
+  }
+  return stands;
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,244 @@
+#include "pipeline/decisions.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+struct KindName {
+  DecisionKind kind;
+  const char* name;
+};
+constexpr std::array<KindName, 6> kKinds = {{{DecisionKind::Pair, "pair"},
+                                             {DecisionKind::Aside, "aside"},
+                                             {DecisionKind::Reshoot, "reshoot"},
+                                             {DecisionKind::Join, "join"},
+                                             {DecisionKind::Split, "split"},
+                                             {DecisionKind::Withdraw, "withdraw"}}};
+
+const char* nameOf(DecisionKind kind) {
+  for (const KindName& k : kKinds)
+    if (k.kind == kind) return k.name;
+  return "";
+}
+
+std::optional<DecisionKind> kindOf(const std::string& name) {
+  for (const KindName& k : kKinds)
+    if (name == k.name) return k.kind;
+  return {};
+}
+
+fs::path fileIn(const fs::path& output) {
+  return output / "decisions.json";
+}
+
+std::string utcNow() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+ordered_json toJson(const Eigen::Vector2d& p) {
+  return {p.x(), p.y()};
+}
+
+Eigen::Vector2d pointFrom(const json& value) {
+  return {value.at(0).get<double>(), value.at(1).get<double>()};
+}
+
+ordered_json toJson(const PairDecision& d) {
+  ordered_json scans = ordered_json::array();
+  for (const ScanRef& scan : d.scans)
+    scans.push_back(
+        {{"side", batch::name(scan.side)}, {"id", scan.id}, {"place_mm", toJson(scan.place_mm)}});
+  ordered_json out = {
+      {"number", d.number}, {"replaces", d.replaces}, {"kind", nameOf(d.kind)}, {"at", d.at},
+      {"by", d.by},         {"note", d.note},         {"scans", scans}};
+  if (d.kind == DecisionKind::Pair) {
+    if (d.front_from_back) out["T_front_from_back"] = ostraka::toJson(*d.front_from_back);
+    out["settle"] = d.settle == Settle::AsGiven ? "as_given" : "by_rims";
+  }
+  if (d.kind == DecisionKind::Split) out["cut_mm"] = {toJson(d.cut_mm[0]), toJson(d.cut_mm[1])};
+  return out;
+}
+
+Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
+  PairDecision d;
+  const std::optional<DecisionKind> kind = kindOf(value.at("kind").get<std::string>());
+  if (!kind)
+    return Error{ErrorCode::UnusableInput,
+                 "A decision is of a kind that this program does not know; a newer one wrote it.",
+                 where};
+  d.kind = *kind;
+  d.number = value.at("number").get<int>();
+  d.replaces = value.at("replaces").get<std::vector<int>>();
+  d.at = value.at("at").get<std::string>();
+  d.by = value.at("by").get<std::string>();
+  d.note = value.value("note", "");
+  for (const json& scan : value.at("scans"))
+    d.scans.push_back(
+        {scan.at("side").get<std::string>() == "back" ? batch::Side::Back : batch::Side::Front,
+         scan.at("id").get<std::string>(), pointFrom(scan.at("place_mm"))});
+  if (value.contains("T_front_from_back")) {
+    const Result<Eigen::Isometry3d> pose = isometryFromJson(value["T_front_from_back"], where);
+    if (!pose) return pose.error();
+    d.front_from_back = *pose;
+  }
+  d.settle = value.value("settle", "by_rims") == "as_given" ? Settle::AsGiven : Settle::ByRims;
+  if (value.contains("cut_mm"))
+    d.cut_mm = {pointFrom(value["cut_mm"].at(0)), pointFrom(value["cut_mm"].at(1))};
+  return d;
+}
+
+bool aboutPartners(DecisionKind kind) {
+  return kind == DecisionKind::Pair || kind == DecisionKind::Aside || kind == DecisionKind::Reshoot;
+}
+
+bool shareAScan(const PairDecision& a, const PairDecision& b) {
+  for (const ScanRef& x : a.scans)
+    for (const ScanRef& y : b.scans)
+      if (x.side == y.side && resolved(x, {y}) == 0) return true;
+  return false;
+}
+
+Result<void> checked(const PairDecision& d) {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (d.by.empty()) return bad("A decision needs the name of the person who takes it.");
+  const std::size_t n = d.scans.size();
+  const auto side = [&](std::size_t i) { return d.scans[i].side; };
+  switch (d.kind) {
+    case DecisionKind::Pair:
+      if (n != 2 || side(0) != batch::Side::Front || side(1) != batch::Side::Back)
+        return bad("A pair needs one front and one back.");
+      break;
+    case DecisionKind::Aside:
+    case DecisionKind::Reshoot:
+      if (n == 0) return bad("Nothing was named to be set aside or shot again.");
+      break;
+    case DecisionKind::Join:
+      if (n < 2 || side(0) != side(1)) return bad("Pieces to be joined must be of one side.");
+      break;
+    case DecisionKind::Split:
+      if (n != 1 || (d.cut_mm[0] - d.cut_mm[1]).norm() < 1)
+        return bad("A cut needs one piece and a line of at least a millimetre.");
+      break;
+    case DecisionKind::Withdraw:
+      if (d.replaces.empty()) return bad("Nothing was named to be withdrawn.");
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans) {
+  int nearest = -1;
+  double least = 10;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    if (scans[i].side != ref.side) continue;
+    const double distance = (scans[i].place_mm - ref.place_mm).norm();
+    if (distance < least) least = distance, nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+Decisions standing(const Decisions& all) {
+  const auto indexOf = [&](int number) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].number == number) return static_cast<int>(i);
+    return -1;
+  };
+  std::vector<bool> holds(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool withdrawal = all[i].kind == DecisionKind::Withdraw;
+    holds[i] = !withdrawal;
+    for (const int number : all[i].replaces) {
+      const int j = indexOf(number);
+      if (j < 0) continue;
+      holds[static_cast<std::size_t>(j)] = false;
+      if (!withdrawal) continue;
+      for (const int before : all[static_cast<std::size_t>(j)].replaces)
+        if (const int k = indexOf(before); k >= 0)
+          holds[static_cast<std::size_t>(k)] =
+              all[static_cast<std::size_t>(k)].kind != DecisionKind::Withdraw;
+    }
+  }
+  Decisions kept;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (holds[i]) kept.push_back(all[i]);
+  return kept;
+}
+
+Result<Decisions> readDecisions(const fs::path& output) {
+  const fs::path file = fileIn(output);
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return Decisions{};
+  const Result<json> text = readJson(file);
+  if (!text) return text.error();
+  Decisions decisions;
+  try {
+    if (text->at("format").get<int>() > kFormat)
+      return Error{ErrorCode::UnusableInput,
+                   "These decisions were written by a newer program; use that one.", file.string()};
+    for (const json& value : text->at("decisions")) {
+      Result<PairDecision> decision = decisionFrom(value, file.string());
+      if (!decision) return decision.error();
+      decisions.push_back(std::move(*decision));
+    }
+  } catch (const json::exception&) {
+    return Error{ErrorCode::UnusableInput,
+                 "These are no decisions of this program; move the file away, or put a copy of it "
+                 "back.",
+                 file.string()};
+  }
+  return decisions;
+}
+
+ordered_json toJson(const Decisions& decisions) {
+  ordered_json list = ordered_json::array();
+  for (const PairDecision& d : decisions) list.push_back(toJson(d));
+  return list;
+}
+
+Result<PairDecision> appendDecision(const fs::path& output, PairDecision decision) {
+  if (const Result<void> valid = checked(decision); !valid) return valid.error();
+  Result<Decisions> decisions = readDecisions(output);
+  if (!decisions) return decisions.error();
+  const Decisions holding = standing(*decisions);
+  if (decision.kind == DecisionKind::Withdraw) {
+    for (const int number : decision.replaces)
+      if (std::none_of(holding.begin(), holding.end(),
+                       [&](const PairDecision& d) { return d.number == number; }))
+        return Error{ErrorCode::UnusableInput, "This decision does not hold any more.",
+                     fileIn(output).string()};
+  } else {
+    decision.replaces.clear();
+    for (const PairDecision& other : holding)
+      if (aboutPartners(decision.kind) && aboutPartners(other.kind) && shareAScan(decision, other))
+        decision.replaces.push_back(other.number);
+  }
+  decision.number = decisions->empty() ? 1 : decisions->back().number + 1;
+  decision.at = utcNow();
+  decisions->push_back(decision);
+  const Result<void> written = writeJson(
+      fileIn(output), {{"format", kFormat}, {"unit", "mm"}, {"decisions", toJson(*decisions)}});
+  if (!written) return written.error();
+  return decision;
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,74 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "batch/batch.h"
+
+namespace ostraka::pipeline {
+
+enum class DecisionKind {
+  Pair,      ///< these two sides are one sherd
+  Aside,     ///< these scans take no part: no sherd, or not worth the time
+  Reshoot,   ///< these scans must be photographed again
+  Join,      ///< these scans of one side are one piece
+  Split,     ///< this scan is two pieces, cut along a line
+  Withdraw,  ///< what it replaces holds no longer (undo); what that replaced holds again
+};
+
+/// A scan as a person pointed at it. Ids may change when a side is computed anew, its place on the
+/// plate does not.
+struct ScanRef {
+  batch::Side side = batch::Side::Front;
+  std::string id;
+  Eigen::Vector2d place_mm = Eigen::Vector2d::Zero();  ///< mean of the points, side's plate frame
+};
+
+/// What becomes of the pose that a person gives.
+enum class Settle {
+  ByRims,  ///< it is a start; the registration goes on from it
+  AsGiven  ///< it stands as it is: made by hand where the rims tell too little
+};
+
+/// What a person decided: a value that the window writes and the chain reads.
+struct PairDecision {
+  int number = 0;             ///< 1, 2, ... in the order taken; given when it is appended
+  std::vector<int> replaces;  ///< numbers; empty: the program's own proposal
+  DecisionKind kind = DecisionKind::Pair;
+  std::string at;              ///< UTC, 2026-07-14T09:30:12Z; given when it is appended
+  std::string by;              ///< initials or name of the person
+  std::string note;            ///< free text
+  std::vector<ScanRef> scans;  ///< Pair: front, back. Join: two or more. Split: one
+  std::optional<Eigen::Isometry3d> front_from_back;  ///< Pair; absent: the program finds it
+  Settle settle = Settle::ByRims;
+  std::array<Eigen::Vector2d, 2> cut_mm{};  ///< Split: a line on the side's plate, a to b
+};
+
+/// All decisions ever taken, in order; nothing is ever removed.
+using Decisions = std::vector<PairDecision>;
+
+/// Those that hold now, in order: neither replaced nor withdrawn. No Withdraw among them.
+Decisions standing(const Decisions& all);
+
+/// OUT/decisions.json; none when there is no such file. Errors: UnusableInput names the file.
+Result<Decisions> readDecisions(const std::filesystem::path& output);
+
+/// Writes the decision behind the others, atomically, with its number and time, and with what it
+/// replaces: the standing ones about the same scans (Pair, Aside, Reshoot), or those named already
+/// (Withdraw). Returns it as written. Errors: those of readDecisions, CannotWrite; UnusableInput
+/// without a person's name, with the wrong number of scans, or for a withdrawal of what does not
+/// stand.
+Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDecision decision);
+
+nlohmann::ordered_json toJson(const Decisions& decisions);
+
+/// The index of the scan that is meant, -1 when none lies within 10 mm of the place: a sherd's
+/// mean moves less when it is computed anew, and no two sherds' means lie nearer.
+int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans);
+
+}  // namespace ostraka::pipeline

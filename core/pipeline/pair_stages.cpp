@@ -1,0 +1,203 @@
+// Which back belongs to which front: rims compared, then what people decided.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "pipeline/chain.h"
+#include "pipeline/decided_pairs.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using Scans = Staged<std::vector<scan::Scan>>;
+
+std::vector<registration::SilhouetteView> silhouettes(const std::vector<rig::PosedImage>& images,
+                                                      const Masks& masks) {
+  std::vector<registration::SilhouetteView> views;
+  for (std::size_t i = 0; i < images.size(); ++i) views.push_back({images[i], masks[i]});
+  return views;
+}
+
+int indexOf(const std::vector<scan::Scan>& scans, const std::string& id) {
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    if (scans[i].id == id) return static_cast<int>(i);
+  return -1;
+}
+
+Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fronts,
+                        const std::vector<scan::Scan>& backs) {
+  const Result<std::string> text = readFile(file);
+  if (!text) return text.error();
+  Pairs pairs;
+  pairs.json = ordered_json::parse(*text, nullptr, false);
+  try {
+    for (const ordered_json& p : pairs.json.at("pairs")) {
+      const Result<Eigen::Isometry3d> pose =
+          isometryFromJson(p.at("T_front_from_back"), file.string());
+      if (!pose) return pose.error();
+      pairs.pairs.push_back({indexOf(fronts, p.at("front")),
+                             indexOf(backs, p.at("back")),
+                             p.at("score"),
+                             p.at("margin"),
+                             p.at("ambiguous"),
+                             p.at("slipped"),
+                             p.at("reason"),
+                             *pose,
+                             p.at("rim_rms_mm").is_null() ? 0.0 : p.at("rim_rms_mm").get<double>(),
+                             p.at("rim_overlap"),
+                             p.at("uncertainty_mm"),
+                             {},
+                             {}});
+      if (p.contains("decided")) {
+        pairs.pairs.back().decided_by = p["decided"].at("by");
+        pairs.pairs.back().decided_at = p["decided"].at("at");
+      }
+      if (pairs.pairs.back().front < 0 || pairs.pairs.back().back < 0)
+        return Error{ErrorCode::UnusableInput,
+                     "A pair names a scan that is not there; delete this file and start again.",
+                     file.string()};
+    }
+    pairs.unpaired_front = pairs.json.at("unpaired_front").get<std::vector<std::string>>();
+    pairs.unpaired_back = pairs.json.at("unpaired_back").get<std::vector<std::string>>();
+    if (pairs.json.contains("set_aside"))
+      pairs.set_aside = pairs.json["set_aside"].get<std::vector<std::string>>();
+    if (pairs.json.contains("reshoot"))
+      pairs.reshoot = pairs.json["reshoot"].get<std::vector<std::string>>();
+  } catch (const nlohmann::json::exception&) {
+    return Error{ErrorCode::UnusableInput, "This is no table of pairs; delete it and start again.",
+                 file.string()};
+  }
+  return pairs;
+}
+
+PairOptions optionsOf(const Run& run) {
+  PairOptions options;
+  options.threads = run.options.threads;
+  options.candidates.threads = run.options.threads;
+  options.candidates.method =
+      run.options.pairing == PairingForm::Paper ? pairing::Method::Paper : pairing::Method::Default;
+  options.place = run.batch.plate ? PlaceEvidence::Weak : PlaceEvidence::None;
+  return options;
+}
+
+Result<void> writePairs(const fs::path& folder, const PairTable& table,
+                        const CandidateTable& candidates) {
+  ordered_json json = toJson(table, candidates.fronts, candidates.backs);
+  if (!candidates.has_scale) json["has_scale"] = false;
+  return writeJson(folder / "pairs.json", json);
+}
+
+void nameFiles(const Run& run, CandidateTable& table) {
+  for (const ScanRef& scan : table.fronts)
+    table.front_files.push_back(scanFolder(run, batch::Side::Front) + "/" + scan.id + ".ply");
+  for (const ScanRef& scan : table.backs)
+    table.back_files.push_back(scanFolder(run, batch::Side::Back) + "/" + scan.id + ".ply");
+}
+
+Decisions aboutPartners(const Decisions& standing) {
+  Decisions kept;
+  for (const PairDecision& d : standing)
+    if (d.kind == DecisionKind::Pair || d.kind == DecisionKind::Aside ||
+        d.kind == DecisionKind::Reshoot)
+      kept.push_back(d);
+  return kept;
+}
+
+// Decided pairs whose pose no candidate has are registered here; the others stay as they are.
+Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decisions& decisions,
+                          const registration::Witnesses& witnesses, const Scans& fronts,
+                          const Scans& backs) {
+  const Result<CandidateTable> table = readCandidates(run.work / "pairs" / "candidates.json");
+  if (!table) return table.error();
+  const Settled settled = settledBy(decisions, *table);
+  const PairOptions options = optionsOf(run);
+  Result<PairTable> pairs = assigned(*table, settled, options.assign);
+  if (!pairs) return pairs.error();
+  StageNotes notes{{{"pairs", pairs->pairs.size()}, {"decided", settled.pairs.size()}},
+                   settled.warnings};
+  for (SherdPair& pair : pairs->pairs) {
+    if (pair.decided == 0 || pair.registration.start >= 0) continue;
+    if (run.stop.stop_requested()) return Error::cancelled();
+    const auto decision = std::find_if(decisions.begin(), decisions.end(),
+                                       [&](const auto& d) { return d.number == pair.decided; });
+    const scan::Scan& front = fronts.value[static_cast<std::size_t>(pair.decision.front)];
+    const scan::Scan& back = backs.value[static_cast<std::size_t>(pair.decision.back)];
+    const Result<registration::Registration> found =
+        registerDecided(*decision, front, back, witnesses, options, run.progress, run.stop);
+    if (!found && found.error().code == ErrorCode::Cancelled) return found.error();
+    if (found) {
+      pair.registration = *found;
+    } else {
+      pair.registration.uncertainty_mm = 1;  // nothing but a person's word holds it
+      notes.warnings.push_back(front.id + " and " + back.id +
+                               " were paired by hand, but nothing tells how they lie to each "
+                               "other; turn the back by hand in the review: " +
+                               found.error().sentence());
+    }
+  }
+  if (const Result<void> written = writePairs(folder, *pairs, *table); !written)
+    return written.error();
+  return notes;
+}
+
+}  // namespace
+
+Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, double back_scale,
+                                const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
+                                const Scans& fronts, const Scans& backs) {
+  const auto withWitnesses = [&](const auto& call) {
+    const auto front_views = silhouettes(poses.value.of(batch::Side::Front), front_masks.value);
+    const auto back_views = silhouettes(poses.value.of(batch::Side::Back), back_masks.value);
+    const bool on_plate = run.batch.plate.has_value();
+    return call(registration::Witnesses{front_views, back_views, on_plate, on_plate});
+  };
+  const auto compare = [&](const fs::path& folder) -> Result<StageNotes> {
+    const PairOptions options = optionsOf(run);
+    Result<CandidateTable> table = withWitnesses([&](const registration::Witnesses& witnesses) {
+      return compareSides(fronts.value, backs.value, witnesses, options, run.progress, run.stop);
+    });
+    if (!table) return table.error();
+    nameFiles(run, *table);
+    table->back_scale = back_scale;
+    table->has_scale = poses.value.has_scale;
+    table->on_plate = run.batch.plate.has_value();
+    const Result<PairTable> pairs = assigned(*table, options.assign);
+    if (!pairs) return pairs.error();
+    if (const Result<void> w = writeJson(folder / "candidates.json", toJson(*table)); !w)
+      return w.error();
+    if (const Result<void> w = writePairs(folder, *pairs, *table); !w) return w.error();
+    return StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}}, {}};
+  };
+  Result<StageRecord> record = runStage(run.work, "pairs",
+                                        {{"poses", poses.record.outputs_hash},
+                                         {"front_masks", front_masks.record.outputs_hash},
+                                         {"back_masks", back_masks.record.outputs_hash},
+                                         {"fronts", fronts.record.outputs_hash},
+                                         {"backs", backs.record.outputs_hash},
+                                         {"pairing", static_cast<int>(run.options.pairing)},
+                                         {"leaves", "candidates"}},
+                                        compare, run.progress);
+  if (!record) return record.error();
+  std::string folder = "pairs";
+  const Decisions decisions = aboutPartners(run.decisions);
+  if (!decisions.empty()) {
+    folder = "decided";
+    const auto work = [&](const fs::path& into) {
+      return withWitnesses([&](const registration::Witnesses& witnesses) {
+        return decide(run, into, decisions, witnesses, fronts, backs);
+      });
+    };
+    record = runStage(run.work, folder,
+                      {{"pairs", record->outputs_hash}, {"decisions", toJson(decisions)}}, work,
+                      run.progress);
+    if (!record) return record.error();
+  }
+  Result<Pairs> pairs = readPairs(run.work / folder / "pairs.json", fronts.value, backs.value);
+  if (!pairs) return pairs.error();
+  return Staged<Pairs>{std::move(*pairs), *record};
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,227 @@
+#include "pipeline/review.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ostraka::pipeline {
+namespace {
+
+using pairing::Doubt;
+using registration::Registration;
+using registration::Slip;
+
+// The figure that a slip is about.
+double valueOf(const Registration& r) {
+  switch (r.slip) {
+    case Slip::FacesCross:
+      return r.crossing_share;
+    case Slip::NoSharedRim:
+      return r.rim_overlap;
+    case Slip::RimMisfits:
+      return r.rim_rms_mm;
+    case Slip::RimLoose:
+      return r.uncertainty_mm;
+    case Slip::RivalPlace:
+      return r.runner_up_mm;
+    default:
+      return 0;
+  }
+}
+
+ReviewCandidate candidateOf(const RegisteredCandidate& c) {
+  ReviewCandidate out;
+  const Registration& r = c.registration;
+  out.back = c.evidence.back;
+  out.rim_rms_mm = r.rim_rms_mm;
+  out.rim_overlap = r.rim_overlap;
+  out.uncertainty_mm = r.uncertainty_mm;
+  out.contour_rms_mm = c.start().contour_rms_mm;
+  out.front_from_back = r.front_from_back;
+  out.shift = c.start().shift;
+  for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
+  std::sort(out.shifts.begin(), out.shifts.end());
+  out.slipped = r.slipped;
+  out.slip = r.slip;
+  out.slip_value = valueOf(r);
+  return out;
+}
+
+// P(this back | front) from by how much the best assignment falls when the pair is forced; a front
+// that stays alone in it may also stay so.
+std::vector<double> chancesOf(const CandidateTable& table, const PairTable& free,
+                              const pairing::AssignOptions& options) {
+  std::vector<pairing::Evidence> evidence;
+  for (const RegisteredCandidate& c : table.candidates) evidence.push_back(c.evidence);
+  const Result<std::vector<double>> regret =
+      pairing::regrets(evidence, static_cast<int>(table.fronts.size()),
+                       static_cast<int>(table.backs.size()), options.lone_log_likelihood);
+  std::vector<double> chances(evidence.size(), 0);
+  if (!regret) return chances;
+  std::vector<double> totals(table.fronts.size(), 0);
+  for (const int f : free.unpaired_front) totals[static_cast<std::size_t>(f)] = 1;
+  for (std::size_t i = 0; i < evidence.size(); ++i)
+    totals[static_cast<std::size_t>(evidence[i].front)] += std::exp(-(*regret)[i]);
+  for (std::size_t i = 0; i < evidence.size(); ++i)
+    chances[i] = std::exp(-(*regret)[i]) / totals[static_cast<std::size_t>(evidence[i].front)];
+  // The assignment's own figure knows more (other poses of the same pair, staying alone).
+  for (const SherdPair& pair : free.pairs)
+    for (std::size_t i = 0; i < evidence.size(); ++i)
+      if (evidence[i].front == pair.decision.front && evidence[i].back == pair.decision.back)
+        chances[i] = pair.decision.score;
+  return chances;
+}
+
+void nameRival(ReviewCard& card, const SherdPair& pair, const CandidateTable& table) {
+  if (pair.decision.alternatives.empty()) return;
+  const pairing::Alternative& rival = pair.decision.alternatives.front();
+  if (rival.front == card.front)
+    card.rival_back = rival.back;
+  else
+    card.rival_front = rival.front;
+  if (const RegisteredCandidate* c = table.find(rival.front, rival.back))
+    card.rival_rim_rms_mm = c->registration.rim_rms_mm;
+}
+
+void pairUp(ReviewCard& card, const SherdPair& pair, const CandidateTable& table) {
+  card.back = pair.decision.back;
+  card.score = pair.decision.score;
+  card.margin = pair.decision.margin;
+  card.front_from_back = pair.registration.front_from_back;
+  card.rim_rms_mm = pair.registration.rim_rms_mm;
+  card.decision = pair.decided;
+  card.decided_by = pair.decided_by;
+  card.decided_at = pair.decided_at;
+  card.state = pair.decided != 0         ? CardState::Decided
+               : pair.decision.ambiguous ? CardState::Ask
+                                         : CardState::Sure;
+  card.doubt = pair.decision.doubt;
+  if (card.doubt == Doubt::SelfCheck) {
+    card.slip = pair.registration.slip;
+    card.slip_value = valueOf(pair.registration);
+  }
+  nameRival(card, pair, table);
+  for (std::size_t i = 0; i < card.candidates.size(); ++i)
+    if (card.candidates[i].back == card.back) card.candidate = static_cast<int>(i);
+}
+
+int rankOf(const ReviewCard& card) {
+  if (card.state == CardState::Ask && card.doubt == Doubt::Displaced) return 0;
+  switch (card.state) {
+    case CardState::Ask:
+      return 1;
+    case CardState::Alone:
+      return 2;
+    case CardState::Sure:
+      return 3;
+    case CardState::Decided:
+      return 4;
+    default:
+      return 5;
+  }
+}
+
+bool among(const std::vector<int>& list, int i) {
+  return std::find(list.begin(), list.end(), i) != list.end();
+}
+
+// Who set a front aside, for the card.
+void nameDecision(ReviewCard& card, const CandidateTable& table, const Decisions& standing,
+                  DecisionKind kind) {
+  for (const PairDecision& d : standing) {
+    if (d.kind != kind) continue;
+    for (const ScanRef& ref : d.scans)
+      if (ref.side == batch::Side::Front && resolved(ref, table.fronts) == card.front) {
+        card.decision = d.number;
+        card.decided_by = d.by;
+        card.decided_at = d.at;
+      }
+  }
+}
+
+}  // namespace
+
+int Review::waiting() const {
+  const auto wanting = std::count_if(cards.begin(), cards.end(), [](const ReviewCard& card) {
+    return card.state == CardState::Ask || card.state == CardState::Alone;
+  });
+  return static_cast<int>(wanting) + static_cast<int>(lone_backs.size());
+}
+
+const ReviewCard* Review::ofFront(int front) const {
+  for (const ReviewCard& card : cards)
+    if (card.front == front) return &card;
+  return nullptr;
+}
+
+const ReviewCard* Review::ofBack(int back) const {
+  for (const ReviewCard& card : cards)
+    if (back >= 0 && card.back == back) return &card;
+  return nullptr;
+}
+
+Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing) {
+  pairing::AssignOptions options;
+  options.max_alternatives = static_cast<int>(table.fronts.size() + table.backs.size());
+  const Settled settled = settledBy(standing, table);
+  const Result<PairTable> free = assigned(table, options);
+  if (!free) return free.error();
+  const Result<PairTable> pairs = assigned(table, settled, options);
+  if (!pairs) return pairs.error();
+  const std::vector<double> chances = chancesOf(table, *free, options);
+
+  Review review;
+  review.warnings = settled.warnings;
+  review.lone_backs = pairs->unpaired_back;
+  review.aside_backs = pairs->aside_back;
+  review.reshoot_backs = pairs->reshoot_back;
+  for (std::size_t f = 0; f < table.fronts.size(); ++f) {
+    ReviewCard card;
+    card.front = static_cast<int>(f);
+    card.number = sherdNumber(table.fronts[f].id);
+    for (std::size_t i = 0; i < table.candidates.size(); ++i) {
+      if (table.candidates[i].evidence.front != card.front) continue;
+      card.candidates.push_back(candidateOf(table.candidates[i]));
+      card.candidates.back().score = chances[i];
+    }
+    std::stable_sort(
+        card.candidates.begin(), card.candidates.end(),
+        [](const ReviewCandidate& a, const ReviewCandidate& b) { return a.score > b.score; });
+    card.state = CardState::Alone;
+    for (const SherdPair& pair : pairs->pairs)
+      if (pair.decision.front == card.front) pairUp(card, pair, table);
+    if (among(pairs->aside_front, card.front)) card.state = CardState::Aside;
+    if (among(pairs->reshoot_front, card.front)) card.state = CardState::Reshoot;
+    if (card.state == CardState::Aside) nameDecision(card, table, standing, DecisionKind::Aside);
+    if (card.state == CardState::Reshoot)
+      nameDecision(card, table, standing, DecisionKind::Reshoot);
+    review.cards.push_back(std::move(card));
+  }
+  std::stable_sort(review.cards.begin(), review.cards.end(),
+                   [](const ReviewCard& a, const ReviewCard& b) {
+                     const int x = rankOf(a), y = rankOf(b);
+                     if (x != y) return x < y;
+                     return x == 1 && a.margin < b.margin;
+                   });
+  return review;
+}
+
+Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
+  const std::filesystem::path file = output / "work" / "pairs" / "candidates.json";
+  std::error_code failed;
+  if (!std::filesystem::exists(file, failed))
+    return Error{ErrorCode::Missing,
+                 "The pairs of this batch are not computed yet, or by an older program; compute "
+                 "the batch (again), what is whole is not done twice.",
+                 output.string()};
+  return readCandidates(file);
+}
+
+Result<Review> loadReview(const std::filesystem::path& output) {
+  const Result<CandidateTable> table = readCandidatesOf(output);
+  if (!table) return table.error();
+  const Result<Decisions> decisions = readDecisions(output);
+  if (!decisions) return decisions.error();
+  return reviewOf(*table, standing(*decisions));
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,146 @@
+#include "pipeline/decisions.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "base/files.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using batch::Side;
+
+class DecisionsOf : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "ostraka_decisions_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    out_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(out_); }
+
+  static ScanRef front(int i) { return {Side::Front, "f00" + std::to_string(i), {50.0 * i, 0}}; }
+  static ScanRef back(int i) { return {Side::Back, "b00" + std::to_string(i), {50.0 * i, 20}}; }
+  static PairDecision pair(int f, int b) {
+    PairDecision d;
+    d.kind = DecisionKind::Pair;
+    d.by = "AP";
+    d.scans = {front(f), back(b)};
+    return d;
+  }
+  PairDecision append(const PairDecision& d) {
+    const Result<PairDecision> written = appendDecision(out_, d);
+    EXPECT_TRUE(written.has_value()) << (written ? "" : written.error().sentence());
+    return written ? *written : PairDecision{};
+  }
+  std::vector<int> standingNumbers() {
+    std::vector<int> numbers;
+    for (const PairDecision& d : standing(*readDecisions(out_))) numbers.push_back(d.number);
+    return numbers;
+  }
+
+  fs::path out_;
+};
+
+TEST_F(DecisionsOf, ABatchWithoutAFileAreNone) {
+  const Result<Decisions> none = readDecisions(out_);
+  ASSERT_TRUE(none.has_value());
+  EXPECT_TRUE(none->empty());
+}
+
+TEST_F(DecisionsOf, AreReadBackAsTheyWereTaken) {
+  PairDecision d = pair(1, 2);
+  d.note = "Fits by the painted band – seen in the light.";
+  d.front_from_back = Eigen::Isometry3d(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
+  d.front_from_back->translation() = Eigen::Vector3d(1.5, -2.25, 1.0 / 3);
+  d.settle = Settle::AsGiven;
+  append(d);
+  const Result<Decisions> read = readDecisions(out_);
+  ASSERT_TRUE(read.has_value());
+  ASSERT_EQ(read->size(), 1u);
+  const PairDecision& r = read->front();
+  EXPECT_EQ(r.number, 1);
+  EXPECT_EQ(r.by, "AP");
+  EXPECT_EQ(r.note, d.note);
+  EXPECT_EQ(r.at.size(), 20u) << "UTC to the second: " << r.at;
+  EXPECT_EQ(r.settle, Settle::AsGiven);
+  ASSERT_TRUE(r.front_from_back.has_value());
+  EXPECT_EQ(r.front_from_back->matrix(), d.front_from_back->matrix());
+  EXPECT_EQ(r.scans[1].id, "b002");
+  EXPECT_EQ(r.scans[1].place_mm, Eigen::Vector2d(100, 20));
+}
+
+TEST_F(DecisionsOf, ANewPairReplacesAllThatWasSaidAboutItsTwoScans) {
+  append(pair(1, 2));
+  append(pair(2, 1));
+  append(pair(3, 3));
+  const PairDecision both = append(pair(1, 1));
+  EXPECT_EQ(both.replaces, (std::vector<int>{1, 2}));
+  EXPECT_EQ(standingNumbers(), (std::vector<int>{3, 4}));
+}
+
+TEST_F(DecisionsOf, AWithdrawalBringsBackWhatWasReplacedAndLosesNothing) {
+  append(pair(1, 2));
+  append(pair(2, 1));
+  const PairDecision both = append(pair(1, 1));
+  PairDecision undo;
+  undo.kind = DecisionKind::Withdraw;
+  undo.by = "AP";
+  undo.replaces = {both.number};
+  append(undo);
+  EXPECT_EQ(standingNumbers(), (std::vector<int>{1, 2}));
+  EXPECT_EQ(readDecisions(out_)->size(), 4u);
+  EXPECT_FALSE(appendDecision(out_, undo).has_value()) << "it does not hold any more";
+  append(pair(1, 1));
+  EXPECT_EQ(standingNumbers(), (std::vector<int>{5}));
+}
+
+TEST_F(DecisionsOf, SettingAsideReplacesAPairAndAPairBringsItBack) {
+  append(pair(1, 1));
+  PairDecision aside;
+  aside.kind = DecisionKind::Aside;
+  aside.by = "AP";
+  aside.scans = {front(1)};
+  append(aside);
+  EXPECT_EQ(standingNumbers(), (std::vector<int>{2}));
+  append(pair(1, 3));
+  EXPECT_EQ(standingNumbers(), (std::vector<int>{3}));
+}
+
+TEST_F(DecisionsOf, NobodyAreRefused) {
+  PairDecision d = pair(1, 1);
+  d.by.clear();
+  const Result<PairDecision> refused = appendDecision(out_, d);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  d = pair(1, 1);
+  std::swap(d.scans[0], d.scans[1]);
+  EXPECT_FALSE(appendDecision(out_, d).has_value()) << "a pair is a front, then a back";
+}
+
+TEST_F(DecisionsOf, ADamagedFileIsNamedAndLeftAsItIs) {
+  for (const char* text :
+       {"{", R"({"format":1,"decisions":[{"kind":"pair"}]})", R"({"format":99,"decisions":[]})",
+        R"({"format":1,"decisions":[{"number":1,"replaces":[],"kind":"melt",
+                               "at":"","by":"AP","scans":[]}]})"}) {
+    ASSERT_TRUE(writeFileAtomically(out_ / "decisions.json", text).has_value());
+    const Result<Decisions> refused = readDecisions(out_);
+    ASSERT_FALSE(refused.has_value()) << text;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_NE(refused.error().sentence().find("decisions.json"), std::string::npos);
+    EXPECT_FALSE(appendDecision(out_, pair(1, 1)).has_value());
+    EXPECT_EQ(*readFile(out_ / "decisions.json"), text);
+  }
+}
+
+TEST_F(DecisionsOf, FindTheirScanByItsPlaceWhenItsIdChanged) {
+  const std::vector<ScanRef> now = {{Side::Front, "f001", {0, 0}}, {Side::Front, "f002", {51, 2}}};
+  EXPECT_EQ(resolved({Side::Front, "f001", {50, 0}}, now), 1);
+  EXPECT_EQ(resolved({Side::Front, "f001", {25, 0}}, now), -1) << "nothing lies there any more";
+  EXPECT_EQ(resolved({Side::Back, "b001", {0, 0}}, now), -1);
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

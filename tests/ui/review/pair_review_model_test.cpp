@@ -1,0 +1,234 @@
+// The review without a window: four made-up sherds, the first two look-alikes whose backs the
+// program has swapped.
+#include "ui/review/pair_review_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include "synthetic_out.h"
+
+namespace ostraka::ui {
+
+using pipeline::CardState;
+using pipeline::DecisionKind;
+
+class PairReviewModelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void init();
+  void cleanup();
+  void theMostDoubtfulIsInHandWithItsReason();
+  void anotherCandidateIsAcceptedAndTheOthersFollow();
+  void undoIsAWithdrawalAndRedoADecisionAgain();
+  void nobodyDecidesNothing();
+  void aBackGivenToAnotherFrontMovesTheOneThatHeldIt();
+  void settingAsideAndShootingAgainAreDecisions();
+  void aTurnByHandIsOneActAndTheRimsSettleIt();
+  void whatWasTurnedByHandStandsAsItIs();
+  void theStartPointStepsByOneSampleAndToTheNextGoodOne();
+  void threeCandidatesAreOfferedAndAnyOtherBackOnDemand();
+  void aDamagedFileOfDecisionsIsSaidAndKept();
+
+ private:
+  pipeline::Decisions onDisk() { return *pipeline::readDecisions(out_.output); }
+  const pipeline::ReviewCard& cardOf(int front) { return *model_->review().ofFront(front); }
+  void waitForScene() { QTRY_VERIFY(model_->fit().rim_rms_mm > 0); }
+
+  QTemporaryDir folder_;
+  pipeline::SyntheticOut out_;
+  InlineJobRunner runner_;
+  std::unique_ptr<QUndoStack> undo_;
+  std::unique_ptr<PairReviewModel> model_;
+};
+
+void PairReviewModelTest::initTestCase() {
+  out_ = pipeline::writeSyntheticOut(folder_.path().toStdString() + "/out", {});
+}
+
+void PairReviewModelTest::init() {
+  undo_ = std::make_unique<QUndoStack>();
+  model_ = std::make_unique<PairReviewModel>(runner_, *undo_);
+  new QAbstractItemModelTester(model_.get(), QAbstractItemModelTester::FailureReportingMode::QtTest,
+                               model_.get());
+  const auto batch = openBatch(out_.output);
+  QVERIFY(batch.has_value());
+  model_->setPerson("AP");
+  model_->open(*batch);
+}
+
+void PairReviewModelTest::cleanup() {
+  model_.reset();
+  std::filesystem::remove(out_.output / "decisions.json");
+}
+
+void PairReviewModelTest::theMostDoubtfulIsInHandWithItsReason() {
+  QCOMPARE(model_->rowCount(), 4);
+  QCOMPARE(model_->waiting(), 2);
+  QCOMPARE(model_->card()->state, CardState::Ask);
+  QVERIFY2(model_->reason().contains("b001") && model_->reason().contains("b002"),
+           qPrintable(model_->reason()));
+  QCOMPARE(model_->chosen(), 0);
+  QVERIFY(model_->canAccept());
+  QTRY_VERIFY(!model_->index(0).data(PairReviewModel::FrontPictureRole).value<QImage>().isNull());
+  const QString words = model_->index(0).data(Qt::AccessibleTextRole).toString();
+  QVERIFY2(words.contains("look"), qPrintable(words));
+  waitForScene();
+}
+
+void PairReviewModelTest::anotherCandidateIsAcceptedAndTheOthersFollow() {
+  model_->select(0);
+  QCOMPARE(model_->trial().back, 1);
+  model_->choose(1);
+  QCOMPARE(model_->trial().back, 0);
+  QCOMPARE(model_->holderOf(0), 1);
+  QSignalSpy decided(model_.get(), &PairReviewModel::decided);
+  model_->accept();
+  QCOMPARE(decided.count(), 1);
+  QCOMPARE(onDisk().size(), std::size_t{1});
+  QCOMPARE(onDisk()[0].by, std::string("AP"));
+  QCOMPARE(cardOf(0).back, 0);
+  QCOMPARE(cardOf(0).state, CardState::Decided);
+  QCOMPARE(cardOf(1).back, 1);
+  QCOMPARE(model_->front(), 1);  // the displaced one is on top and in hand
+  QCOMPARE(model_->rowOf(1), 0);
+  QVERIFY2(model_->reason().contains("given to another front"), qPrintable(model_->reason()));
+  model_->accept();
+  QCOMPARE(model_->waiting(), 0);
+}
+
+void PairReviewModelTest::undoIsAWithdrawalAndRedoADecisionAgain() {
+  model_->select(0);
+  model_->choose(1);
+  model_->accept();
+  QVERIFY2(undo_->undoText().contains("f001"), qPrintable(undo_->undoText()));
+  undo_->undo();
+  QCOMPARE(cardOf(0).back, 1);
+  QCOMPARE(model_->front(), 0);
+  QCOMPARE(onDisk().size(), std::size_t{2});
+  QCOMPARE(onDisk()[1].kind, DecisionKind::Withdraw);
+  undo_->redo();
+  QCOMPARE(cardOf(0).back, 0);
+  QCOMPARE(onDisk().size(), std::size_t{3});
+  QCOMPARE(onDisk()[2].kind, DecisionKind::Pair);
+}
+
+void PairReviewModelTest::nobodyDecidesNothing() {
+  model_->setPerson("  ");
+  QSignalSpy failed(model_.get(), &PairReviewModel::failed);
+  model_->accept();
+  model_->setAside();
+  model_->giveBack(0, 0);
+  QCOMPARE(failed.count(), 3);
+  QVERIFY(failed[0][0].toString().contains("initials"));
+  QVERIFY(onDisk().empty());
+}
+
+void PairReviewModelTest::aBackGivenToAnotherFrontMovesTheOneThatHeldIt() {
+  model_->giveBack(1, 1);
+  QCOMPARE(cardOf(1).back, 1);
+  QCOMPARE(cardOf(1).state, CardState::Decided);
+  QCOMPARE(cardOf(0).back, 0);
+  QCOMPARE(cardOf(0).doubt, pairing::Doubt::Displaced);
+  QCOMPARE(model_->front(), 0);
+}
+
+void PairReviewModelTest::settingAsideAndShootingAgainAreDecisions() {
+  model_->select(2);
+  model_->setAside();
+  QCOMPARE(cardOf(2).state, CardState::Aside);
+  QCOMPARE(cardOf(2).decided_by, std::string("AP"));
+  QCOMPARE(model_->review().lone_backs, std::vector<int>{2});
+  QCOMPARE(model_->waiting(), 3);  // a back that is nobody's wants a person too
+  model_->select(3);
+  model_->reshoot();
+  QCOMPARE(cardOf(3).state, CardState::Reshoot);
+  QVERIFY(model_->review().lone_backs == std::vector<int>{2});  // its back is shot again with it
+  undo_->undo();
+  undo_->undo();
+  QCOMPARE(cardOf(2).state, CardState::Sure);
+  QCOMPARE(model_->waiting(), 2);
+}
+
+void PairReviewModelTest::aTurnByHandIsOneActAndTheRimsSettleIt() {
+  model_->select(2);
+  waitForScene();
+  const double before = model_->fit().rim_rms_mm;
+  const Eigen::Isometry3d begun = model_->trial().front_from_back;
+  for (int i = 0; i < 5; ++i) model_->moveByHand({0, 0, 0.01}, {0.06, 0, 0});
+  QCOMPARE(undo_->count(), 1);
+  QCOMPARE(model_->trial().made, Made::ByHand);
+  QTRY_VERIFY(model_->fit().rim_rms_mm > 1.2 * before);
+  model_->settle();
+  QTRY_COMPARE(model_->trial().made, Made::Settled);
+  const double off = pipeline::apart_mm(out_.table.backs[2], model_->trial().front_from_back,
+                                        out_.front_from_back[2]);
+  QVERIFY2(off < 0.15, qPrintable(QString::number(off)));
+  undo_->undo();
+  QCOMPARE(model_->trial().made, Made::ByHand);
+  undo_->undo();
+  QVERIFY(model_->trial().front_from_back.isApprox(begun));
+  QVERIFY(onDisk().empty());
+}
+
+void PairReviewModelTest::whatWasTurnedByHandStandsAsItIs() {
+  model_->select(2);
+  model_->moveByHand({0, 0, 0.05}, {0.5, 0, 0});
+  const Eigen::Isometry3d pose = model_->trial().front_from_back;
+  model_->accept();
+  QCOMPARE(onDisk().size(), std::size_t{1});
+  QCOMPARE(onDisk()[0].settle, pipeline::Settle::AsGiven);
+  QVERIFY(onDisk()[0].front_from_back->isApprox(pose, 1e-12));
+  QVERIFY(cardOf(2).front_from_back.isApprox(pose, 1e-12));
+}
+
+void PairReviewModelTest::theStartPointStepsByOneSampleAndToTheNextGoodOne() {
+  model_->select(2);
+  QCOMPARE(model_->trial().shift, 40);
+  model_->stepSample(1);
+  QTRY_COMPARE(model_->trial().shift, 41);
+  QCOMPARE(model_->trial().made, Made::StartPoint);
+  model_->stepSample(-1);
+  QTRY_COMPARE(model_->trial().shift, 40);
+  model_->stepStart(1);  // the fixture's good ones are 40 and 120
+  QTRY_COMPARE(model_->trial().shift, 120);
+  QCOMPARE(model_->trial().made, Made::Settled);
+}
+
+void PairReviewModelTest::threeCandidatesAreOfferedAndAnyOtherBackOnDemand() {
+  model_->select(2);
+  QCOMPARE(model_->candidates().size(), std::size_t{1});
+  QTRY_COMPARE(model_->candidates().size(), std::size_t{3});
+  int missing = 0;
+  for (int back = 0; back < 4; ++back) {
+    bool offered = false;
+    for (const auto& c : model_->candidates()) offered = offered || c.back == back;
+    if (!offered) missing = back;
+  }
+  model_->chooseBack(missing);
+  QTRY_COMPARE(model_->trial().back, missing);
+  QCOMPARE(model_->candidates().size(), std::size_t{4});
+}
+
+void PairReviewModelTest::aDamagedFileOfDecisionsIsSaidAndKept() {
+  QFile file(QString::fromStdString((out_.output / "decisions.json").string()));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write("{ half");
+  file.close();
+  QSignalSpy failed(model_.get(), &PairReviewModel::failed);
+  model_->accept();
+  QCOMPARE(failed.count(), 1);
+  QVERIFY(failed[0][0].toString().contains("decisions.json"));
+  QCOMPARE(undo_->count(), 0);
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  QCOMPARE(file.readAll(), QByteArray("{ half"));
+}
+
+}  // namespace ostraka::ui
+
+QTEST_GUILESS_MAIN(ostraka::ui::PairReviewModelTest)
+#include "pair_review_model_test.moc"

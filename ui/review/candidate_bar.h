@@ -1,0 +1,29 @@
+#pragma once
+#include <QWidget>
+
+class QHBoxLayout;
+class QToolButton;
+
+namespace ostraka::ui {
+
+class PairReviewModel;
+
+/// One large button for each candidate, numbered as the keys, and any other back in a menu.
+class CandidateBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CandidateBar(PairReviewModel& model, QWidget* parent = nullptr);
+
+ private:
+  void rebuild();
+  void mark();
+  void fillOthers();
+
+  PairReviewModel& model_;
+  QHBoxLayout* row_ = nullptr;
+  QList<QToolButton*> buttons_;
+  QToolButton* others_ = nullptr;
+};
+
+}  // namespace ostraka::ui

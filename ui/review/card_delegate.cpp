@@ -1,0 +1,95 @@
+#include "ui/review/card_delegate.h"
+
+#include <QApplication>
+#include <QPainter>
+
+#include "ui/frame/look.h"
+#include "ui/frame/state_colours.h"
+#include "ui/review/pair_review_model.h"
+#include "ui/review/review_words.h"
+
+namespace ostraka::ui {
+namespace {
+
+int pictureSize(const QFontMetrics& metrics) {
+  return metrics.height() * 3;
+}
+
+void drawPicture(QPainter& painter, const QRect& where, const QImage& picture, bool mirrored) {
+  if (picture.isNull()) return;
+  const QImage shown = mirrored ? picture.mirrored(true, false) : picture;
+  QSize size = shown.size().scaled(where.size(), Qt::KeepAspectRatio);
+  QRect target(QPoint(), size);
+  target.moveCenter(where.center());
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(target, shown);
+}
+
+}  // namespace
+
+QRect CardDelegate::backPicture(const QRect& card, const QFontMetrics& metrics) {
+  const int size = pictureSize(metrics), gap = metrics.height() / 3;
+  return QRect(card.left() + 2 * gap + size, card.top() + gap, size, size);
+}
+
+QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+  const QFontMetrics metrics(option.font);
+  return {metrics.height() * 13,
+          pictureSize(metrics) + 2 * (metrics.height() / 3) + 2 * metrics.height()};
+}
+
+void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                         const QModelIndex& index) const {
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  const QFontMetrics metrics(option.font);
+  const StateColours colours(option.palette);
+  const auto state =
+      static_cast<pipeline::CardState>(index.data(PairReviewModel::StateRole).toInt());
+  const State colour = stateColour(state);
+  const bool chosen = option.state.testFlag(QStyle::State_Selected);
+  const bool target = option.state.testFlag(QStyle::State_MouseOver) && option.widget != nullptr &&
+                      option.widget->property("dragging").toBool();
+  const QRect card = option.rect.adjusted(2, 2, -2, -2);
+  painter->setPen(Qt::NoPen);
+  painter->setBrush(colours.behind(target ? State::Back : chosen ? State::Selected : colour));
+  painter->drawRoundedRect(card, 4, 4);
+  if (chosen || target) {
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(QPen(colours.of(target ? State::Back : State::Selected), 3));
+    painter->drawRoundedRect(card.adjusted(1, 1, -1, -1), 4, 4);
+  }
+  // The state's stripe at the edge, besides its word.
+  painter->fillRect(QRect(card.left(), card.top(), 5, card.height()), colours.of(colour));
+
+  const QRect back = backPicture(card, metrics);
+  const QRect front = back.translated(-back.width() - metrics.height() / 3, 0);
+  drawPicture(*painter, front.adjusted(4, 0, 4, 0),
+              index.data(PairReviewModel::FrontPictureRole).value<QImage>(), false);
+  drawPicture(*painter, back.adjusted(4, 0, 4, 0),
+              index.data(PairReviewModel::BackPictureRole).value<QImage>(), false);
+
+  const int left = back.right() + metrics.height() / 2;
+  const QRect words(left, card.top() + metrics.height() / 3, card.right() - left,
+                    3 * metrics.height());
+  painter->setPen(option.palette.color(QPalette::Text));
+  QFont bold = option.font;
+  bold.setBold(true);
+  painter->setFont(bold);
+  painter->drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                    index.data(Qt::DisplayRole).toString());
+  painter->setPen(colours.of(colour));
+  const QString mark = colour == State::Sure  ? QStringLiteral("✓ ")
+                       : colour == State::Ask ? QStringLiteral("? ")
+                                              : QString();
+  painter->drawText(words, Qt::AlignLeft | Qt::AlignBottom,
+                    mark + index.data(PairReviewModel::StateWordRole).toString());
+  painter->setFont(option.font);
+  painter->setPen(option.palette.color(QPalette::Text));
+  const QRect reason(card.left() + 10, back.bottom() + 2, card.width() - 14, 2 * metrics.height());
+  painter->drawText(reason, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                    index.data(PairReviewModel::WordsRole).toString());
+  painter->restore();
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,76 @@
+#include "ui/review/card_list.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPixmap>
+
+#include "ui/review/card_delegate.h"
+#include "ui/review/pair_review_model.h"
+
+namespace ostraka::ui {
+
+CardList::CardList(QWidget* parent) : QListView(parent) {
+  setItemDelegate(new CardDelegate(this));
+  setVerticalScrollMode(ScrollPerPixel);
+  setMouseTracking(true);
+  viewport()->setMouseTracking(true);
+  setSelectionMode(SingleSelection);
+  setUniformItemSizes(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  ghost_ = new QLabel(viewport());
+  ghost_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  ghost_->hide();
+}
+
+void CardList::mousePressEvent(QMouseEvent* event) {
+  QListView::mousePressEvent(event);
+  dragged_back_ = -1;
+  if (event->button() != Qt::LeftButton) return;
+  const QModelIndex card = indexAt(event->pos());
+  if (!card.isValid()) return;
+  const QRect picture = CardDelegate::backPicture(visualRect(card), fontMetrics());
+  if (!picture.contains(event->pos())) return;
+  pressed_ = event->pos();
+  dragged_back_ = card.data(PairReviewModel::BackRole).toInt();
+  const QImage image = card.data(PairReviewModel::BackPictureRole).value<QImage>();
+  if (!image.isNull())
+    ghost_->setPixmap(QPixmap::fromImage(
+        image.scaled(picture.size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+}
+
+void CardList::mouseMoveEvent(QMouseEvent* event) {
+  const bool dragging = dragged_back_ >= 0 && event->buttons().testFlag(Qt::LeftButton);
+  if (!dragging) return QListView::mouseMoveEvent(event);
+  if ((event->pos() - pressed_).manhattanLength() < QApplication::startDragDistance() &&
+      !ghost_->isVisible())
+    return;
+  setProperty("dragging", true);
+  ghost_->adjustSize();
+  ghost_->move(event->pos() + QPoint(8, 8));
+  ghost_->show();
+  ghost_->raise();
+  setCursor(Qt::ClosedHandCursor);
+  viewport()->update();
+}
+
+void CardList::mouseReleaseEvent(QMouseEvent* event) {
+  const bool dropped = property("dragging").toBool();
+  const int back = dragged_back_;
+  endDrag();
+  QListView::mouseReleaseEvent(event);
+  if (!dropped || back < 0) return;
+  const QModelIndex card = indexAt(event->pos());
+  if (card.isValid() && card.data(PairReviewModel::BackRole).toInt() != back)
+    emit backDropped(card.data(PairReviewModel::FrontRole).toInt(), back);
+}
+
+void CardList::endDrag() {
+  setProperty("dragging", false);
+  dragged_back_ = -1;
+  ghost_->hide();
+  unsetCursor();
+  viewport()->update();
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,32 @@
+#pragma once
+#include <QListView>
+#include <QPoint>
+
+class QLabel;
+
+namespace ostraka::ui {
+
+/// The cards. The picture of a back can be dragged onto another card: that front gets it.
+class CardList final : public QListView {
+  Q_OBJECT
+
+ public:
+  explicit CardList(QWidget* parent = nullptr);
+
+ signals:
+  void backDropped(int front, int back);  ///< onto this front
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  void endDrag();
+
+  QPoint pressed_;
+  int dragged_back_ = -1;
+  QLabel* ghost_ = nullptr;  ///< the picture that goes along with the mouse
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,29 @@
+#pragma once
+#include <QWidget>
+
+#include "pipeline/live_pairs.h"
+
+namespace ostraka::ui {
+
+/// The outlines laid over each other, mm, and beside them the descriptors: accumulated turning
+/// angles along both. Front blue and solid, back red and dashed.
+class OutlinePlot final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OutlinePlot(QWidget* parent = nullptr);
+  void setView(const pipeline::PairView& view);
+  void clear();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintOutlines(QPainter& painter, const QRectF& where) const;
+  void paintTurns(QPainter& painter, const QRectF& where) const;
+  QPen penOf(bool front) const;
+
+  pipeline::PairView view_;
+};
+
+}  // namespace ostraka::ui

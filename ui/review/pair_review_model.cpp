@@ -1,0 +1,515 @@
+#include "ui/review/pair_review_model.h"
+
+#include <QUndoStack>
+#include <algorithm>
+
+#include "ui/review/review_commands.h"
+#include "ui/review/review_words.h"
+
+namespace ostraka::ui {
+namespace {
+
+using batch::Side;
+using pipeline::CardState;
+using pipeline::DecisionKind;
+using pipeline::PairDecision;
+using pipeline::ReviewCandidate;
+using ScenePtr = std::shared_ptr<const PairScene>;
+
+constexpr int kWantedCandidates = 3;
+
+QString sentenceOf(const Error& error) {
+  return QString::fromStdString(error.sentence());
+}
+
+}  // namespace
+
+PairReviewModel::PairReviewModel(JobRunner& runner, QUndoStack& undo, QObject* parent)
+    : QAbstractListModel(parent), runner_(runner), undo_(undo) {}
+
+void PairReviewModel::open(OpenedBatch batch) {
+  beginResetModel();
+  live_ = std::move(batch.live);
+  decisions_ = std::move(batch.decisions);
+  thumbnails_.clear();
+  more_.clear();
+  asked_.clear();
+  trial_ = {};
+  review_ = {};
+  if (const Result<pipeline::Review> review =
+          pipeline::reviewOf(live_->table(), pipeline::standing(decisions_)))
+    review_ = *review;
+  else
+    emit failed(sentenceOf(review.error()));
+  endResetModel();
+  emit waitingChanged();
+  thumbnails_job_ = runner_.start(
+      makeJob(tr("Small pictures of the sherds"),
+              [live = live_](Progress&, std::stop_token stop) { return thumbnails(live, stop); }),
+      this);
+  connect(thumbnails_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    const auto pictures = outcomeAs<Thumbnails>(outcome);
+    if (!pictures) return;  // cards without pictures still have names
+    thumbnails_ = *pictures;
+    if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
+  });
+  if (!review_.cards.empty()) select(review_.cards.front().front);
+}
+
+void PairReviewModel::close() {
+  beginResetModel();
+  for (const QPointer<JobHandle>& job :
+       {scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_})
+    if (job) job->deleteLater();
+  scene_job_ = fit_job_ = more_job_ = thumbnails_job_ = model_job_ = nullptr;
+  live_.reset();
+  review_ = {};
+  decisions_.clear();
+  candidates_.clear();
+  trial_ = {};
+  scene_wanted_ = clouds_wanted_ = busy_ = false;
+  endResetModel();
+  emit cardChanged();
+  emit candidatesChanged();
+  emit waitingChanged();
+}
+
+void PairReviewModel::setPerson(const QString& initials) {
+  person_ = initials.trimmed();
+  emit cardChanged();
+}
+
+int PairReviewModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(review_.cards.size());
+}
+
+QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount() || !live_) return {};
+  const pipeline::ReviewCard& card = review_.cards[static_cast<std::size_t>(index.row())];
+  const auto picture = [this](Side side, int scan) {
+    const auto found = thumbnails_.find({side, scan});
+    return found == thumbnails_.end() ? QImage() : found->second;
+  };
+  switch (role) {
+    case Qt::DisplayRole:
+      return pairName(card, live_->table());
+    case Qt::ToolTipRole:
+    case WordsRole:
+      return doubtSentence(card, live_->table());
+    case Qt::AccessibleTextRole:
+      return tr("%1, %2. %3")
+          .arg(pairName(card, live_->table()), stateWord(card.state),
+               doubtSentence(card, live_->table()));
+    case FrontRole:
+      return card.front;
+    case BackRole:
+      return card.back;
+    case StateRole:
+      return static_cast<int>(card.state);
+    case StateWordRole:
+      return stateWord(card.state);
+    case FrontPictureRole:
+      return picture(Side::Front, card.front);
+    case BackPictureRole:
+      return picture(Side::Back, card.back);
+    default:
+      return {};
+  }
+}
+
+int PairReviewModel::rowOf(int front) const {
+  for (int row = 0; row < rowCount(); ++row)
+    if (review_.cards[static_cast<std::size_t>(row)].front == front) return row;
+  return -1;
+}
+
+const pipeline::ReviewCard* PairReviewModel::card() const {
+  return review_.ofFront(trial_.front);
+}
+
+int PairReviewModel::chosen() const {
+  for (std::size_t i = 0; i < candidates_.size(); ++i)
+    if (candidates_[i].back == trial_.back) return static_cast<int>(i);
+  return -1;
+}
+
+QString PairReviewModel::reason() const {
+  return card() == nullptr ? QString() : doubtSentence(*card(), live_->table());
+}
+
+QString PairReviewModel::figuresText() const {
+  if (trial_.back < 0) return tr("No back is chosen.");
+  if (!(fit_.rim_rms_mm > 0)) return tr("The rims do not meet here.");
+  QString text =
+      tr("Rims %1 apart, %2 of them meet.").arg(mm(fit_.rim_rms_mm), percent(fit_.rim_overlap));
+  if (trial_.made == Made::ByHand) text += " " + tr("Turned by hand; B lets the rims settle it.");
+  if (trial_.made == Made::StartPoint)
+    text += " " + tr("Start point %1; B lets the rims settle it.").arg(trial_.shift);
+  const QString slip = slipSentence(fit_.slip, 0);
+  if (fit_.slipped && !slip.isEmpty() && fit_.slip == registration::Slip::UpsideDown)
+    text += " " + slip;
+  return text;
+}
+
+bool PairReviewModel::canAccept() const {
+  return whyNotAccept().isEmpty();
+}
+
+QString PairReviewModel::whyNotAccept() const {
+  if (!live_ || trial_.front < 0) return tr("No pair is chosen.");
+  if (trial_.back < 0) return tr("Choose a back first.");
+  if (person_.isEmpty()) return tr("Enter your initials first: each decision keeps its name.");
+  return {};
+}
+
+int PairReviewModel::holderOf(int back) const {
+  const pipeline::ReviewCard* holder = review_.ofBack(back);
+  return holder == nullptr ? -1 : holder->front;
+}
+
+void PairReviewModel::selectRow(int row) {
+  if (row >= 0 && row < rowCount()) select(review_.cards[static_cast<std::size_t>(row)].front);
+}
+
+void PairReviewModel::next() {
+  selectRow(std::min(rowOf(trial_.front) + 1, rowCount() - 1));
+}
+
+void PairReviewModel::previous() {
+  selectRow(std::max(rowOf(trial_.front) - 1, 0));
+}
+
+void PairReviewModel::select(int front) {
+  const pipeline::ReviewCard* chosen_card = review_.ofFront(front);
+  if (chosen_card == nullptr) return;
+  trial_ = {};
+  trial_.front = front;
+  if (chosen_card->back >= 0) {
+    trial_.back = chosen_card->back;
+    trial_.front_from_back = chosen_card->front_from_back;
+  } else if (!chosen_card->candidates.empty() && chosen_card->state == CardState::Alone) {
+    trial_.back = chosen_card->candidates.front().back;
+    trial_.front_from_back = chosen_card->candidates.front().front_from_back;
+  }
+  takeCandidates();
+  if (chosen() >= 0) trial_.shift = candidates_[static_cast<std::size_t>(chosen())].shift;
+  emit cardChanged();
+  emit trialChanged();
+  fetchScene(Clouds::Fetch);
+}
+
+void PairReviewModel::takeCandidates() {
+  candidates_.clear();
+  if (card() != nullptr) candidates_ = card()->candidates;
+  for (const ReviewCandidate& c : more_[trial_.front]) {
+    const bool known = std::any_of(candidates_.begin(), candidates_.end(),
+                                   [&](const ReviewCandidate& o) { return o.back == c.back; });
+    if (!known) candidates_.push_back(c);
+  }
+  emit candidatesChanged();
+}
+
+void PairReviewModel::choose(int candidate) {
+  if (candidate < 0 || candidate >= static_cast<int>(candidates_.size())) return;
+  const ReviewCandidate& c = candidates_[static_cast<std::size_t>(candidate)];
+  Trial trial{trial_.front, c.back, c.front_from_back, Made::Program, c.shift};
+  // What was decided for this very pair is shown as it was decided.
+  if (card() != nullptr && card()->back == c.back) trial.front_from_back = card()->front_from_back;
+  tryOut(trial, tr("choice of %1").arg(QString::fromStdString(backRef(c.back).id)));
+}
+
+void PairReviewModel::chooseBack(int back) {
+  for (std::size_t i = 0; i < candidates_.size(); ++i)
+    if (candidates_[i].back == back) return choose(static_cast<int>(i));
+  if (!live_ || trial_.front < 0) return;
+  busy_ = true;
+  emit busyChanged(true);
+  const int front = trial_.front;
+  if (fit_job_) fit_job_->deleteLater();
+  fit_job_ = runner_.start(makeJob(tr("Comparing two sides"),
+                                   [live = live_, front, back](Progress&, std::stop_token stop) {
+                                     return oneCandidate(live, front, back, stop);
+                                   }),
+                           this);
+  connect(fit_job_, &JobHandle::finished, this, [this, front, back](const JobOutcome& outcome) {
+    busy_ = false;
+    emit busyChanged(false);
+    const auto candidate = outcomeAs<ReviewCandidate>(outcome);
+    if (!candidate) return emit failed(sentenceOf(candidate.error()));
+    more_[front].push_back(*candidate);
+    if (front != trial_.front) return;
+    takeCandidates();
+    chooseBack(back);
+  });
+}
+
+void PairReviewModel::tryOut(const Trial& trial, const QString& text, bool merge) {
+  undo_.push(new TryCommand(*this, trial_, trial, text, merge));
+}
+
+void PairReviewModel::showTrial(const Trial& trial) {
+  const bool same_pair = trial.front == trial_.front && trial.back == trial_.back;
+  if (trial.front != trial_.front) {
+    trial_.front = trial.front;
+    takeCandidates();
+  }
+  trial_ = trial;
+  if (!same_pair) emit cardChanged();
+  emit trialChanged();
+  fetchScene(same_pair ? Clouds::Leave : Clouds::Fetch);
+}
+
+PairDecision PairReviewModel::about(DecisionKind kind) const {
+  PairDecision decision;
+  decision.kind = kind;
+  decision.by = person_.toStdString();
+  decision.scans = {frontRef(trial_.front)};
+  return decision;
+}
+
+pipeline::ScanRef PairReviewModel::frontRef(int i) const {
+  return live_->table().fronts.at(static_cast<std::size_t>(i));
+}
+
+pipeline::ScanRef PairReviewModel::backRef(int i) const {
+  return live_->table().backs.at(static_cast<std::size_t>(i));
+}
+
+void PairReviewModel::accept() {
+  if (!canAccept()) return emit failed(whyNotAccept());
+  PairDecision decision = about(DecisionKind::Pair);
+  decision.scans.push_back(backRef(trial_.back));
+  decision.front_from_back = trial_.front_from_back;
+  decision.settle =
+      trial_.made == Made::ByHand ? pipeline::Settle::AsGiven : pipeline::Settle::ByRims;
+  decide(decision, tr("pair %1 – %2")
+                       .arg(QString::fromStdString(frontRef(trial_.front).id),
+                            QString::fromStdString(backRef(trial_.back).id)));
+}
+
+void PairReviewModel::setAside() {
+  if (!live_ || trial_.front < 0) return;
+  if (person_.isEmpty()) return emit failed(whyNotAccept());
+  decide(about(DecisionKind::Aside),
+         tr("setting aside %1").arg(QString::fromStdString(frontRef(trial_.front).id)));
+}
+
+void PairReviewModel::reshoot() {
+  if (!live_ || trial_.front < 0) return;
+  if (person_.isEmpty()) return emit failed(whyNotAccept());
+  PairDecision decision = about(DecisionKind::Reshoot);
+  if (card() != nullptr && card()->back >= 0) decision.scans.push_back(backRef(card()->back));
+  decide(decision, tr("shooting %1 again").arg(QString::fromStdString(frontRef(trial_.front).id)));
+}
+
+void PairReviewModel::giveBack(int front, int back) {
+  if (!live_ || front < 0 || back < 0) return;
+  if (person_.isEmpty()) return emit failed(whyNotAccept());
+  PairDecision decision = about(DecisionKind::Pair);
+  decision.scans = {frontRef(front), backRef(back)};
+  if (const pipeline::RegisteredCandidate* known = live_->table().find(front, back))
+    decision.front_from_back = known->registration.front_from_back;
+  decide(decision, tr("pair %1 – %2")
+                       .arg(QString::fromStdString(frontRef(front).id),
+                            QString::fromStdString(backRef(back).id)));
+}
+
+void PairReviewModel::decide(PairDecision decision, const QString& text) {
+  const int row = rowOf(trial_.front);
+  undo_.push(new DecideCommand(*this, std::move(decision), text));
+  // On to what wants a person most; without any to the card that moved up to here.
+  if (waiting() > 0 && !review_.cards.empty() &&
+      (review_.cards[0].state == CardState::Ask || review_.cards[0].state == CardState::Alone))
+    selectRow(0);
+  else
+    selectRow(std::min(row, rowCount() - 1));
+}
+
+bool PairReviewModel::write(PairDecision& decision) {
+  const Result<PairDecision> written = pipeline::appendDecision(live_->output(), decision);
+  if (!written) {
+    emit failed(sentenceOf(written.error()));
+    return false;
+  }
+  decision = *written;
+  decisions_.push_back(decision);
+  redoReview();
+  emit decided(decision);
+  return true;
+}
+
+void PairReviewModel::redoReview() {
+  const Result<pipeline::Review> review =
+      pipeline::reviewOf(live_->table(), pipeline::standing(decisions_));
+  if (!review) return emit failed(sentenceOf(review.error()));
+  emit layoutAboutToBeChanged();
+  const QModelIndexList before = persistentIndexList();
+  std::vector<int> fronts;
+  for (const QModelIndex& i : before)
+    fronts.push_back(review_.cards[static_cast<std::size_t>(i.row())].front);
+  review_ = *review;
+  QModelIndexList after;
+  for (const int front : fronts) after.append(index(rowOf(front)));
+  changePersistentIndexList(before, after);
+  emit layoutChanged();
+  if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
+  emit waitingChanged();
+}
+
+void PairReviewModel::stepStart(int by) {
+  if (chosen() < 0) return;
+  const std::vector<int>& shifts = candidates_[static_cast<std::size_t>(chosen())].shifts;
+  if (shifts.empty()) return;
+  const int n = static_cast<int>(shifts.size());
+  int at = 0;  // the good start point nearest to the present one
+  for (int i = 0; i < n; ++i)
+    if (std::abs(shifts[static_cast<std::size_t>(i)] - trial_.shift) <
+        std::abs(shifts[static_cast<std::size_t>(at)] - trial_.shift))
+      at = i;
+  const int to = shifts[static_cast<std::size_t>(((at + by) % n + n) % n)];
+  const int front = trial_.front, back = trial_.back;
+  fitAt(
+      [live = live_, front, back, to](std::stop_token stop) -> Result<pipeline::LiveFit> {
+        const Result<pipeline::LiveFit> start = live->atStartPoint(front, back, to);
+        if (!start) return start;
+        Result<pipeline::LiveFit> fit = live->settled(front, back, start->front_from_back, stop);
+        if (fit) fit->shift = to;
+        return fit;
+      },
+      Made::Settled, tr("start point"));
+}
+
+void PairReviewModel::stepSample(int by) {
+  if (trial_.back < 0) return;
+  const int front = trial_.front, back = trial_.back, to = std::max(0, trial_.shift) + by;
+  fitAt([live = live_, front, back,
+         to](std::stop_token) { return live->atStartPoint(front, back, to); },
+        Made::StartPoint, tr("start point"));
+}
+
+void PairReviewModel::settle() {
+  if (trial_.back < 0) return;
+  const Trial from = trial_;
+  fitAt(
+      [live = live_, from](std::stop_token stop) -> Result<pipeline::LiveFit> {
+        Result<pipeline::LiveFit> fit =
+            live->settled(from.front, from.back, from.front_from_back, stop);
+        if (fit) fit->shift = from.shift;
+        return fit;
+      },
+      Made::Settled, tr("settling by the rims"));
+}
+
+void PairReviewModel::moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm) {
+  if (trial_.back < 0) return;
+  Trial trial = trial_;
+  trial.front_from_back =
+      pipeline::movedByHand(trial_.front_from_back, backRef(trial_.back), turn_rad, move_mm);
+  trial.made = Made::ByHand;
+  tryOut(trial, tr("turning by hand"), true);
+}
+
+void PairReviewModel::fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work,
+                            Made made, const QString& text) {
+  if (!live_ || trial_.front < 0) return;
+  if (fit_job_) fit_job_->deleteLater();  // its result is not wanted any more
+  busy_ = true;
+  emit busyChanged(true);
+  const Trial from = trial_;
+  fit_job_ = runner_.start(
+      makeJob(text,
+              [work = std::move(work)](Progress&, std::stop_token stop) { return work(stop); }),
+      this);
+  connect(fit_job_, &JobHandle::finished, this,
+          [this, from, made, text](const JobOutcome& outcome) {
+            busy_ = false;
+            emit busyChanged(false);
+            const auto fit = outcomeAs<pipeline::LiveFit>(outcome);
+            if (!fit) return emit failed(sentenceOf(fit.error()));
+            if (from.front != trial_.front || from.back != trial_.back) return;
+            tryOut({from.front, from.back, fit->front_from_back, made, fit->shift}, text);
+          });
+}
+
+void PairReviewModel::fetchModel() {
+  if (!live_ || card() == nullptr) return;
+  if (model_job_) model_job_->deleteLater();
+  const int front = trial_.front;
+  model_job_ =
+      runner_.start(makeJob(tr("Closed model"),
+                            [live = live_, number = card()->number](Progress&, std::stop_token) {
+                              return closedModel(live, number);
+                            }),
+                    this);
+  connect(model_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
+    const auto model = outcomeAs<MeshPtr>(outcome);
+    if (front != trial_.front) return;
+    if (!model)
+      return emit failed(
+          tr("This pair has no closed model yet; it is made when the "
+             "batch is computed."));
+    emit modelFetched(*model);
+  });
+}
+
+// One picture at a time; what changed meanwhile is fetched when it is there.
+void PairReviewModel::fetchScene(Clouds clouds) {
+  clouds_wanted_ = clouds_wanted_ || clouds == Clouds::Fetch;
+  scene_wanted_ = true;
+  if (scene_job_ || !live_ || trial_.front < 0) return;
+  const Trial trial = trial_;
+  const Clouds with = clouds_wanted_ ? Clouds::Fetch : Clouds::Leave;
+  scene_wanted_ = clouds_wanted_ = false;
+  scene_job_ = runner_.start(makeJob(tr("Picture of a pair"),
+                                     [live = live_, trial, with](Progress&, std::stop_token) {
+                                       return trial.back < 0
+                                                  ? loneScene(live, trial.front)
+                                                  : pairScene(live, trial.front, trial.back,
+                                                              trial.front_from_back, with);
+                                     }),
+                             this);
+  connect(scene_job_, &JobHandle::finished, this, [this, trial](const JobOutcome& outcome) {
+    scene_job_->deleteLater();
+    scene_job_ = nullptr;
+    const auto scene = outcomeAs<ScenePtr>(outcome);
+    const bool current = trial.front == trial_.front && trial.back == trial_.back;
+    if (scene && current) {
+      fit_ = (*scene)->fit;
+      emit sceneChanged(*scene);
+    } else if (!scene && current) {
+      emit failed(sentenceOf(scene.error()));
+    }
+    if (scene_wanted_ || clouds_wanted_) return fetchScene(Clouds::Leave);
+    fetchMore();
+  });
+}
+
+void PairReviewModel::fetchMore() {
+  const int front = trial_.front;
+  if (!live_ || front < 0 || more_job_ || asked_.contains(front)) return;
+  std::vector<int> known;
+  for (const ReviewCandidate& c : candidates_) known.push_back(c.back);
+  asked_.insert(front);
+  if (static_cast<int>(known.size()) >= kWantedCandidates) return;
+  more_job_ = runner_.start(
+      makeJob(
+          tr("More candidates"),
+          [live = live_, front, known](Progress& progress, std::stop_token stop) {
+            return moreCandidates(live, front, known, kWantedCandidates, progress, stop);
+          },
+          JobPriority::Background),
+      this);
+  connect(more_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
+    more_job_->deleteLater();
+    more_job_ = nullptr;
+    const auto found = outcomeAs<std::vector<ReviewCandidate>>(outcome);
+    if (!found) return;  // there are none; what is there stays
+    for (const ReviewCandidate& c : *found) more_[front].push_back(c);
+    if (front == trial_.front)
+      takeCandidates();
+    else
+      fetchMore();
+  });
+}
+
+}  // namespace ostraka::ui

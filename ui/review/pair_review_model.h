@@ -1,0 +1,137 @@
+#pragma once
+#include <QAbstractListModel>
+#include <QPointer>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <set>
+
+#include "ui/jobs/job.h"
+#include "ui/review/review_work.h"
+
+class QUndoStack;
+
+namespace ostraka::ui {
+
+/// How the pose on trial came about.
+enum class Made { Program, StartPoint, ByHand, Settled };
+
+/// What a person tries on a front at the moment: a back at a pose. A value that undo can put back.
+struct Trial {
+  int front = -1, back = -1;
+  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
+  Made made = Made::Program;
+  int shift = -1;  ///< start point on the back's contour, of 200
+};
+
+/// The review of one batch without a window: cards as rows, the card in hand, what is tried on it,
+/// and the decisions. Long work goes through the jobs; every act through the undo stack.
+class PairReviewModel final : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    FrontRole = Qt::UserRole,
+    BackRole,
+    StateRole,
+    StateWordRole,
+    FrontPictureRole,
+    BackPictureRole,
+    WordsRole
+  };
+
+  /// Both outlive the model.
+  PairReviewModel(JobRunner& runner, QUndoStack& undo, QObject* parent = nullptr);
+
+  void open(OpenedBatch batch);
+  void close();
+  bool isOpen() const { return live_ != nullptr; }
+  void setPerson(const QString& initials);
+  const QString& person() const { return person_; }
+  const LivePairsPtr& live() const { return live_; }
+  const pipeline::Review& review() const { return review_; }
+
+  // cards
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  int rowOf(int front) const;
+
+  // the card in hand
+  int front() const { return trial_.front; }
+  const pipeline::ReviewCard* card() const;
+  const std::vector<pipeline::ReviewCandidate>& candidates() const { return candidates_; }
+  int chosen() const;  ///< index among the candidates; -1: none of them
+  const Trial& trial() const { return trial_; }
+  const pipeline::LiveFit& fit() const { return fit_; }
+  bool isSettling() const { return busy_; }
+  QString reason() const;       ///< one sentence: why the card is doubtful
+  QString figuresText() const;  ///< rim RMS and overlap of the trial, in words
+  bool canAccept() const;
+  QString whyNotAccept() const;  ///< empty when it can
+  /// The front that holds this back now, -1: none; and whether that is in someone's way.
+  int holderOf(int back) const;
+  int waiting() const { return review_.waiting(); }
+
+ public slots:
+  void select(int front);
+  void selectRow(int row);
+  void next();
+  void previous();
+  void choose(int candidate);  ///< index among candidates()
+  void chooseBack(int back);   ///< any back; compared first where the program did not
+  void accept();
+  void setAside();
+  void reshoot();
+  void giveBack(int front, int back);  ///< decides at once: a back dragged onto a front
+  void stepStart(int by);              ///< to the next good start point
+  void stepSample(int by);             ///< by one of 200 samples
+  void moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
+  void settle();
+  void fetchModel();  ///< the closed model as last computed
+
+ signals:
+  void cardChanged();  ///< another card is in hand, or its state changed
+  void candidatesChanged();
+  void trialChanged();  ///< back or pose
+  void sceneChanged(const std::shared_ptr<const ostraka::ui::PairScene>& scene);
+  void busyChanged(bool busy);
+  void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);
+  void decided(const ostraka::pipeline::PairDecision& decision);  ///< is on disk
+  void failed(const QString& sentence);
+  void waitingChanged();
+
+ private:
+  friend class DecideCommand;
+  friend class TryCommand;
+  bool write(pipeline::PairDecision& decision);
+  void showTrial(const Trial& trial);
+
+  void decide(pipeline::PairDecision decision, const QString& text);
+  void tryOut(const Trial& trial, const QString& text, bool merge = false);
+  void redoReview();
+  void takeCandidates();
+  void fetchScene(Clouds clouds);
+  void fetchMore();
+  void fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work, Made made,
+             const QString& text);
+  pipeline::PairDecision about(pipeline::DecisionKind kind) const;
+  pipeline::ScanRef frontRef(int i) const;
+  pipeline::ScanRef backRef(int i) const;
+
+  JobRunner& runner_;
+  QUndoStack& undo_;
+  QString person_;
+  LivePairsPtr live_;
+  pipeline::Decisions decisions_;
+  pipeline::Review review_;
+  Thumbnails thumbnails_;
+  std::map<int, std::vector<pipeline::ReviewCandidate>> more_;  ///< by front, compared on demand
+  std::set<int> asked_;  ///< fronts for which more were sought
+  std::vector<pipeline::ReviewCandidate> candidates_;
+  Trial trial_;
+  pipeline::LiveFit fit_;
+  QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;
+  bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,40 @@
+#pragma once
+#include <QPointer>
+#include <QUndoCommand>
+
+#include "ui/review/pair_review_model.h"
+
+namespace ostraka::ui {
+
+/// A decision; undone by a withdrawal, which is a new row behind it. Nothing is ever removed.
+class DecideCommand final : public QUndoCommand {
+ public:
+  DecideCommand(PairReviewModel& model, pipeline::PairDecision decision, const QString& text);
+  void redo() override;
+  void undo() override;
+
+ private:
+  QPointer<PairReviewModel> model_;
+  pipeline::PairDecision decision_;
+  std::filesystem::path output_;
+  int number_ = 0;  ///< as written last
+};
+
+/// A back or a pose that is tried; nothing is written. Drags of one hand become one act.
+class TryCommand final : public QUndoCommand {
+ public:
+  TryCommand(PairReviewModel& model, const Trial& before, const Trial& after, const QString& text,
+             bool merge);
+  void redo() override;
+  void undo() override;
+  int id() const override { return merge_ ? 0x7431 : -1; }
+  bool mergeWith(const QUndoCommand* other) override;
+
+ private:
+  QPointer<PairReviewModel> model_;
+  Trial before_, after_;
+  std::filesystem::path output_;
+  bool merge_;
+};
+
+}  // namespace ostraka::ui

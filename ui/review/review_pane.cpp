@@ -1,0 +1,262 @@
+#include "ui/review/review_pane.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/frame/look.h"
+#include "ui/review/candidate_bar.h"
+#include "ui/review/card_list.h"
+#include "ui/review/outline_plot.h"
+#include "ui/review/pair_review_model.h"
+#include "ui/review/picture_pair.h"
+#include "ui/review/review_words.h"
+#include "ui/viewport/sherd_view.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr double kRimScale_mm = 0.5;  // twice a good rim's RMS is yellow
+
+ShownScan shownScan(const pipeline::ScanCloud& cloud) {
+  return {cloud.cloud, cloud.rim};
+}
+
+}  // namespace
+
+ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+  setFocusPolicy(Qt::StrongFocus);
+  cards_ = new CardList(this);
+  cards_->setObjectName("cards");
+  cards_->setAccessibleName(tr("Pairs, most doubtful first"));
+  cards_->setModel(&model_);
+  pictures_ = new PicturePair(this);
+  plot_ = new OutlinePlot(this);
+  view_ = new SherdView(this);
+  view_->setObjectName("sherd");
+  candidates_ = new CandidateBar(model_, this);
+  buildActions();
+  buildLayout();
+  connect(cards_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& now) {
+            const int front = now.data(PairReviewModel::FrontRole).toInt();
+            if (now.isValid() && front != model_.front()) model_.select(front);
+          });
+  connect(cards_, &CardList::backDropped, &model_, &PairReviewModel::giveBack);
+  connect(&model_, &PairReviewModel::cardChanged, this, &ReviewPane::showCard);
+  connect(&model_, &PairReviewModel::waitingChanged, this, &ReviewPane::showCard);
+  connect(&model_, &PairReviewModel::trialChanged, this, &ReviewPane::showFigures);
+  connect(&model_, &PairReviewModel::busyChanged, this, &ReviewPane::showFigures);
+  connect(&model_, &PairReviewModel::sceneChanged, this,
+          [this](const std::shared_ptr<const PairScene>& scene) {
+            scene_ = scene;
+            showScene(*scene);
+          });
+  connect(&model_, &PairReviewModel::modelFetched, this,
+          [this](const MeshPtr& mesh) { view_->showModel(*mesh); });
+  connect(view_, &SherdView::backMoved, &model_, &PairReviewModel::moveByHand);
+  connect(view_, &SherdView::pointPicked, this, &ReviewPane::measure);
+  showCard();
+}
+
+QAction* ReviewPane::act(const char* name, const QString& text, const QList<QKeySequence>& keys,
+                         void (PairReviewModel::*slot)()) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcuts(keys);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(action, &QAction::triggered, &model_, slot);
+  addAction(action);
+  return action;
+}
+
+QAction* ReviewPane::step(const char* name, const QString& text, const QKeySequence& key, int by,
+                          void (PairReviewModel::*slot)(int)) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(action, &QAction::triggered, &model_, [this, slot, by] { (model_.*slot)(by); });
+  addAction(action);
+  return action;
+}
+
+QAction* ReviewPane::toggle(const char* name, const QString& text, const QKeySequence& key) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setCheckable(true);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  addAction(action);
+  return action;
+}
+
+void ReviewPane::buildActions() {
+  act("accept", tr("This one"), {Qt::Key_Return, Qt::Key_Enter}, &PairReviewModel::accept);
+  act("next", tr("Next pair"), {Qt::Key_Down}, &PairReviewModel::next);
+  act("previous", tr("Previous pair"), {Qt::Key_Up}, &PairReviewModel::previous);
+  for (int i = 0; i < 9; ++i)
+    step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,
+         &PairReviewModel::choose);
+  step("startBefore", tr("Start point before"), Qt::Key_Left, -1, &PairReviewModel::stepStart);
+  step("startAfter", tr("Next start point"), Qt::Key_Right, 1, &PairReviewModel::stepStart);
+  step("sampleBefore", tr("One sample back"), Qt::SHIFT | Qt::Key_Left, -1,
+       &PairReviewModel::stepSample);
+  step("sampleAfter", tr("One sample on"), Qt::SHIFT | Qt::Key_Right, 1,
+       &PairReviewModel::stepSample);
+  mirror_ = toggle("mirror", tr("Mirror back"), Qt::Key_M);
+  connect(mirror_, &QAction::toggled, pictures_, &PicturePair::setMirrored);
+  apart_ = toggle("apart", tr("Apart"), Qt::Key_A);
+  connect(apart_, &QAction::toggled, view_, &SherdView::setApart);
+  section_ = toggle("section", tr("Section"), Qt::Key_X);
+  connect(section_, &QAction::toggled, view_, &SherdView::setSection);
+  connect(view_, &SherdView::sectionChanged, section_, &QAction::setChecked);
+  measure_ = toggle("measure", tr("Measure"), Qt::Key_D);
+  connect(measure_, &QAction::toggled, this, [this](bool on) {
+    measured_.clear();
+    if (on) apart_->setChecked(false);  // lengths across sides that lie apart would be false
+    view_->setMeasuring(on);
+  });
+  along_rim_ = toggle("alongRim", tr("Rim gap"), Qt::Key_R);
+  connect(along_rim_, &QAction::toggled, this, &ReviewPane::colourRim);
+  closed_ = toggle("closed", tr("Model"), Qt::Key_V);
+  connect(closed_, &QAction::toggled, this, [this](bool on) {
+    if (on)
+      model_.fetchModel();
+    else if (scene_)
+      model_.select(model_.front());
+  });
+  QAction* settle = act("settle", tr("Settle"), {Qt::Key_B}, &PairReviewModel::settle);
+  settle->setToolTip(tr("Let the rims settle the position (B)"));
+  QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReviewModel::setAside);
+  QAction* reshoot = act("reshoot", tr("Shoot again"), {Qt::Key_N}, &PairReviewModel::reshoot);
+  shown_actions_ = {settle,     mirror_, apart_, section_, measure_,
+                    along_rim_, closed_, aside,  reshoot};
+}
+
+QBoxLayout* ReviewPane::buttons() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  for (QAction* action : shown_actions_) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    const QString key = action->shortcut().toString(QKeySequence::NativeText);
+    button->setText(tr("%1 %2").arg(action->text(), key));
+    button->setAccessibleName(tr("%1, key %2").arg(action->text(), key));
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setMinimumHeight(fontMetrics().height() * 2);
+    row->addWidget(button);
+  }
+  row->addStretch();
+  return row;
+}
+
+void ReviewPane::buildLayout() {
+  reason_ = new QLabel(this);
+  reason_->setObjectName("reason");
+  reason_->setWordWrap(true);
+  reason_->setFont(scaledFont(*this, 1.15));
+  figures_ = new QLabel(this);
+  figures_->setObjectName("figures");
+  figures_->setFont(tabularFont(figures_->font()));
+  figures_->setWordWrap(true);
+  accept_ = new QPushButton(tr("This one   Enter"), this);
+  accept_->setObjectName("acceptButton");
+  accept_->setMinimumHeight(targetSize(*this));
+  accept_->setFont(scaledFont(*this, 1.2));
+  accept_->setFocusPolicy(Qt::TabFocus);
+  connect(accept_, &QPushButton::clicked, &model_, &PairReviewModel::accept);
+
+  auto* middle = new QSplitter(Qt::Vertical, this);
+  middle->addWidget(pictures_);
+  middle->addWidget(plot_);
+  middle->setStretchFactor(0, 3);
+  middle->setStretchFactor(1, 2);
+  auto* sides = new QSplitter(Qt::Horizontal, this);
+  sides->addWidget(middle);
+  sides->addWidget(view_);
+  sides->setStretchFactor(0, 1);
+  sides->setStretchFactor(1, 1);
+  sides->setSizes({500, 500});
+
+  auto* last = new QHBoxLayout;
+  last->addWidget(candidates_);
+  last->addStretch();
+  last->addWidget(accept_);
+  auto* right = new QVBoxLayout;
+  right->addWidget(reason_);
+  right->addWidget(sides, 1);
+  right->addLayout(buttons());
+  right->addWidget(figures_);
+  right->addLayout(last);
+  auto* all = new QHBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  cards_->setFixedWidth(fontMetrics().height() * 14);
+  all->addWidget(cards_);
+  all->addLayout(right, 1);
+}
+
+void ReviewPane::showCard() {
+  const int row = model_.rowOf(model_.front());
+  if (row >= 0 && cards_->currentIndex().row() != row) cards_->setCurrentIndex(model_.index(row));
+  reason_->setText(model_.reason());
+  if (!model_.isOpen()) {
+    view_->clear();
+    plot_->clear();
+    pictures_->setPictures({}, {}, 0.15);
+  }
+  showFigures();
+}
+
+void ReviewPane::showFigures() {
+  figures_->setText(model_.isSettling() ? tr("The rims are compared …") : model_.figuresText());
+  // A missing name is said by the click, not by a dead button.
+  accept_->setEnabled(model_.isOpen() && model_.trial().back >= 0);
+  accept_->setToolTip(model_.whyNotAccept());
+  if (model_.isOpen() && !closed_->isChecked()) view_->setPose(model_.trial().front_from_back);
+}
+
+void ReviewPane::showScene(const PairScene& scene) {
+  const auto& table = model_.live()->table();
+  pictures_->setPictures(scene.front_picture, scene.back_picture,
+                         scene.back < 0 ? 0.15 : scene.view.frame.px_mm);
+  pictures_->setNames(
+      QString::fromStdString(table.fronts[static_cast<std::size_t>(scene.front)].id),
+      scene.back < 0
+          ? QString()
+          : QString::fromStdString(table.backs[static_cast<std::size_t>(scene.back)].id));
+  scene.back < 0 ? plot_->clear() : plot_->setView(scene.view);
+  if (scene.front_cloud && scene.back_cloud) {
+    closed_->setChecked(false);
+    measure_->setChecked(false);
+    view_->showScans(shownScan(*scene.front_cloud), shownScan(*scene.back_cloud),
+                     scene.fit.front_from_back);
+  }
+  colourRim();
+  showFigures();
+}
+
+void ReviewPane::colourRim() {
+  ShownRim rim;
+  rim.reach_mm = kRimScale_mm;
+  if (along_rim_->isChecked() && scene_)
+    for (const registration::RimDistance& d : scene_->view.rim) {
+      rim.points.push_back(d.point);
+      rim.distance_mm.push_back(d.distance_mm);
+    }
+  view_->setRim(rim);
+}
+
+void ReviewPane::measure(const Eigen::Vector3d& point) {
+  if (measured_.size() >= 2) measured_.clear();
+  measured_.push_back(point);
+  if (measured_.size() < 2) return view_->setMeasure(point, point, tr("… and the other end"));
+  view_->setMeasure(measured_[0], measured_[1],
+                    mm(pipeline::length_mm(measured_[0], measured_[1]), 1));
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,61 @@
+#pragma once
+#include <Eigen/Core>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+class QAction;
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace ostraka::ui {
+
+class CandidateBar;
+class CardList;
+class OutlinePlot;
+class PairReviewModel;
+class PicturePair;
+class SherdView;
+struct PairScene;
+
+/// The screen of one batch's pairs: cards, photographs, outlines, 3D, candidates, and the keys.
+class ReviewPane final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReviewPane(PairReviewModel& model, QWidget* parent = nullptr);
+
+  SherdView& view() { return *view_; }
+
+ private:
+  void buildLayout();
+  void buildActions();
+  QBoxLayout* buttons();
+  QAction* act(const char* name, const QString& text, const QList<QKeySequence>& keys,
+               void (PairReviewModel::*slot)());
+  QAction* step(const char* name, const QString& text, const QKeySequence& key, int by,
+                void (PairReviewModel::*slot)(int));
+  QAction* toggle(const char* name, const QString& text, const QKeySequence& key);
+  void showCard();
+  void showFigures();
+  void showScene(const PairScene& scene);
+  void colourRim();
+  void measure(const Eigen::Vector3d& point);
+
+  PairReviewModel& model_;
+  CardList* cards_ = nullptr;
+  PicturePair* pictures_ = nullptr;
+  OutlinePlot* plot_ = nullptr;
+  SherdView* view_ = nullptr;
+  CandidateBar* candidates_ = nullptr;
+  QLabel *reason_ = nullptr, *figures_ = nullptr;
+  QPushButton* accept_ = nullptr;
+  QAction *mirror_ = nullptr, *apart_ = nullptr, *section_ = nullptr, *measure_ = nullptr,
+          *along_rim_ = nullptr, *closed_ = nullptr;
+  QList<QAction*> shown_actions_;  ///< those with a button
+  std::shared_ptr<const PairScene> scene_;
+  std::vector<Eigen::Vector3d> measured_;
+};
+
+}  // namespace ostraka::ui

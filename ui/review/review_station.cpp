@@ -1,0 +1,208 @@
+#include "ui/review/review_station.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "pipeline/process_batch.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/review/pair_review_model.h"
+#include "ui/review/review_pane.h"
+
+namespace ostraka::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Batches whose pairs are there, the newest first.
+QStringList reviewable(const fs::path& results) {
+  QStringList names;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(results, ignored))
+    if (fs::exists(entry.path() / "work" / "pairs" / "candidates.json", ignored))
+      names << QString::fromStdString(entry.path().filename().string());
+  std::sort(names.begin(), names.end(), std::greater<>());
+  return names;
+}
+
+}  // namespace
+
+ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
+  batches_ = new QComboBox(this);
+  batches_->setObjectName("batch");
+  batches_->setAccessibleName(tr("Batch"));
+  batches_->setFocusPolicy(Qt::TabFocus);
+  auto* person_label = new QLabel(tr("Your &initials"), this);
+  person_ = new QLineEdit(this);
+  person_->setObjectName("initials");
+  person_->setAccessibleName(tr("Your initials"));
+  person_->setMaxLength(8);
+  person_->setMaximumWidth(fontMetrics().averageCharWidth() * 14);
+  person_label->setBuddy(person_);
+  message_ = new QLabel(this);
+  message_->setObjectName("message");
+  message_->setWordWrap(true);
+  compute_ = new QPushButton(tr("Compute what changed"), this);
+  compute_->setObjectName("compute");
+  compute_->setFocusPolicy(Qt::TabFocus);
+  compute_->setToolTip(tr("Makes the models of the pairs that were decided anew"));
+  compute_->hide();
+  auto* head = new QHBoxLayout;
+  head->addWidget(batches_);
+  head->addWidget(message_, 1);
+  head->addWidget(compute_);
+  head->addWidget(person_label);
+  head->addWidget(person_);
+  auto* all = new QVBoxLayout(this);
+  all->addLayout(head);
+  connect(batches_, &QComboBox::activated, this,
+          [this](int index) { openOutput(batches_->itemText(index)); });
+  connect(person_, &QLineEdit::editingFinished, this, [this] {
+    if (session_) session_->setInitials(person_->text().trimmed());
+    if (pane_) pane_->setFocus();
+  });
+  connect(compute_, &QPushButton::clicked, this, &ReviewStation::compute);
+}
+
+ReviewStation::~ReviewStation() = default;
+
+void ReviewStation::openProject(ProjectSession& session) {
+  closeProject();
+  session_ = &session;
+  model_ = new PairReviewModel(session.jobs(), session.undo(), this);
+  pane_ = new ReviewPane(*model_, this);
+  layout()->addWidget(pane_);
+  static_cast<QVBoxLayout*>(layout())->setStretchFactor(pane_, 1);
+  setFocusProxy(pane_);
+  person_->setText(session.initials());
+  model_->setPerson(session.initials());
+  connect(&session, &ProjectSession::initialsChanged, model_, &PairReviewModel::setPerson);
+  connect(&session, &ProjectSession::initialsChanged, person_, &QLineEdit::setText);
+  connect(&session, &ProjectSession::batchChanged, this, &ReviewStation::listBatches);
+  connect(model_, &PairReviewModel::waitingChanged, this, &Station::waitingChanged);
+  connect(model_, &PairReviewModel::failed, this, &ReviewStation::say);
+  connect(model_, &PairReviewModel::decided, this, [this](const pipeline::PairDecision& d) {
+    compute_->show();
+    say(d.kind == pipeline::DecisionKind::Withdraw
+            ? tr("Taken back. Both are kept in the history.")
+            : tr("Saved, with your name: %1.").arg(session_->undo().undoText()));
+    session_->tellBatchChanged(batch_);
+  });
+  listBatches();
+  if (batches_->count() > 0) openOutput(batches_->itemText(0));
+}
+
+void ReviewStation::closeProject() {
+  if (opening_) opening_->deleteLater();
+  if (pane_) pane_->deleteLater();
+  if (model_ != nullptr) {
+    model_->close();
+    model_->deleteLater();
+  }
+  if (session_) disconnect(session_, nullptr, this, nullptr);
+  model_ = nullptr;
+  session_.clear();
+  batch_.clear();
+  batches_->clear();
+  message_->clear();
+  compute_->hide();
+}
+
+fs::path ReviewStation::outputOf(const QString& batch) const {
+  return session_->folder() / "results" / batch.toStdString();
+}
+
+void ReviewStation::listBatches() {
+  if (!session_) return;
+  const QStringList names = reviewable(session_->folder() / "results");
+  QStringList shown;
+  for (int i = 0; i < batches_->count(); ++i) shown << batches_->itemText(i);
+  if (names == shown) return;
+  batches_->clear();
+  batches_->addItems(names);
+  batches_->setCurrentText(batch_);
+  if (names.isEmpty())
+    say(tr("No batch is computed yet. Shoot or import one; its pairs appear here."));
+}
+
+void ReviewStation::showItem(const QString& batch) {
+  if (!session_) return;
+  listBatches();
+  openOutput(batch);
+}
+
+void ReviewStation::openOutput(const QString& batch) {
+  if (!session_ || batch.isEmpty()) return;
+  batch_ = batch;
+  batches_->setCurrentText(batch);
+  compute_->hide();
+  message_->clear();
+  if (opening_) opening_->deleteLater();
+  opening_ = session_->jobs().start(
+      makeJob(tr("Opening %1").arg(batch),
+              [output = outputOf(batch)](Progress&, std::stop_token) { return openBatch(output); }),
+      this);
+  connect(opening_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    const auto opened = outcomeAs<OpenedBatch>(outcome);
+    if (!opened) return say(QString::fromStdString(opened.error().sentence()));
+    model_->open(*opened);
+    if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
+    for (const std::string& warning : model_->review().warnings)
+      say(QString::fromStdString(warning));
+  });
+}
+
+void ReviewStation::compute() {
+  if (!session_ || computing_) return;
+  pipeline::ProcessOptions options;
+  options.batch = session_->folder() / "batches" / batch_.toStdString();
+  options.output = outputOf(batch_);
+  compute_->setEnabled(false);
+  computing_ = session_->jobs().start(makeJob(
+                                          tr("Computing %1").arg(batch_),
+                                          [options](Progress& progress, std::stop_token stop) {
+                                            return pipeline::processBatch(options, progress, stop);
+                                          },
+                                          JobPriority::Background),
+                                      this);
+  connect(computing_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
+    say(tr("Computing: %1, %2 %").arg(progress.stage).arg(int(100 * progress.fraction)));
+  });
+  connect(computing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    computing_->deleteLater();
+    computing_ = nullptr;
+    compute_->setEnabled(true);
+    const auto summary = outcomeAs<pipeline::ProcessSummary>(outcome);
+    if (!summary) return say(QString::fromStdString(summary.error().sentence()));
+    compute_->setVisible(false);
+    say(summary->ambiguous() > 0
+            ? tr("Computed. %n pair(s) still need your eye.", nullptr, summary->ambiguous())
+            : tr("Computed: %n sherd(s).", nullptr, static_cast<int>(summary->sherds.size())));
+    if (session_) session_->tellBatchChanged(batch_);
+  });
+}
+
+void ReviewStation::setInFront(bool in_front) {
+  if (in_front && pane_) pane_->setFocus();
+}
+
+int ReviewStation::waiting() const {
+  return model_ != nullptr ? model_->waiting() : 0;
+}
+
+QString ReviewStation::waitingText() const {
+  return waiting() == 0 ? tr("No pair needs your eye")
+                        : tr("%n pair(s) need your eye", nullptr, waiting());
+}
+
+void ReviewStation::say(const QString& sentence) {
+  message_->setText(sentence);
+  emit said(sentence);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,59 @@
+#pragma once
+#include <QPointer>
+#include <filesystem>
+#include <memory>
+
+#include "ui/frame/station.h"
+#include "ui/jobs/job.h"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace ostraka::ui {
+
+class PairReviewModel;
+class ReviewPane;
+
+/// The station Review: which batch, who decides, and the pane.
+class ReviewStation final : public Station {
+  Q_OBJECT
+
+ public:
+  explicit ReviewStation(QWidget* parent = nullptr);
+  ~ReviewStation() override;
+
+  QString title() const override { return tr("Review"); }
+  QString iconName() const override { return QStringLiteral("review"); }
+  QString manualPage() const override { return QStringLiteral("review"); }
+  void openProject(ProjectSession& session) override;
+  void closeProject() override;
+  int waiting() const override;
+  QString waitingText() const override;
+  void setInFront(bool in_front) override;
+
+  PairReviewModel* model() const { return model_; }
+
+ public slots:
+  void showItem(const QString& batch) override;
+
+ private:
+  void listBatches();
+  void openOutput(const QString& batch);
+  void compute();
+  void say(const QString& sentence);
+  std::filesystem::path outputOf(const QString& batch) const;
+
+  QPointer<ProjectSession> session_;
+  QString batch_;
+  QComboBox* batches_ = nullptr;
+  QLineEdit* person_ = nullptr;
+  QLabel* message_ = nullptr;
+  QPushButton* compute_ = nullptr;
+  PairReviewModel* model_ = nullptr;
+  QPointer<ReviewPane> pane_;
+  QPointer<JobHandle> opening_, computing_;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,149 @@
+#include "ui/review/review_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace ostraka::ui {
+namespace {
+
+using pairing::Doubt;
+using pipeline::CandidateTable;
+using pipeline::CardState;
+using pipeline::ReviewCard;
+using registration::Slip;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("ostraka::ui::Review", text);
+}
+
+QString idOf(const std::vector<pipeline::ScanRef>& scans, int i) {
+  if (i < 0 || i >= static_cast<int>(scans.size())) return {};
+  return QString::fromStdString(scans[static_cast<std::size_t>(i)].id);
+}
+
+QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
+  const double apart = std::abs(card.rim_rms_mm - card.rival_rim_rms_mm);
+  const bool rims = card.rim_rms_mm > 0 && card.rival_rim_rms_mm > 0;
+  if (card.rival_back >= 0)
+    return (rims ? tr("%1 and %2 both fit %3: their rims differ by %4 only.")
+                 : tr("%1 and %2 both fit %3."))
+        .arg(idOf(table.backs, card.back), idOf(table.backs, card.rival_back),
+             idOf(table.fronts, card.front), mm(apart));
+  if (card.rival_front >= 0)
+    return tr("%1 would fit %2 nearly as well.")
+        .arg(idOf(table.backs, card.back), idOf(table.fronts, card.rival_front));
+  return tr("Another partner fits nearly as well.");
+}
+
+QString askSentence(const ReviewCard& card, const CandidateTable& table) {
+  switch (card.doubt) {
+    case Doubt::Displaced:
+      return tr("Its back was given to another front: is %1 the right one now?")
+          .arg(idOf(table.backs, card.back));
+    case Doubt::OtherPartner:
+      return rivalSentence(card, table);
+    case Doubt::Strangers:
+      return tr("%1 fits hardly better than a stranger's back.").arg(idOf(table.backs, card.back));
+    case Doubt::OtherPose:
+      return tr("The two sides fit nearly as well in another position.");
+    case Doubt::SelfCheck:
+      return slipSentence(card.slip, card.slip_value);
+    case Doubt::None:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+QString mm(double value, int digits) {
+  return tr("%1 mm").arg(QLocale().toString(value, 'f', digits));
+}
+
+QString percent(double share) {
+  if (share > 0 && share < 0.01) return tr("under 1 %");
+  // Certainty is never rounded up to 100.
+  return tr("%1 %").arg(QLocale().toString(std::floor(std::min(share, 1.0) * 100 + 1e-9), 'f', 0));
+}
+
+QString slipSentence(Slip slip, double value) {
+  switch (slip) {
+    case Slip::UpsideDown:
+      return tr("The back lies upside down: both sides face the same way.");
+    case Slip::FacesCross:
+      return tr("The faces cross: %1 of the front lies behind the back.").arg(percent(value));
+    case Slip::NoSharedRim:
+      return tr("The two scans share almost no broken edge; outlines alone tie them.");
+    case Slip::RimMisfits:
+      return tr("The broken edges do not fit: %1 apart.").arg(mm(value));
+    case Slip::RimLoose:
+      return tr("The rim hardly fixes the position: uncertain by %1.").arg(mm(value));
+    case Slip::RivalPlace:
+      return tr("A place %1 along the rim fits nearly as well.").arg(mm(value, 1));
+    case Slip::OutlinesAlone:
+      return tr("The rims cannot be compared; outlines alone tie these sides.");
+    case Slip::None:
+      break;
+  }
+  return {};
+}
+
+QString stateWord(CardState state) {
+  switch (state) {
+    case CardState::Ask:
+      return tr("look");
+    case CardState::Alone:
+      return tr("no back");
+    case CardState::Sure:
+      return tr("sure");
+    case CardState::Decided:
+      return tr("decided");
+    case CardState::Aside:
+      return tr("set aside");
+    case CardState::Reshoot:
+      return tr("shoot again");
+  }
+  return {};
+}
+
+State stateColour(CardState state) {
+  switch (state) {
+    case CardState::Ask:
+    case CardState::Alone:
+      return State::Ask;
+    case CardState::Reshoot:
+      return State::Failed;
+    case CardState::Aside:
+      return State::Aside;
+    default:
+      return State::Sure;
+  }
+}
+
+QString pairName(const ReviewCard& card, const CandidateTable& table) {
+  const QString front = idOf(table.fronts, card.front);
+  return card.back < 0 ? front : tr("%1 – %2").arg(front, idOf(table.backs, card.back));
+}
+
+QString doubtSentence(const ReviewCard& card, const CandidateTable& table) {
+  const QString by = QString::fromStdString(card.decided_by);
+  const QString on = QString::fromStdString(card.decided_at.substr(0, 10));
+  switch (card.state) {
+    case CardState::Ask:
+      return askSentence(card, table);
+    case CardState::Alone:
+      return tr("No back was found for it. Choose one, or set it aside.");
+    case CardState::Sure:
+      return tr("The program is sure: %1.").arg(percent(card.score));
+    case CardState::Decided:
+      return tr("Decided by %1 on %2.").arg(by, on);
+    case CardState::Aside:
+      return tr("Set aside by %1 on %2.").arg(by, on);
+    case CardState::Reshoot:
+      return tr("To be shot again, says %1, %2.").arg(by, on);
+  }
+  return {};
+}
+
+}  // namespace ostraka::ui

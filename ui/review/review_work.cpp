@@ -1,0 +1,126 @@
+#include "ui/review/review_work.h"
+
+#include <algorithm>
+
+#include "cloud/ply.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr std::size_t kShownPoints = 15000;  // of a face; rims come on top
+constexpr double kThumbnailPixel_mm = 0.5;
+
+pipeline::ReviewCandidate shown(const pipeline::RegisteredCandidate& c) {
+  pipeline::ReviewCandidate out;
+  out.back = c.evidence.back;
+  out.rim_rms_mm = c.registration.rim_rms_mm;
+  out.rim_overlap = c.registration.rim_overlap;
+  out.uncertainty_mm = c.registration.uncertainty_mm;
+  out.contour_rms_mm = c.start().contour_rms_mm;
+  out.front_from_back = c.registration.front_from_back;
+  out.shift = c.start().shift;
+  for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
+  std::sort(out.shifts.begin(), out.shifts.end());
+  out.slipped = c.registration.slipped;
+  out.slip = c.registration.slip;
+  return out;
+}
+
+}  // namespace
+
+QImage imageOf(const pipeline::Picture& picture) {
+  if (picture.rgba.empty()) return {};
+  return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
+                QImage::Format_RGBA8888)
+      .copy();
+}
+
+Result<OpenedBatch> openBatch(const std::filesystem::path& output) {
+  Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
+  if (!decisions) return decisions.error();
+  const auto live = pipeline::LivePairs::open(output);
+  if (!live) return live.error();
+  return OpenedBatch{*live, std::move(*decisions)};
+}
+
+Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,
+                                                   const Eigen::Isometry3d& pose, Clouds clouds) {
+  auto scene = std::make_shared<PairScene>();
+  scene->front = front;
+  scene->back = back;
+  Result<pipeline::PairView> view = live->view(front, back, pose);
+  if (!view) return view.error();
+  scene->view = std::move(*view);
+  scene->front_picture = imageOf(scene->view.front);
+  scene->back_picture = imageOf(scene->view.back);
+  scene->fit.front_from_back = pose;
+  // Scans without a usable rim still have outlines and photographs.
+  if (const Result<pipeline::LiveFit> fit = live->measured(front, back, pose)) scene->fit = *fit;
+  if (clouds == Clouds::Fetch) {
+    Result<pipeline::ScanCloud> f = live->cloud(batch::Side::Front, front, kShownPoints);
+    Result<pipeline::ScanCloud> b = live->cloud(batch::Side::Back, back, kShownPoints);
+    if (!f) return f.error();
+    if (!b) return b.error();
+    scene->front_cloud = std::move(*f);
+    scene->back_cloud = std::move(*b);
+  }
+  return std::shared_ptr<const PairScene>(std::move(scene));
+}
+
+Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, int front) {
+  auto scene = std::make_shared<PairScene>();
+  scene->front = front;
+  if (const Result<pipeline::Picture> picture = live->picture(batch::Side::Front, front, 0.15))
+    scene->front_picture = imageOf(*picture);
+  Result<pipeline::ScanCloud> cloud = live->cloud(batch::Side::Front, front, kShownPoints);
+  if (!cloud) return cloud.error();
+  scene->front_cloud = std::move(*cloud);
+  scene->back_cloud.emplace();
+  return std::shared_ptr<const PairScene>(std::move(scene));
+}
+
+Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number) {
+  Result<PlyContents> file = readPly(live->output() / "sherds" / number / "model.ply");
+  if (!file) return file.error();
+  return MeshPtr(std::make_shared<TriangleMesh>(std::move(file->mesh)));
+}
+
+Result<Thumbnails> thumbnails(const LivePairsPtr& live, std::stop_token stop) {
+  Thumbnails pictures;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const auto& scans = side == batch::Side::Front ? live->table().fronts : live->table().backs;
+    for (int i = 0; i < static_cast<int>(scans.size()); ++i) {
+      if (stop.stop_requested()) return Error::cancelled();
+      const Result<pipeline::Picture> picture = live->picture(side, i, kThumbnailPixel_mm);
+      if (!picture) return picture.error();
+      pictures[{side, i}] = imageOf(*picture);
+    }
+  }
+  return pictures;
+}
+
+Result<std::vector<pipeline::ReviewCandidate>> moreCandidates(const LivePairsPtr& live, int front,
+                                                              const std::vector<int>& known,
+                                                              int wanted, Progress& progress,
+                                                              std::stop_token stop) {
+  const Result<std::vector<int>> backs = live->likeliestBacks(front, progress, stop);
+  if (!backs) return backs.error();
+  std::vector<pipeline::ReviewCandidate> found;
+  for (const int back : *backs) {
+    if (static_cast<int>(known.size() + found.size()) >= wanted) break;
+    if (std::find(known.begin(), known.end(), back) != known.end()) continue;
+    const Result<pipeline::ReviewCandidate> candidate = oneCandidate(live, front, back, stop);
+    if (!candidate && candidate.error().code == ErrorCode::Cancelled) return candidate.error();
+    if (candidate) found.push_back(*candidate);
+  }
+  return found;
+}
+
+Result<pipeline::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,
+                                               std::stop_token stop) {
+  const Result<pipeline::RegisteredCandidate> candidate = live->compared(front, back, stop);
+  if (!candidate) return candidate.error();
+  return shown(*candidate);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,61 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <QImage>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "pipeline/live_pairs.h"
+#include "pipeline/review.h"
+
+/// What the review computes away from the window's thread: values in, values out.
+namespace ostraka::ui {
+
+using LivePairsPtr = std::shared_ptr<const pipeline::LivePairs>;
+
+/// A batch as it is opened for review.
+struct OpenedBatch {
+  LivePairsPtr live;
+  pipeline::Decisions decisions;  ///< all ever taken
+};
+Result<OpenedBatch> openBatch(const std::filesystem::path& output);
+
+/// A pair at a pose with all that is shown of it.
+struct PairScene {
+  int front = -1, back = -1;
+  pipeline::LiveFit fit;
+  pipeline::PairView view;
+  QImage front_picture, back_picture;                          ///< of view
+  std::optional<pipeline::ScanCloud> front_cloud, back_cloud;  ///< only when asked for
+};
+enum class Clouds { Leave, Fetch };
+Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,
+                                                   const Eigen::Isometry3d& pose, Clouds clouds);
+
+/// A front that has no partner to be shown with.
+Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, int front);
+
+/// OUT/sherds/<number>/model.ply.
+using MeshPtr = std::shared_ptr<const TriangleMesh>;
+Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number);
+
+/// Small pictures of all scans, by side and index.
+using Thumbnails = std::map<std::pair<batch::Side, int>, QImage>;
+Result<Thumbnails> thumbnails(const LivePairsPtr& live, std::stop_token stop);
+
+/// More backs for a front that has fewer than `wanted` candidates: the likeliest by their outlines,
+/// rims compared.
+Result<std::vector<pipeline::ReviewCandidate>> moreCandidates(const LivePairsPtr& live, int front,
+                                                              const std::vector<int>& known,
+                                                              int wanted, Progress& progress,
+                                                              std::stop_token stop);
+
+/// One back compared on demand.
+Result<pipeline::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,
+                                               std::stop_token stop);
+
+QImage imageOf(const pipeline::Picture& picture);
+
+}  // namespace ostraka::ui

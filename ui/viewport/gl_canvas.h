@@ -1,0 +1,63 @@
+#pragma once
+#include <QMap>
+#include <QMetaObject>
+#include <QOpenGLWidget>
+#include <memory>
+
+class QSurface;
+class QTimer;
+
+namespace ostraka::ui {
+
+class SherdScene;
+
+/// VTK's generic render window inside an OpenGL widget of Qt 6: Debian's ready one is Qt 5's.
+class GlCanvas final : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit GlCanvas(QWidget* parent);
+  ~GlCanvas() override;
+
+  /// False where a picture cannot be drawn by OpenGL 3.2: no such driver, or a platform of Qt that
+  /// has none (offscreen).
+  static bool isPossible();
+
+  SherdScene& scene() { return *scene_; }
+  void setPicking(bool picking) { picking_ = picking; }
+  double mmPerPixel() const;  ///< of this widget's own pixels
+
+ signals:
+  void rendered();
+  void clicked(double x, double y, double z);  ///< a point under the mouse, while picking
+  void draggedWithControl(double turn_x, double turn_y, double turn_z, double move_x, double move_y,
+                          double move_z);
+  void releasedWithControl();
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  struct Vtk;
+  void observe();
+  void sync();
+  void release();
+  void tell(QSinglePointEvent& event);
+  void dragBack(const QPointF& to, bool move);
+
+  std::unique_ptr<Vtk> vtk_;
+  std::unique_ptr<SherdScene> scene_;
+  QMap<int, QTimer*> timers_;
+  QSurface* surface_ = nullptr;
+  QMetaObject::Connection dying_;
+  QPointF last_;
+  bool picking_ = false, turning_back_ = false, moved_ = false;
+};
+
+}  // namespace ostraka::ui

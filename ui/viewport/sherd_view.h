@@ -1,0 +1,89 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <QString>
+#include <QWidget>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "cloud/point_cloud.h"
+
+namespace ostraka::ui {
+
+class GlCanvas;
+class ViewOverlay;
+
+/// A scan to be shown: its points with the rim marked.
+struct ShownScan {
+  PointCloud cloud;
+  std::vector<std::uint8_t> rim;
+};
+
+/// How far the two sides lie apart along the rim: core's figures, one for each point.
+struct ShownRim {
+  std::vector<Eigen::Vector3f> points;  ///< front's frame
+  std::vector<float> distance_mm;       ///< signed
+  double reach_mm = 0.5;                ///< the far end of the colour scale
+};
+
+/// The sherd in three dimensions: two scans at a pose, or a closed model. Shows only: all figures
+/// come from outside. Without OpenGL it says so in words, and everything else goes on.
+///
+/// Mouse: drag turns the view, wheel zooms, middle button moves. Ctrl+drag turns the back by hand,
+/// Ctrl+Shift+drag moves it. With the section on, Shift+wheel moves the plane.
+class SherdView final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SherdView(QWidget* parent = nullptr);
+  ~SherdView() override;
+
+  bool hasOpenGl() const { return canvas_ != nullptr; }
+
+  void clear();
+  void showScans(const ShownScan& front, const ShownScan& back,
+                 const Eigen::Isometry3d& front_from_back);
+  void setPose(const Eigen::Isometry3d& front_from_back);
+  /// Empty: the rims keep the blue and red of their sides.
+  void setRim(const ShownRim& rim);
+  void showModel(const TriangleMesh& model);
+  /// A sentence over an empty view.
+  void setNote(const QString& note);
+  /// The line and its length, in words; empty: none.
+  void setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const QString& text);
+
+  bool isApart() const { return apart_; }
+  bool hasSection() const { return section_; }
+  bool isMeasuring() const { return measuring_; }
+
+ public slots:
+  void setApart(bool apart);
+  void setSection(bool section);
+  void setMeasuring(bool measuring);
+  void resetView();
+
+ signals:
+  void pointPicked(const Eigen::Vector3d& point);  ///< while measuring; front's frame, mm
+  /// The back is to be turned and moved by so much, in the front's frame.
+  void backMoved(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
+  void backReleased();  ///< the hand let go
+  void sectionChanged(bool on);
+  void apartChanged(bool apart);
+  void measuringChanged(bool on);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void placeOverlay();
+
+  GlCanvas* canvas_ = nullptr;
+  ViewOverlay* overlay_ = nullptr;
+  bool apart_ = false, section_ = false, measuring_ = false;
+};
+
+/// To be called before QApplication is made: the surface format and platform that VTK needs.
+void prepareOpenGl();
+
+}  // namespace ostraka::ui

@@ -343,14 +343,37 @@ Result<PairView> LivePairs::view(int front, int back, const Isometry3d& pose) co
   return view;
 }
 
+PictureFrame LivePairs::frameOf(Side side, int scan, double px_mm) const {
+  const Result<const scan::Scan*> points = state_->scanOf(side, scan);
+  return points ? frameAround((*points)->cloud.points, px_mm, 1.5) : PictureFrame{};
+}
+
 Result<Picture> LivePairs::picture(Side side, int scan, double px_mm) const {
   const Result<const scan::Scan*> points = state_->scanOf(side, scan);
   if (!points) return points.error();
   const Result<const Photograph*> photograph = state_->photographOf(side);
   if (!photograph) return photograph.error();
-  const PictureFrame frame = frameAround((*points)->cloud.points, px_mm, 1.5);
+  const PictureFrame frame = frameOf(side, scan, px_mm);
   return orthophoto((*photograph)->picture, (*photograph)->mask, (*photograph)->image,
                     (*points)->cloud.points, Isometry3d::Identity(), Facing::Up, frame);
+}
+
+Result<rig::PosedImage> LivePairs::photographed(Side side) const {
+  const rig::PosedImage* image = highest(state_->images, side);
+  if (image == nullptr)
+    return Error{ErrorCode::Missing, "There is no photograph of this side.",
+                 state_->output.string()};
+  return *image;
+}
+
+Result<std::vector<Eigen::Vector2d>> LivePairs::outlineIn(const rig::PosedImage& photograph,
+                                                          int scan) const {
+  const Result<const scan::Scan*> found = state_->scanOf(photograph.side, scan);
+  if (!found) return found.error();
+  std::vector<Eigen::Vector2d> outline;
+  for (const Eigen::Vector3d& p : state_->outlineOf(photograph.side, scan))
+    outline.push_back(photograph.project(p));
+  return outline;
 }
 
 Result<ScanCloud> LivePairs::cloud(Side side, int scan, std::size_t most_points) const {
@@ -381,6 +404,14 @@ Isometry3d movedByHand(const Isometry3d& front_from_back, const ScanRef& back,
   if (angle > 0) change.rotate(Eigen::AngleAxisd(angle, turn_rad / angle));
   change.translate(-pivot);
   return change * front_from_back;
+}
+
+Eigen::Vector2d onBackPlate(const Isometry3d& front_from_back, const ScanRef& back,
+                            const Eigen::Vector2d& shown_mm) {
+  const double height =
+      (front_from_back * Eigen::Vector3d(back.place_mm.x(), back.place_mm.y(), 0)).z();
+  return (front_from_back.inverse() * Eigen::Vector3d(shown_mm.x(), shown_mm.y(), height))
+      .head<2>();
 }
 
 double length_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

@@ -68,7 +68,12 @@ class LivePairs {
 
   Result<PairView> view(int front, int back, const Eigen::Isometry3d& pose) const;
   /// A side alone, seen from its own outside, in its own plate frame.
+  PictureFrame frameOf(batch::Side side, int scan, double px_mm) const;  ///< of picture()
   Result<Picture> picture(batch::Side side, int scan, double px_mm) const;
+  /// The photograph that a side is shown by, the one from highest above; its file may be gone.
+  Result<rig::PosedImage> photographed(batch::Side side) const;
+  /// A scan's outline in that photograph, pixels; empty when it has none.
+  Result<std::vector<Eigen::Vector2d>> outlineIn(const rig::PosedImage& photograph, int scan) const;
   Result<ScanCloud> cloud(batch::Side side, int scan, std::size_t most_points) const;
 
  private:
@@ -80,6 +85,11 @@ class LivePairs {
 /// A pose turned and moved by hand: about the back's middle, in the front's frame.
 Eigen::Isometry3d movedByHand(const Eigen::Isometry3d& front_from_back, const ScanRef& back,
                               const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
+
+/// A point of the back as the screen shows it (front's frame, seen through the front), on the
+/// back's own plate: for a cut that is drawn on its photograph.
+Eigen::Vector2d onBackPlate(const Eigen::Isometry3d& front_from_back, const ScanRef& back,
+                            const Eigen::Vector2d& shown_mm);
 
 /// The length of a line that a person drew in the 3D view.
 double length_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to);

@@ -1,0 +1,36 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/live_pairs.h"
+#include "pipeline/review.h"
+
+namespace ostraka::pipeline {
+
+/// One sherd in the photograph of one side.
+struct MapMark {
+  int scan = 0;        ///< index of the side's scan
+  std::string number;  ///< of its sherd: "03"; empty: nobody's back, or set aside
+  /// A doubtful pair shows both numbers: the one that it would have with its rival. Else empty.
+  std::string other_number;
+  CardState state = CardState::Sure;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< middle of the outline, pixels
+  std::vector<Eigen::Vector2d> outline;          ///< closed, pixels
+};
+
+struct MapSide {
+  std::filesystem::path photograph;
+  int width = 0, height = 0;  ///< pixels
+  std::vector<MapMark> marks;
+};
+
+/// Both photographs of a plate with the sherds' numbers, so that the pieces go into their bags.
+struct PlateMap {
+  MapSide front, back;
+};
+
+/// As things stand with these decisions. Errors: Missing without cameras, those of reviewOf.
+Result<PlateMap> plateMap(const LivePairs& live, const Decisions& standing);
+
+}  // namespace ostraka::pipeline

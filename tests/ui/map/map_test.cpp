@@ -1,0 +1,158 @@
+// The plate map without a screen: marks, keys, mouse, and the printed pages.
+#include <QLabel>
+#include <QPainter>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "synthetic_out.h"
+#include "ui/frame/project_session.h"
+#include "ui/map/map_station.h"
+#include "ui/map/map_view.h"
+#include "ui/map/qr_code.h"
+
+namespace ostraka::ui {
+
+class MapTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void init();
+  void cleanup();
+  void everySherdHasItsNumberOnBothSides();
+  void aDoubtfulPairShowsBothNumbers();
+  void arrowKeysAndMouseLightTheSameSherdOnBothSides();
+  void whatWasDecidedIsSeenAtOnce();
+  void theQrCodeIsAsSmallAsTheStandardSays();
+  void mapAndLabelsAreWrittenAsPdf();
+  void aMissingPhotographIsSaid();
+
+ private:
+  const pipeline::PlateMap& map() { return view()->picture().map; }
+  MapView* view() { return station_->findChild<MapView*>("plate"); }
+
+  QTemporaryDir folder_;
+  pipeline::SyntheticOut out_;
+  InlineJobRunner runner_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<MapStation> station_;
+};
+
+void MapTest::initTestCase() {
+  out_ = pipeline::writeSyntheticOut(folder_.path().toStdString() + "/results/B0007", {});
+}
+
+void MapTest::init() {
+  session_ = std::make_unique<ProjectSession>(nullptr, folder_.path().toStdString(), runner_);
+  station_ = std::make_unique<MapStation>();
+  station_->resize(1000, 500);
+  station_->show();
+  station_->openProject(*session_);
+  QTRY_VERIFY(map().front.width > 0);
+}
+
+void MapTest::cleanup() {
+  station_.reset();
+  session_.reset();
+  std::filesystem::remove(out_.output / "decisions.json");
+}
+
+void MapTest::everySherdHasItsNumberOnBothSides() {
+  QCOMPARE(map().front.marks.size(), std::size_t{4});
+  QCOMPARE(map().back.marks.size(), std::size_t{4});
+  QCOMPARE(map().front.marks[2].number, std::string("03"));
+  QCOMPARE(map().back.marks[2].number, std::string("03"));
+  // Seen from 600 mm above with f = 3000 px: the third sherd lies at x = 0, y = 60 mm.
+  QVERIFY(std::abs(map().front.marks[2].at.x() - 600) < 10);
+  QVERIFY(std::abs(map().front.marks[2].at.y() - (500 - 60 * 5)) < 10);
+}
+
+void MapTest::aDoubtfulPairShowsBothNumbers() {
+  const pipeline::MapMark& back = map().back.marks[0];  // the program gives it to f002
+  QCOMPARE(back.number, std::string("02"));
+  QCOMPARE(back.other_number, std::string("01"));
+  QVERIFY(map().back.marks[3].other_number.empty());
+}
+
+void MapTest::arrowKeysAndMouseLightTheSameSherdOnBothSides() {
+  QSignalSpy lit(view(), &MapView::highlightedChanged);
+  QTest::keyClick(view(), Qt::Key_Right);
+  QCOMPARE(view()->highlighted(), QStringLiteral("01"));
+  QTest::keyClick(view(), Qt::Key_Left);
+  QCOMPARE(view()->highlighted(), QStringLiteral("04"));
+  const QImage with = view()->grab().toImage();
+  view()->highlight({});
+  const QImage without = view()->grab().toImage();
+  int left = 0, right = 0;
+  for (int y = 0; y < with.height(); ++y)
+    for (int x = 0; x < with.width(); ++x)
+      (x < with.width() / 2 ? left : right) += with.pixel(x, y) != without.pixel(x, y);
+  QVERIFY(left > 300 && right > 300);
+  // The mouse over the third sherd: the photograph of 1200 x 1000 fills the height of its half.
+  const double line = 1.4 * view()->fontMetrics().height();
+  const QRectF half(0, line, view()->width() / 2.0 - 2, view()->height() - line);
+  const QRectF place = mapPlace(half, map().front);
+  const QPointF at =
+      place.topLeft() +
+      place.width() / 1200 * QPointF(map().front.marks[2].at.x(), map().front.marks[2].at.y());
+  QTest::mouseMove(view(), at.toPoint());
+  QTRY_COMPARE(view()->highlighted(), QStringLiteral("03"));
+  QVERIFY(lit.count() >= 4);
+}
+
+void MapTest::whatWasDecidedIsSeenAtOnce() {
+  pipeline::PairDecision decision;
+  decision.kind = pipeline::DecisionKind::Pair;
+  decision.by = "AP";
+  decision.scans = {out_.table.fronts[0], out_.table.backs[0]};
+  QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
+  session_->tellBatchChanged("B0007");
+  QTRY_COMPARE(map().back.marks[0].number, std::string("01"));
+}
+
+void MapTest::theQrCodeIsAsSmallAsTheStandardSays() {
+  // 30 characters of the alphanumeric set at level M: version 2, 25 modules.
+  const QImage code = qrCode("OST1:S:ARM1-T3-0012-0007:7F3K9Q2M");
+  QCOMPARE(code.size(), QSize(25, 25));
+  // The three finders are dark rings of seven modules.
+  for (const QPoint& corner : {QPoint(0, 0), QPoint(18, 0), QPoint(0, 18)})
+    for (int i = 0; i < 7; ++i) {
+      QCOMPARE(qGray(code.pixel(corner + QPoint(i, 0))), 0);
+      QCOMPARE(qGray(code.pixel(corner + QPoint(0, i))), 0);
+    }
+  QCOMPARE(qGray(code.pixel(1, 1)), 255);
+  QVERIFY(qrCode(QString(5000, 'A')).isNull());
+}
+
+void MapTest::mapAndLabelsAreWrittenAsPdf() {
+  const QVector<SherdLabel> labels = station_->labels();
+  QCOMPARE(labels.size(), 4);
+  QCOMPARE(labels[2].number, QStringLiteral("B0007-03"));
+  QCOMPARE(labels[2].code, QStringLiteral("OST1:S:B0007-03"));
+  const QString file = folder_.filePath("map.pdf");
+  QVERIFY(station_->writePdf(file));
+  QFile pdf(file);
+  QVERIFY(pdf.open(QIODevice::ReadOnly));
+  const QByteArray bytes = pdf.readAll();
+  QVERIFY(bytes.startsWith("%PDF"));
+  QVERIFY(bytes.size() > 20000);
+  QCOMPARE(bytes.count("/Type /Page\n"), 2);
+  QVERIFY(!station_->writePdf(folder_.filePath("no such folder/map.pdf")));
+  QVERIFY(!station_->findChild<QLabel*>("message")->text().isEmpty());
+}
+
+void MapTest::aMissingPhotographIsSaid() {
+  const auto photograph = out_.output / "photographs" / "back.png";
+  std::filesystem::rename(photograph, photograph.string() + ".away");
+  session_->tellBatchChanged("B0007");
+  QTRY_VERIFY(view()->picture().back.isNull());
+  QVERIFY(!view()->grab().isNull());
+  QCOMPARE(map().back.marks.size(), std::size_t{4});
+  std::filesystem::rename(photograph.string() + ".away", photograph);
+}
+
+}  // namespace ostraka::ui
+
+QTEST_MAIN(ostraka::ui::MapTest)
+#include "map_test.moc"

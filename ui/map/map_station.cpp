@@ -1,0 +1,202 @@
+#include "ui/map/map_station.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QImageReader>
+#include <QLabel>
+#include <QLocale>
+#include <QPdfWriter>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/map/map_view.h"
+
+namespace ostraka::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As stored: an EXIF orientation is not applied, since the marks belong to the sensor's pixels.
+QImage photographAt(const fs::path& file) {
+  QImageReader reader(QString::fromStdString(file.string()));
+  reader.setAutoTransform(false);
+  return reader.read();
+}
+
+Result<MapPicture> readMap(const fs::path& output) {
+  const auto live = pipeline::LivePairs::open(output);
+  if (!live) return live.error();
+  const Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
+  if (!decisions) return decisions.error();
+  Result<pipeline::PlateMap> map = pipeline::plateMap(**live, pipeline::standing(*decisions));
+  if (!map) return map.error();
+  MapPicture picture{std::move(*map), {}, {}};
+  picture.front = photographAt(picture.map.front.photograph);
+  picture.back = photographAt(picture.map.back.photograph);
+  return picture;
+}
+
+}  // namespace
+
+MapStation::MapStation(QWidget* parent) : Station(parent) {
+  batches_ = new QComboBox(this);
+  batches_->setObjectName("batch");
+  batches_->setAccessibleName(tr("Batch"));
+  batches_->setFocusPolicy(Qt::TabFocus);
+  message_ = new QLabel(this);
+  message_->setObjectName("message");
+  message_->setWordWrap(true);
+  auto* print_action = new QAction(tr("Print map and labels"), this);
+  print_action->setObjectName("print");
+  print_action->setShortcut(QKeySequence::Print);
+  print_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(print_action, &QAction::triggered, this, &MapStation::print);
+  addAction(print_action);
+  print_ = new QPushButton(tr("Print map and labels   Ctrl+P"), this);
+  print_->setFocusPolicy(Qt::TabFocus);
+  print_->setMinimumHeight(targetSize(*this));
+  print_->setEnabled(false);
+  connect(print_, &QPushButton::clicked, this, &MapStation::print);
+  view_ = new MapView(this);
+  view_->setObjectName("plate");
+  auto* head = new QHBoxLayout;
+  head->addWidget(batches_);
+  head->addWidget(message_, 1);
+  head->addWidget(print_);
+  auto* all = new QVBoxLayout(this);
+  all->addLayout(head);
+  all->addWidget(view_, 1);
+  setFocusProxy(view_);
+  connect(batches_, &QComboBox::activated, this,
+          [this](int index) { openBatch(batches_->itemText(index)); });
+  connect(view_, &MapView::highlightedChanged, this, [this](const QString& number) {
+    if (!number.isEmpty()) say(tr("Sherd %1").arg(number));
+  });
+  connect(view_, &MapView::activated, this,
+          [this](const QString&) { emit wantsStation(QStringLiteral("review"), batch_); });
+}
+
+void MapStation::openProject(ProjectSession& session) {
+  closeProject();
+  session_ = &session;
+  connect(&session, &ProjectSession::batchChanged, this, [this](const QString& batch) {
+    listBatches();
+    if (batch == batch_) openBatch(batch);
+  });
+  listBatches();
+  if (batches_->count() > 0) openBatch(batches_->itemText(0));
+}
+
+void MapStation::closeProject() {
+  if (opening_) opening_->deleteLater();
+  if (session_) disconnect(session_, nullptr, this, nullptr);
+  session_.clear();
+  batch_.clear();
+  batches_->clear();
+  message_->clear();
+  view_->setPicture({});
+  print_->setEnabled(false);
+}
+
+void MapStation::setInFront(bool in_front) {
+  if (in_front) view_->setFocus();
+}
+
+void MapStation::listBatches() {
+  if (!session_) return;
+  QStringList names;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(session_->folder() / "results", ignored))
+    if (fs::exists(entry.path() / "work" / "pairs" / "candidates.json", ignored))
+      names << QString::fromStdString(entry.path().filename().string());
+  std::sort(names.begin(), names.end(), std::greater<>());
+  batches_->clear();
+  batches_->addItems(names);
+  batches_->setCurrentText(batch_);
+  if (names.isEmpty()) say(tr("No batch is computed yet; its map appears here."));
+}
+
+void MapStation::showItem(const QString& batch) {
+  if (session_) openBatch(batch);
+}
+
+void MapStation::openBatch(const QString& batch) {
+  if (!session_ || batch.isEmpty()) return;
+  const QString lit = batch == batch_ ? view_->highlighted() : QString();
+  batch_ = batch;
+  batches_->setCurrentText(batch);
+  if (opening_) opening_->deleteLater();
+  const fs::path output = session_->folder() / "results" / batch.toStdString();
+  opening_ = session_->jobs().start(
+      makeJob(tr("Map of %1").arg(batch),
+              [output](Progress&, std::stop_token) { return readMap(output); }),
+      this);
+  connect(opening_, &JobHandle::finished, this, [this, lit](const JobOutcome& outcome) {
+    const auto picture = outcomeAs<MapPicture>(outcome);
+    print_->setEnabled(picture.has_value());
+    if (!picture) {
+      view_->setPicture({});
+      return say(QString::fromStdString(picture.error().sentence()));
+    }
+    const QFileInfo file(QString::fromStdString(picture->map.front.photograph.string()));
+    date_ =
+        file.exists() ? QLocale::c().toString(file.lastModified().date(), "yyyy-MM-dd") : QString();
+    view_->setPicture(*picture);
+    view_->highlight(lit);
+  });
+}
+
+QVector<SherdLabel> MapStation::labels() const {
+  const pipeline::PlateMap& map = view_->picture().map;
+  if (source_) return source_(batch_, map);
+  QVector<SherdLabel> labels;
+  for (const pipeline::MapMark& mark : map.front.marks) {
+    if (mark.number.empty()) continue;
+    const QString number = tr("%1-%2").arg(batch_, QString::fromStdString(mark.number));
+    labels.append({number, {}, date_, QStringLiteral("OST1:S:") + number.toUpper()});
+  }
+  return labels;
+}
+
+QString MapStation::pageTitle() const {
+  return date_.isEmpty() ? tr("Batch %1").arg(batch_) : tr("Batch %1, %2").arg(batch_, date_);
+}
+
+bool MapStation::writePdf(const QString& file) {
+  QPdfWriter pdf(file);
+  pdf.setResolution(300);
+  pdf.setPageSize(QPageSize(QPageSize::A4));
+  pdf.setTitle(pageTitle());
+  QString why;
+  if (printMap(pdf, view_->picture(), labels(), pageTitle(), &why)) return true;
+  say(why);
+  return false;
+}
+
+void MapStation::print() {
+  if (!print_->isEnabled()) return;
+  auto* dialog = new QPrintDialog(this);  // knows printing into a PDF file, too
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
+    QString why;
+    say(printMap(*printer, view_->picture(), labels(), pageTitle(), &why)
+            ? tr("Map and labels are sent to the printer.")
+            : why);
+  });
+  dialog->open();
+}
+
+void MapStation::say(const QString& sentence) {
+  message_->setText(sentence);
+  emit said(sentence);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,61 @@
+#pragma once
+#include <QPointer>
+#include <QVector>
+#include <functional>
+
+#include "ui/frame/station.h"
+#include "ui/jobs/job.h"
+#include "ui/map/map_pages.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace ostraka::ui {
+
+class MapView;
+
+/// The station Map: which sherd is which on the plate, on screen and on paper.
+class MapStation final : public Station {
+  Q_OBJECT
+
+ public:
+  /// What the labels of a batch say; without one they carry the batch's and the sherd's number.
+  using LabelSource =
+      std::function<QVector<SherdLabel>(const QString& batch, const pipeline::PlateMap& map)>;
+
+  explicit MapStation(QWidget* parent = nullptr);
+
+  QString title() const override { return tr("Map"); }
+  QString iconName() const override { return QStringLiteral("map"); }
+  QString manualPage() const override { return QStringLiteral("map"); }
+  void openProject(ProjectSession& session) override;
+  void closeProject() override;
+  void setInFront(bool in_front) override;
+
+  void setLabelSource(LabelSource source) { source_ = std::move(source); }
+  QVector<SherdLabel> labels() const;
+  /// Map and labels as PDF. False: said why.
+  bool writePdf(const QString& file);
+
+ public slots:
+  void showItem(const QString& batch) override;
+  void print();  ///< asks for the printer, or for a file where there is none
+
+ private:
+  void listBatches();
+  void openBatch(const QString& batch);
+  void say(const QString& sentence);
+  QString pageTitle() const;
+
+  QPointer<ProjectSession> session_;
+  LabelSource source_;
+  QString batch_, date_;
+  QComboBox* batches_ = nullptr;
+  QLabel* message_ = nullptr;
+  MapView* view_ = nullptr;
+  QPushButton* print_ = nullptr;
+  QPointer<JobHandle> opening_;
+};
+
+}  // namespace ostraka::ui

@@ -93,15 +93,17 @@ void judgeRegistration(const Strip& front, const Strip& back, Registration& foun
     slip(Slip::UpsideDown, "The back lies upside down: both sides face the same way.");
   else if (wall.compared > 20 && wall.crossing_share > kLargestCrossing)
     slip(Slip::FacesCross, sentence("The faces cross: %.0f %% of the front lies behind the back.",
-                  100 * wall.crossing_share));
+                                    100 * wall.crossing_share));
   else if (found.rim_overlap < kSmallestOverlap)
     slip(Slip::NoSharedRim, "The two scans share almost no broken edge; outlines alone tie them.");
   else if (found.rim_rms_mm > kLargestRmsMm)
     slip(Slip::RimMisfits, sentence("The broken edges do not fit: %.2f mm RMS.", found.rim_rms_mm));
   else if (found.uncertainty_mm > kLargestUncertaintyMm)
-    slip(Slip::RimLoose, sentence("The rim hardly fixes the pose: uncertain by %.2f mm.", found.uncertainty_mm));
+    slip(Slip::RimLoose,
+         sentence("The rim hardly fixes the pose: uncertain by %.2f mm.", found.uncertainty_mm));
   else if (found.runner_up_gap < kRivalGap && found.runner_up_mm > kRivalMm)
-    slip(Slip::RivalPlace, sentence("A place %.1f mm along the rim fits nearly as well.", found.runner_up_mm));
+    slip(Slip::RivalPlace,
+         sentence("A place %.1f mm along the rim fits nearly as well.", found.runner_up_mm));
 }
 
 }  // namespace ostraka::registration

@@ -27,6 +27,8 @@ class ProjectSession final : public QObject {
                  JobRunner& runner, QObject* parent = nullptr);
   ~ProjectSession() override;
 
+  /// False in tests of what needs no catalogue.
+  bool hasProject() const { return project_ != nullptr; }
   /// The open project; for the thread of the window only. Jobs open their own with folder().
   catalogue::Project& project() { return *project_; }
   const std::filesystem::path& folder() const { return folder_; }

@@ -14,9 +14,6 @@ using pipeline::CardState;
 using pipeline::DecisionKind;
 using pipeline::PairDecision;
 using pipeline::ReviewCandidate;
-using ScenePtr = std::shared_ptr<const PairScene>;
-
-constexpr int kWantedCandidates = 3;
 
 QString sentenceOf(const Error& error) {
   return QString::fromStdString(error.sentence());
@@ -45,10 +42,10 @@ void PairReviewModel::open(OpenedBatch batch) {
   emit waitingChanged();
   thumbnails_job_ = runner_.start(
       makeJob(tr("Small pictures of the sherds"),
-              [live = live_](Progress&, std::stop_token stop) { return thumbnails(live, stop); }),
+              [live = live_](Progress&, std::stop_token stop) { return scanPictures(live, stop); }),
       this);
   connect(thumbnails_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const auto pictures = outcomeAs<Thumbnails>(outcome);
+    const auto pictures = outcomeAs<ScanPictures>(outcome);
     if (!pictures) return;  // cards without pictures still have names
     thumbnails_ = *pictures;
     if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
@@ -288,23 +285,20 @@ void PairReviewModel::accept() {
 }
 
 void PairReviewModel::setAside() {
-  if (!live_ || trial_.front < 0) return;
-  if (person_.isEmpty()) return emit failed(whyNotAccept());
+  if (!live_ || trial_.front < 0 || !personIsKnown()) return;
   decide(about(DecisionKind::Aside),
          tr("setting aside %1").arg(QString::fromStdString(frontRef(trial_.front).id)));
 }
 
 void PairReviewModel::reshoot() {
-  if (!live_ || trial_.front < 0) return;
-  if (person_.isEmpty()) return emit failed(whyNotAccept());
+  if (!live_ || trial_.front < 0 || !personIsKnown()) return;
   PairDecision decision = about(DecisionKind::Reshoot);
   if (card() != nullptr && card()->back >= 0) decision.scans.push_back(backRef(card()->back));
   decide(decision, tr("shooting %1 again").arg(QString::fromStdString(frontRef(trial_.front).id)));
 }
 
 void PairReviewModel::giveBack(int front, int back) {
-  if (!live_ || front < 0 || back < 0) return;
-  if (person_.isEmpty()) return emit failed(whyNotAccept());
+  if (!live_ || front < 0 || back < 0 || !personIsKnown()) return;
   PairDecision decision = about(DecisionKind::Pair);
   decision.scans = {frontRef(front), backRef(back)};
   if (const pipeline::RegisteredCandidate* known = live_->table().find(front, back))
@@ -312,6 +306,43 @@ void PairReviewModel::giveBack(int front, int back) {
   decide(decision, tr("pair %1 – %2")
                        .arg(QString::fromStdString(frontRef(front).id),
                             QString::fromStdString(backRef(back).id)));
+}
+
+void PairReviewModel::joinWith(Side side, int other_front) {
+  const pipeline::ReviewCard* other = review_.ofFront(other_front);
+  if (card() == nullptr || other == nullptr || other_front == trial_.front || !personIsKnown())
+    return;
+  PairDecision decision = about(DecisionKind::Join);
+  if (side == Side::Front) {
+    decision.scans.push_back(frontRef(other_front));
+  } else {
+    if (card()->back < 0 || other->back < 0)
+      return emit failed(tr("One of the two has no back to be joined."));
+    decision.scans = {backRef(card()->back), backRef(other->back)};
+  }
+  decide(decision, tr("joining %1 and %2")
+                       .arg(QString::fromStdString(decision.scans[0].id),
+                            QString::fromStdString(decision.scans[1].id)));
+}
+
+void PairReviewModel::split(Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm) {
+  if (card() == nullptr || !personIsKnown()) return;
+  if (side == Side::Back && trial_.back < 0) return;
+  PairDecision decision = about(DecisionKind::Split);
+  decision.cut_mm = {a_mm, b_mm};
+  if (side == Side::Back) {
+    const pipeline::ScanRef back = backRef(trial_.back);
+    decision.scans = {back};
+    for (Eigen::Vector2d& p : decision.cut_mm)
+      p = pipeline::onBackPlate(trial_.front_from_back, back, p);
+  }
+  decide(decision, tr("cutting %1").arg(QString::fromStdString(decision.scans[0].id)));
+}
+
+bool PairReviewModel::personIsKnown() {
+  if (!person_.isEmpty()) return true;
+  emit failed(tr("Enter your initials first: each decision keeps its name."));
+  return false;
 }
 
 void PairReviewModel::decide(PairDecision decision, const QString& text) {
@@ -354,162 +385,6 @@ void PairReviewModel::redoReview() {
   emit layoutChanged();
   if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
   emit waitingChanged();
-}
-
-void PairReviewModel::stepStart(int by) {
-  if (chosen() < 0) return;
-  const std::vector<int>& shifts = candidates_[static_cast<std::size_t>(chosen())].shifts;
-  if (shifts.empty()) return;
-  const int n = static_cast<int>(shifts.size());
-  int at = 0;  // the good start point nearest to the present one
-  for (int i = 0; i < n; ++i)
-    if (std::abs(shifts[static_cast<std::size_t>(i)] - trial_.shift) <
-        std::abs(shifts[static_cast<std::size_t>(at)] - trial_.shift))
-      at = i;
-  const int to = shifts[static_cast<std::size_t>(((at + by) % n + n) % n)];
-  const int front = trial_.front, back = trial_.back;
-  fitAt(
-      [live = live_, front, back, to](std::stop_token stop) -> Result<pipeline::LiveFit> {
-        const Result<pipeline::LiveFit> start = live->atStartPoint(front, back, to);
-        if (!start) return start;
-        Result<pipeline::LiveFit> fit = live->settled(front, back, start->front_from_back, stop);
-        if (fit) fit->shift = to;
-        return fit;
-      },
-      Made::Settled, tr("start point"));
-}
-
-void PairReviewModel::stepSample(int by) {
-  if (trial_.back < 0) return;
-  const int front = trial_.front, back = trial_.back, to = std::max(0, trial_.shift) + by;
-  fitAt([live = live_, front, back,
-         to](std::stop_token) { return live->atStartPoint(front, back, to); },
-        Made::StartPoint, tr("start point"));
-}
-
-void PairReviewModel::settle() {
-  if (trial_.back < 0) return;
-  const Trial from = trial_;
-  fitAt(
-      [live = live_, from](std::stop_token stop) -> Result<pipeline::LiveFit> {
-        Result<pipeline::LiveFit> fit =
-            live->settled(from.front, from.back, from.front_from_back, stop);
-        if (fit) fit->shift = from.shift;
-        return fit;
-      },
-      Made::Settled, tr("settling by the rims"));
-}
-
-void PairReviewModel::moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm) {
-  if (trial_.back < 0) return;
-  Trial trial = trial_;
-  trial.front_from_back =
-      pipeline::movedByHand(trial_.front_from_back, backRef(trial_.back), turn_rad, move_mm);
-  trial.made = Made::ByHand;
-  tryOut(trial, tr("turning by hand"), true);
-}
-
-void PairReviewModel::fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work,
-                            Made made, const QString& text) {
-  if (!live_ || trial_.front < 0) return;
-  if (fit_job_) fit_job_->deleteLater();  // its result is not wanted any more
-  busy_ = true;
-  emit busyChanged(true);
-  const Trial from = trial_;
-  fit_job_ = runner_.start(
-      makeJob(text,
-              [work = std::move(work)](Progress&, std::stop_token stop) { return work(stop); }),
-      this);
-  connect(fit_job_, &JobHandle::finished, this,
-          [this, from, made, text](const JobOutcome& outcome) {
-            busy_ = false;
-            emit busyChanged(false);
-            const auto fit = outcomeAs<pipeline::LiveFit>(outcome);
-            if (!fit) return emit failed(sentenceOf(fit.error()));
-            if (from.front != trial_.front || from.back != trial_.back) return;
-            tryOut({from.front, from.back, fit->front_from_back, made, fit->shift}, text);
-          });
-}
-
-void PairReviewModel::fetchModel() {
-  if (!live_ || card() == nullptr) return;
-  if (model_job_) model_job_->deleteLater();
-  const int front = trial_.front;
-  model_job_ =
-      runner_.start(makeJob(tr("Closed model"),
-                            [live = live_, number = card()->number](Progress&, std::stop_token) {
-                              return closedModel(live, number);
-                            }),
-                    this);
-  connect(model_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
-    const auto model = outcomeAs<MeshPtr>(outcome);
-    if (front != trial_.front) return;
-    if (!model)
-      return emit failed(
-          tr("This pair has no closed model yet; it is made when the "
-             "batch is computed."));
-    emit modelFetched(*model);
-  });
-}
-
-// One picture at a time; what changed meanwhile is fetched when it is there.
-void PairReviewModel::fetchScene(Clouds clouds) {
-  clouds_wanted_ = clouds_wanted_ || clouds == Clouds::Fetch;
-  scene_wanted_ = true;
-  if (scene_job_ || !live_ || trial_.front < 0) return;
-  const Trial trial = trial_;
-  const Clouds with = clouds_wanted_ ? Clouds::Fetch : Clouds::Leave;
-  scene_wanted_ = clouds_wanted_ = false;
-  scene_job_ = runner_.start(makeJob(tr("Picture of a pair"),
-                                     [live = live_, trial, with](Progress&, std::stop_token) {
-                                       return trial.back < 0
-                                                  ? loneScene(live, trial.front)
-                                                  : pairScene(live, trial.front, trial.back,
-                                                              trial.front_from_back, with);
-                                     }),
-                             this);
-  connect(scene_job_, &JobHandle::finished, this, [this, trial](const JobOutcome& outcome) {
-    scene_job_->deleteLater();
-    scene_job_ = nullptr;
-    const auto scene = outcomeAs<ScenePtr>(outcome);
-    const bool current = trial.front == trial_.front && trial.back == trial_.back;
-    if (scene && current) {
-      fit_ = (*scene)->fit;
-      emit sceneChanged(*scene);
-    } else if (!scene && current) {
-      emit failed(sentenceOf(scene.error()));
-    }
-    if (scene_wanted_ || clouds_wanted_) return fetchScene(Clouds::Leave);
-    fetchMore();
-  });
-}
-
-void PairReviewModel::fetchMore() {
-  const int front = trial_.front;
-  if (!live_ || front < 0 || more_job_ || asked_.contains(front)) return;
-  std::vector<int> known;
-  for (const ReviewCandidate& c : candidates_) known.push_back(c.back);
-  asked_.insert(front);
-  if (static_cast<int>(known.size()) >= kWantedCandidates) return;
-  more_job_ = runner_.start(
-      makeJob(
-          tr("More candidates"),
-          [live = live_, front, known](Progress& progress, std::stop_token stop) {
-            return moreCandidates(live, front, known, kWantedCandidates, progress, stop);
-          },
-          JobPriority::Background),
-      this);
-  connect(more_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
-    more_job_->deleteLater();
-    more_job_ = nullptr;
-    const auto found = outcomeAs<std::vector<ReviewCandidate>>(outcome);
-    if (!found) return;  // there are none; what is there stays
-    for (const ReviewCandidate& c : *found) more_[front].push_back(c);
-    if (front == trial_.front)
-      takeCandidates();
-    else
-      fetchMore();
-  });
 }
 
 }  // namespace ostraka::ui

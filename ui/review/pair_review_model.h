@@ -87,6 +87,10 @@ class PairReviewModel final : public QAbstractListModel {
   void stepSample(int by);             ///< by one of 200 samples
   void moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
   void settle();
+  /// Two cards' fronts (or backs) are one piece; the pairs have to be computed again.
+  void joinWith(batch::Side side, int other_front);
+  /// The side in hand is two pieces, cut along a line as the picture shows it (front's frame, mm).
+  void split(batch::Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm);
   void fetchModel();  ///< the closed model as last computed
 
  signals:
@@ -117,6 +121,7 @@ class PairReviewModel final : public QAbstractListModel {
   pipeline::PairDecision about(pipeline::DecisionKind kind) const;
   pipeline::ScanRef frontRef(int i) const;
   pipeline::ScanRef backRef(int i) const;
+  bool personIsKnown();
 
   JobRunner& runner_;
   QUndoStack& undo_;
@@ -124,7 +129,7 @@ class PairReviewModel final : public QAbstractListModel {
   LivePairsPtr live_;
   pipeline::Decisions decisions_;
   pipeline::Review review_;
-  Thumbnails thumbnails_;
+  ScanPictures thumbnails_;
   std::map<int, std::vector<pipeline::ReviewCandidate>> more_;  ///< by front, compared on demand
   std::set<int> asked_;  ///< fronts for which more were sought
   std::vector<pipeline::ReviewCandidate> candidates_;

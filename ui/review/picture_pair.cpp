@@ -1,6 +1,7 @@
 #include "ui/review/picture_pair.h"
 
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 
@@ -14,10 +15,12 @@ PicturePair::PicturePair(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(fontMetrics().height() * 8);
 }
 
-void PicturePair::setPictures(const QImage& front, const QImage& back, double px_mm) {
+void PicturePair::setPictures(const QImage& front, const QImage& back,
+                              const pipeline::PictureFrame& frame) {
   front_ = front;
   back_ = back;
-  px_mm_ = px_mm;
+  frame_ = frame;
+  drawing_ = false;
   update();
 }
 
@@ -33,45 +36,95 @@ void PicturePair::setMirrored(bool mirrored) {
   update();
 }
 
+void PicturePair::setCutting(bool cutting) {
+  cutting_ = cutting;
+  drawing_ = false;
+  setCursor(cutting ? Qt::CrossCursor : Qt::ArrowCursor);
+  update();
+}
+
+QRect PicturePair::half(bool front) const {
+  const int line = fontMetrics().height(), top = line + line / 4;
+  const QRect left(0, top, width() / 2 - 2, height() - top);
+  return front ? left : left.translated(width() / 2 + 2, 0);
+}
+
+// One scale for both: the larger picture fills its half.
+double PicturePair::scale() const {
+  double most = 1e9;
+  for (const QImage* image : {&front_, &back_})
+    if (!image->isNull())
+      most = std::min({most, half(true).width() / double(image->width()),
+                       half(true).height() / double(image->height())});
+  return most;
+}
+
+QRectF PicturePair::place(bool front) const {
+  const QImage& image = front ? front_ : back_;
+  QRectF target(QPointF(), QSizeF(image.size()) * scale());
+  target.moveCenter(QRectF(half(front)).center());
+  return target;
+}
+
+Eigen::Vector2d PicturePair::shown(const QPointF& at, bool front) const {
+  const QPointF pixel = (at - place(front).topLeft()) / scale();
+  const bool flipped = !front && !mirrored_;
+  const double column = flipped ? frame_.width - pixel.x() : pixel.x();
+  return frame_.at(column - 0.5, pixel.y() - 0.5);
+}
+
+void PicturePair::mousePressEvent(QMouseEvent* event) {
+  if (!cutting_ || event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
+  drawing_ = true;
+  from_ = to_ = event->position();
+}
+
+void PicturePair::mouseMoveEvent(QMouseEvent* event) {
+  if (!drawing_) return QWidget::mouseMoveEvent(event);
+  to_ = event->position();
+  update();
+}
+
+void PicturePair::mouseReleaseEvent(QMouseEvent* event) {
+  if (!drawing_) return QWidget::mouseReleaseEvent(event);
+  drawing_ = false;
+  to_ = event->position();
+  update();
+  const bool front = from_.x() < width() / 2.0;
+  if ((to_ - from_).manhattanLength() < fontMetrics().height() || frame_.width == 0) return;
+  emit cut(front, shown(from_, front), shown(to_, front));
+}
+
 void PicturePair::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   const StateColours colours(palette());
   const int line = fontMetrics().height();
-  const QRect all = rect().adjusted(0, line + line / 4, 0, 0);
-  const QRect left(all.left(), all.top(), all.width() / 2 - 2, all.height());
-  const QRect right = left.translated(all.width() / 2 + 2, 0);
-  // One scale for both: the larger picture fills its half.
-  double scale = 1e9;
-  for (const QImage* image : {&front_, &back_})
-    if (!image->isNull())
-      scale = std::min(
-          {scale, left.width() / double(image->width()), left.height() / double(image->height())});
-  const auto draw = [&](const QRect& where, const QImage& image, const QString& words,
-                        State state) {
-    painter.setPen(QPen(colours.of(state), lineWidth(*this, 3),
-                        state == State::Back ? Qt::DashLine : Qt::SolidLine));
+  const auto draw = [&](bool front, const QImage& image, const QString& words) {
+    const QRect where = half(front);
+    painter.setPen(QPen(colours.of(front ? State::Front : State::Back), lineWidth(*this, 3),
+                        front ? Qt::SolidLine : Qt::DashLine));
     const int y = line + line / 8;
     painter.drawLine(where.left() + 2, y, where.right() - 2, y);
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRect(where.left(), 0, where.width(), line), Qt::AlignCenter, words);
-    if (image.isNull()) {
+    if (image.isNull())
       painter.drawText(where, Qt::AlignCenter | Qt::TextWordWrap,
                        tr("The photograph is not there."));
-      return;
-    }
-    QRect target(QPoint(), image.size() * scale);
-    target.moveCenter(where.center());
-    painter.drawImage(target, image);
+    else
+      painter.drawImage(place(front), image);
   };
-  draw(left, front_, tr("front %1").arg(front_name_), State::Front);
-  draw(right, mirrored_ ? back_ : back_.mirrored(true, false),
-       mirrored_ ? tr("back %1, mirrored").arg(back_name_) : tr("back %1").arg(back_name_),
-       State::Back);
-  if (front_.isNull() || !(px_mm_ > 0)) return;
-  const double bar_mm = 10, pixels = bar_mm / px_mm_ * scale;
-  const QPointF from(line / 2, height() - line / 2);
+  draw(true, front_, tr("front %1").arg(front_name_));
+  draw(false, mirrored_ ? back_ : back_.mirrored(true, false),
+       mirrored_ ? tr("back %1, mirrored").arg(back_name_) : tr("back %1").arg(back_name_));
   painter.setPen(QPen(palette().color(QPalette::Text), lineWidth(*this, 3)));
+  if (drawing_) painter.drawLine(from_, to_);
+  if (cutting_)
+    painter.drawText(rect().adjusted(0, 0, 0, -line / 4), Qt::AlignHCenter | Qt::AlignBottom,
+                     tr("Draw a line over the piece where it is to be cut."));
+  if (front_.isNull()) return;
+  const double pixels = 10 / frame_.px_mm * scale();
+  const QPointF from(line / 2, height() - line / 2);
   painter.drawLine(from, from + QPointF(pixels, 0));
   painter.drawText(from + QPointF(0, -line / 4), tr("%1 mm").arg(QLocale().toString(10)));
 }

@@ -1,6 +1,9 @@
 #pragma once
+#include <Eigen/Core>
 #include <QImage>
 #include <QWidget>
+
+#include "pipeline/orthophoto.h"
 
 namespace ostraka::ui {
 
@@ -12,21 +15,37 @@ class PicturePair final : public QWidget {
  public:
   explicit PicturePair(QWidget* parent = nullptr);
   /// back: as seen through the front.
-  void setPictures(const QImage& front, const QImage& back, double px_mm);
+  void setPictures(const QImage& front, const QImage& back, const pipeline::PictureFrame& frame);
   void setNames(const QString& front, const QString& back);
   bool isMirrored() const { return mirrored_; }
+  bool isCutting() const { return cutting_; }
 
  public slots:
   void setMirrored(bool mirrored);
+  /// A line drawn over a picture cuts that piece in two.
+  void setCutting(bool cutting);
+
+ signals:
+  /// In the pictures' frame, mm.
+  void cut(bool front, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
+  QRect half(bool front) const;
+  double scale() const;
+  QRectF place(bool front) const;
+  Eigen::Vector2d shown(const QPointF& at, bool front) const;
+
   QImage front_, back_;
   QString front_name_, back_name_;
-  double px_mm_ = 0.15;
-  bool mirrored_ = false;
+  pipeline::PictureFrame frame_;
+  QPointF from_, to_;
+  bool mirrored_ = false, cutting_ = false, drawing_ = false;
 };
 
 }  // namespace ostraka::ui

@@ -7,6 +7,7 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/frame/look.h"
 #include "ui/review/candidate_bar.h"
@@ -44,7 +45,9 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
   connect(cards_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
             const int front = now.data(PairReviewModel::FrontRole).toInt();
-            if (now.isValid() && front != model_.front()) model_.select(front);
+            if (!now.isValid() || front == model_.front()) return;
+            if (join_->isChecked()) return joinTo(front);
+            model_.select(front);
           });
   connect(cards_, &CardList::backDropped, &model_, &PairReviewModel::giveBack);
   connect(&model_, &PairReviewModel::cardChanged, this, &ReviewPane::showCard);
@@ -134,8 +137,19 @@ void ReviewPane::buildActions() {
   settle->setToolTip(tr("Let the rims settle the position (B)"));
   QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReviewModel::setAside);
   QAction* reshoot = act("reshoot", tr("Shoot again"), {Qt::Key_N}, &PairReviewModel::reshoot);
-  shown_actions_ = {settle,     mirror_, apart_, section_, measure_,
-                    along_rim_, closed_, aside,  reshoot};
+  cut_ = toggle("cut", tr("Cut"), Qt::Key_K);
+  cut_->setToolTip(tr("Cut a piece that is two sherds in truth: draw a line over its picture (K)"));
+  connect(cut_, &QAction::toggled, pictures_, &PicturePair::setCutting);
+  connect(pictures_, &PicturePair::cut, this,
+          [this](bool front, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+            cut_->setChecked(false);
+            model_.split(front ? batch::Side::Front : batch::Side::Back, a, b);
+          });
+  join_ = toggle("join", tr("Join"), Qt::Key_J);
+  join_->setToolTip(tr("Join two pieces of one sherd: then choose the other card (J)"));
+  connect(join_, &QAction::toggled, this, &ReviewPane::showCard);
+  shown_actions_ = {settle,  mirror_, apart_, section_, measure_, along_rim_,
+                    closed_, join_,   cut_,   aside,    reshoot};
 }
 
 QBoxLayout* ReviewPane::buttons() {
@@ -203,13 +217,21 @@ void ReviewPane::buildLayout() {
 void ReviewPane::showCard() {
   const int row = model_.rowOf(model_.front());
   if (row >= 0 && cards_->currentIndex().row() != row) cards_->setCurrentIndex(model_.index(row));
-  reason_->setText(model_.reason());
+  reason_->setText(join_->isChecked() ? tr("Which piece belongs to %1? Choose its card.")
+                                            .arg(model_.index(std::max(row, 0)).data().toString())
+                                      : model_.reason());
   if (!model_.isOpen()) {
     view_->clear();
     plot_->clear();
-    pictures_->setPictures({}, {}, 0.15);
+    pictures_->setPictures({}, {}, {});
   }
   showFigures();
+}
+
+void ReviewPane::joinTo(int front) {
+  join_->setChecked(false);
+  model_.joinWith(batch::Side::Front, front);
+  showCard();
 }
 
 void ReviewPane::showFigures() {
@@ -222,8 +244,7 @@ void ReviewPane::showFigures() {
 
 void ReviewPane::showScene(const PairScene& scene) {
   const auto& table = model_.live()->table();
-  pictures_->setPictures(scene.front_picture, scene.back_picture,
-                         scene.back < 0 ? 0.15 : scene.view.frame.px_mm);
+  pictures_->setPictures(scene.front_picture, scene.back_picture, scene.view.frame);
   pictures_->setNames(
       QString::fromStdString(table.fronts[static_cast<std::size_t>(scene.front)].id),
       scene.back < 0

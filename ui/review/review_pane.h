@@ -38,6 +38,7 @@ class ReviewPane final : public QWidget {
                 void (PairReviewModel::*slot)(int));
   QAction* toggle(const char* name, const QString& text, const QKeySequence& key);
   void showCard();
+  void joinTo(int front);
   void showFigures();
   void showScene(const PairScene& scene);
   void colourRim();
@@ -52,7 +53,7 @@ class ReviewPane final : public QWidget {
   QLabel *reason_ = nullptr, *figures_ = nullptr;
   QPushButton* accept_ = nullptr;
   QAction *mirror_ = nullptr, *apart_ = nullptr, *section_ = nullptr, *measure_ = nullptr,
-          *along_rim_ = nullptr, *closed_ = nullptr;
+          *along_rim_ = nullptr, *closed_ = nullptr, *cut_ = nullptr, *join_ = nullptr;
   QList<QAction*> shown_actions_;  ///< those with a button
   std::shared_ptr<const PairScene> scene_;
   std::vector<Eigen::Vector3d> measured_;

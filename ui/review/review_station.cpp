@@ -8,9 +8,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "pipeline/process_batch.h"
+#include "catalogue/project.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
+#include "ui/review/catalogue_entry.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
 
@@ -83,16 +84,10 @@ void ReviewStation::openProject(ProjectSession& session) {
   model_->setPerson(session.initials());
   connect(&session, &ProjectSession::initialsChanged, model_, &PairReviewModel::setPerson);
   connect(&session, &ProjectSession::initialsChanged, person_, &QLineEdit::setText);
-  connect(&session, &ProjectSession::batchChanged, this, &ReviewStation::listBatches);
+  connect(&session, &ProjectSession::batchChanged, this, &ReviewStation::follow);
   connect(model_, &PairReviewModel::waitingChanged, this, &Station::waitingChanged);
   connect(model_, &PairReviewModel::failed, this, &ReviewStation::say);
-  connect(model_, &PairReviewModel::decided, this, [this](const pipeline::PairDecision& d) {
-    compute_->show();
-    say(d.kind == pipeline::DecisionKind::Withdraw
-            ? tr("Taken back. Both are kept in the history.")
-            : tr("Saved, with your name: %1.").arg(session_->undo().undoText()));
-    session_->tellBatchChanged(batch_);
-  });
+  connect(model_, &PairReviewModel::decided, this, &ReviewStation::enter);
   listBatches();
   if (batches_->count() > 0) openOutput(batches_->itemText(0));
 }
@@ -139,6 +134,7 @@ void ReviewStation::showItem(const QString& batch) {
 void ReviewStation::openOutput(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   batch_ = batch;
+  stamp_ = stampOf(batch);
   batches_->setCurrentText(batch);
   compute_->hide();
   message_->clear();
@@ -157,34 +153,42 @@ void ReviewStation::openOutput(const QString& batch) {
   });
 }
 
+// The queue computes; this only says that the batch wants it.
 void ReviewStation::compute() {
-  if (!session_ || computing_) return;
-  pipeline::ProcessOptions options;
-  options.batch = session_->folder() / "batches" / batch_.toStdString();
-  options.output = outputOf(batch_);
-  compute_->setEnabled(false);
-  computing_ = session_->jobs().start(makeJob(
-                                          tr("Computing %1").arg(batch_),
-                                          [options](Progress& progress, std::stop_token stop) {
-                                            return pipeline::processBatch(options, progress, stop);
-                                          },
-                                          JobPriority::Background),
-                                      this);
-  connect(computing_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
-    say(tr("Computing: %1, %2 %").arg(progress.stage).arg(int(100 * progress.fraction)));
-  });
-  connect(computing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    computing_->deleteLater();
-    computing_ = nullptr;
-    compute_->setEnabled(true);
-    const auto summary = outcomeAs<pipeline::ProcessSummary>(outcome);
-    if (!summary) return say(QString::fromStdString(summary.error().sentence()));
-    compute_->setVisible(false);
-    say(summary->ambiguous() > 0
-            ? tr("Computed. %n pair(s) still need your eye.", nullptr, summary->ambiguous())
-            : tr("Computed: %n sherd(s).", nullptr, static_cast<int>(summary->sherds.size())));
-    if (session_) session_->tellBatchChanged(batch_);
-  });
+  if (!session_ || !session_->hasProject()) return;
+  const Result<void> queued = queueAgain(session_->project().catalogue(), batch_.toStdString(),
+                                         session_->initials().toStdString());
+  if (!queued) return say(QString::fromStdString(queued.error().sentence()));
+  compute_->hide();
+  say(tr("%1 waits to be computed; only what changed is done again.").arg(batch_));
+  session_->tellBatchChanged(batch_);
+}
+
+void ReviewStation::enter(const pipeline::PairDecision& decision) {
+  const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
+                      decision.kind == pipeline::DecisionKind::Split;
+  say(pieces ? tr("Saved. The pairs of the new pieces come when it is computed.")
+      : decision.kind == pipeline::DecisionKind::Withdraw
+          ? tr("Taken back. Both are kept in the history.")
+          : tr("Saved, with your name."));
+  if (session_->hasProject()) {
+    compute_->show();
+    const Result<void> entered =
+        enterDecision(session_->project().catalogue(), batch_.toStdString(), decision);
+    if (!entered) say(QString::fromStdString(entered.error().sentence()));
+  }
+  session_->tellBatchChanged(batch_);
+}
+
+// What another station did to this batch: new pairs are shown, a mere change of its state is not.
+void ReviewStation::follow(const QString& batch) {
+  listBatches();
+  if (batch == batch_ && model_->isOpen() && stampOf(batch) != stamp_) openOutput(batch);
+}
+
+fs::file_time_type ReviewStation::stampOf(const QString& batch) const {
+  std::error_code gone;
+  return fs::last_write_time(outputOf(batch) / "work" / "pairs" / "candidates.json", gone);
 }
 
 void ReviewStation::setInFront(bool in_front) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "pipeline/decisions.h"
 #include "ui/frame/station.h"
 #include "ui/jobs/job.h"
 
@@ -42,6 +43,9 @@ class ReviewStation final : public Station {
   void listBatches();
   void openOutput(const QString& batch);
   void compute();
+  void enter(const pipeline::PairDecision& decision);
+  void follow(const QString& batch);
+  std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
   std::filesystem::path outputOf(const QString& batch) const;
 
@@ -53,7 +57,8 @@ class ReviewStation final : public Station {
   QPushButton* compute_ = nullptr;
   PairReviewModel* model_ = nullptr;
   QPointer<ReviewPane> pane_;
-  QPointer<JobHandle> opening_, computing_;
+  QPointer<JobHandle> opening_;
+  std::filesystem::file_time_type stamp_;  ///< of the pairs that are shown
 };
 
 }  // namespace ostraka::ui

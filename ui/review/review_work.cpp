@@ -8,7 +8,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr std::size_t kShownPoints = 15000;  // of a face; rims come on top
-constexpr double kThumbnailPixel_mm = 0.5;
+constexpr double kThumbnailPixel_mm = 0.5, kLonePixel_mm = 0.15;
 
 pipeline::ReviewCandidate shown(const pipeline::RegisteredCandidate& c) {
   pipeline::ReviewCandidate out;
@@ -70,7 +70,9 @@ Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int
 Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, int front) {
   auto scene = std::make_shared<PairScene>();
   scene->front = front;
-  if (const Result<pipeline::Picture> picture = live->picture(batch::Side::Front, front, 0.15))
+  scene->view.frame = live->frameOf(batch::Side::Front, front, kLonePixel_mm);
+  if (const Result<pipeline::Picture> picture =
+          live->picture(batch::Side::Front, front, kLonePixel_mm))
     scene->front_picture = imageOf(*picture);
   Result<pipeline::ScanCloud> cloud = live->cloud(batch::Side::Front, front, kShownPoints);
   if (!cloud) return cloud.error();
@@ -85,8 +87,8 @@ Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number)
   return MeshPtr(std::make_shared<TriangleMesh>(std::move(file->mesh)));
 }
 
-Result<Thumbnails> thumbnails(const LivePairsPtr& live, std::stop_token stop) {
-  Thumbnails pictures;
+Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop) {
+  ScanPictures pictures;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     const auto& scans = side == batch::Side::Front ? live->table().fronts : live->table().backs;
     for (int i = 0; i < static_cast<int>(scans.size()); ++i) {

@@ -42,8 +42,8 @@ using MeshPtr = std::shared_ptr<const TriangleMesh>;
 Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number);
 
 /// Small pictures of all scans, by side and index.
-using Thumbnails = std::map<std::pair<batch::Side, int>, QImage>;
-Result<Thumbnails> thumbnails(const LivePairsPtr& live, std::stop_token stop);
+using ScanPictures = std::map<std::pair<batch::Side, int>, QImage>;
+Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop);
 
 /// More backs for a front that has fewer than `wanted` candidates: the likeliest by their outlines,
 /// rims compared.

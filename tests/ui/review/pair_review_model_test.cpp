@@ -32,6 +32,7 @@ class PairReviewModelTest : public QObject {
   void whatWasTurnedByHandStandsAsItIs();
   void theStartPointStepsByOneSampleAndToTheNextGoodOne();
   void threeCandidatesAreOfferedAndAnyOtherBackOnDemand();
+  void piecesAreJoinedAndCut();
   void aDamagedFileOfDecisionsIsSaidAndKept();
 
  private:
@@ -212,6 +213,26 @@ void PairReviewModelTest::threeCandidatesAreOfferedAndAnyOtherBackOnDemand() {
   model_->chooseBack(missing);
   QTRY_COMPARE(model_->trial().back, missing);
   QCOMPARE(model_->candidates().size(), std::size_t{4});
+}
+
+void PairReviewModelTest::piecesAreJoinedAndCut() {
+  model_->select(2);
+  model_->joinWith(batch::Side::Front, 3);
+  QCOMPARE(onDisk().size(), std::size_t{1});
+  QCOMPARE(onDisk()[0].kind, DecisionKind::Join);
+  QCOMPARE(onDisk()[0].scans[1].id, std::string("f004"));
+  undo_->undo();
+  model_->select(2);
+  // A line through the middle of the back as it is shown lies over its middle on its own plate.
+  const Eigen::Vector2d middle = out_.table.fronts[2].place_mm;
+  model_->split(batch::Side::Back, middle - Eigen::Vector2d(10, 0),
+                middle + Eigen::Vector2d(10, 0));
+  const pipeline::PairDecision cut = onDisk().back();
+  QCOMPARE(cut.kind, DecisionKind::Split);
+  QCOMPARE(cut.scans[0].id, std::string("b003"));
+  const Eigen::Vector2d centre = 0.5 * (cut.cut_mm[0] + cut.cut_mm[1]);
+  QVERIFY((centre - out_.table.backs[2].place_mm).norm() < 1);
+  QVERIFY(std::abs((cut.cut_mm[1] - cut.cut_mm[0]).norm() - 20) < 0.01);
 }
 
 void PairReviewModelTest::aDamagedFileOfDecisionsIsSaidAndKept() {

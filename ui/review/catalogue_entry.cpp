@@ -1,0 +1,106 @@
+#include "ui/review/catalogue_entry.h"
+
+#include <algorithm>
+
+#include "catalogue/catalogue.h"
+
+namespace ostraka::ui {
+namespace {
+
+using catalogue::Catalogue;
+using pipeline::DecisionKind;
+
+Result<catalogue::PersonRow> personOf(Catalogue& catalogue, const std::string& initials) {
+  const auto persons = catalogue.persons();
+  if (!persons) return persons.error();
+  for (const catalogue::PersonRecord& person : *persons)
+    if (person.initials == initials) return person.row;
+  catalogue::PersonRecord person;
+  person.name = person.initials = initials;
+  return catalogue.save(person, {});
+}
+
+// Rows that stand for a decision say its number in the file, so that a withdrawal finds them.
+std::string marked(int number, const std::string& note) {
+  return "decision " + std::to_string(number) + (note.empty() ? "" : ": " + note);
+}
+
+bool isMarked(const std::string& note, int number) {
+  const std::string mark = marked(number, {});
+  return note == mark || note.rfind(mark + ":", 0) == 0;
+}
+
+Result<void> withdraw(Catalogue& catalogue, catalogue::BatchRow batch,
+                      const pipeline::PairDecision& decision, const catalogue::Act& act) {
+  const auto all = catalogue.decisions(batch);
+  if (!all) return all.error();
+  for (const catalogue::PairDecision& earlier : *all) {
+    const bool meant = std::any_of(decision.replaces.begin(), decision.replaces.end(),
+                                   [&](int number) { return isMarked(earlier.note, number); });
+    if (!meant || !earlier.by || earlier.verdict == catalogue::Verdict::Withdraw) continue;
+    catalogue::PairDecision back = earlier;
+    back.row = {};
+    back.verdict = catalogue::Verdict::Withdraw;
+    back.replaces = earlier.row;
+    back.note = marked(decision.number, decision.note);
+    if (const auto row = catalogue.decide(back, act); !row) return row.error();
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
+                           const pipeline::PairDecision& decision) {
+  if (decision.kind == DecisionKind::Join || decision.kind == DecisionKind::Split) return {};
+  return catalogue.together([&]() -> Result<void> {
+    const auto batch = catalogue.batchByNumber(batch_number);
+    if (!batch) return batch.error();
+    const auto person = personOf(catalogue, decision.by);
+    if (!person) return person.error();
+    const catalogue::Act act{*person, "window", decision.note};
+    if (decision.kind == DecisionKind::Withdraw)
+      return withdraw(catalogue, batch->row, decision, act);
+    const auto scans = catalogue.scans(batch->row);
+    if (!scans) return scans.error();
+    catalogue::PairDecision row;
+    row.batch = batch->row;
+    row.front_from_back = decision.front_from_back;
+    row.note = marked(decision.number, decision.note);
+    row.verdict = decision.kind == DecisionKind::Pair    ? catalogue::Verdict::Accept
+                  : decision.kind == DecisionKind::Aside ? catalogue::Verdict::Aside
+                                                         : catalogue::Verdict::Reshoot;
+    for (const pipeline::ScanRef& ref : decision.scans) {
+      const auto scan = std::find_if(scans->begin(), scans->end(), [&](const auto& s) {
+        return s.side == ref.side && s.name == ref.id;
+      });
+      if (scan == scans->end())
+        return Error{ErrorCode::Missing,
+                     "The decision is saved with the batch, but " + ref.id +
+                         " is not in the catalogue yet; it is entered with the next results.",
+                     batch_number};
+      (ref.side == batch::Side::Front ? row.front : row.back) = scan->row;
+      if (decision.kind == DecisionKind::Pair) continue;
+      if (const auto entered = catalogue.decide(row, act); !entered) return entered.error();
+      row.front = row.back = {};
+    }
+    if (decision.kind != DecisionKind::Pair) return {};
+    const auto entered = catalogue.decide(row, act);
+    return entered ? Result<void>() : Result<void>(entered.error());
+  });
+}
+
+Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
+                        const std::string& person) {
+  const auto batch = catalogue.batchByNumber(batch_number);
+  if (!batch) return batch.error();
+  catalogue::Act act;
+  if (!person.empty()) {
+    const auto row = personOf(catalogue, person);
+    if (!row) return row.error();
+    act.person = *row;
+  }
+  return catalogue.setBatchState(batch->row, catalogue::BatchState::Queued, act);
+}
+
+}  // namespace ostraka::ui

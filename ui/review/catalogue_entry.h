@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+
+#include "base/result.h"
+#include "pipeline/decisions.h"
+
+namespace ostraka::catalogue {
+class Catalogue;
+}
+
+namespace ostraka::ui {
+
+/// Enters what a person decided into the catalogue's append-only list, so that the sherds follow.
+/// A decision about several scans becomes a row each; joins and cuts have none: their pieces come
+/// with the next results. Errors: Missing when the batch or its scans are not entered yet.
+Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                           const pipeline::PairDecision& decision);
+
+/// The batch is to be computed again; the queue sees it.
+Result<void> queueAgain(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                        const std::string& person);
+
+}  // namespace ostraka::ui

@@ -1,0 +1,176 @@
+// What a person tries on the card in hand, and what is fetched to show it: jobs, one of a kind.
+#include <algorithm>
+
+#include "ui/review/pair_review_model.h"
+
+namespace ostraka::ui {
+namespace {
+
+using pipeline::ReviewCandidate;
+using ScenePtr = std::shared_ptr<const PairScene>;
+
+constexpr int kWantedCandidates = 3;
+
+QString sentenceOf(const Error& error) {
+  return QString::fromStdString(error.sentence());
+}
+
+}  // namespace
+
+void PairReviewModel::stepStart(int by) {
+  if (chosen() < 0) return;
+  const std::vector<int>& shifts = candidates_[static_cast<std::size_t>(chosen())].shifts;
+  if (shifts.empty()) return;
+  const int n = static_cast<int>(shifts.size());
+  int at = 0;  // the good start point nearest to the present one
+  for (int i = 0; i < n; ++i)
+    if (std::abs(shifts[static_cast<std::size_t>(i)] - trial_.shift) <
+        std::abs(shifts[static_cast<std::size_t>(at)] - trial_.shift))
+      at = i;
+  const int to = shifts[static_cast<std::size_t>(((at + by) % n + n) % n)];
+  const int front = trial_.front, back = trial_.back;
+  fitAt(
+      [live = live_, front, back, to](std::stop_token stop) -> Result<pipeline::LiveFit> {
+        const Result<pipeline::LiveFit> start = live->atStartPoint(front, back, to);
+        if (!start) return start;
+        Result<pipeline::LiveFit> fit = live->settled(front, back, start->front_from_back, stop);
+        if (fit) fit->shift = to;
+        return fit;
+      },
+      Made::Settled, tr("start point"));
+}
+
+void PairReviewModel::stepSample(int by) {
+  if (trial_.back < 0) return;
+  const int front = trial_.front, back = trial_.back, to = std::max(0, trial_.shift) + by;
+  fitAt([live = live_, front, back,
+         to](std::stop_token) { return live->atStartPoint(front, back, to); },
+        Made::StartPoint, tr("start point"));
+}
+
+void PairReviewModel::settle() {
+  if (trial_.back < 0) return;
+  const Trial from = trial_;
+  fitAt(
+      [live = live_, from](std::stop_token stop) -> Result<pipeline::LiveFit> {
+        Result<pipeline::LiveFit> fit =
+            live->settled(from.front, from.back, from.front_from_back, stop);
+        if (fit) fit->shift = from.shift;
+        return fit;
+      },
+      Made::Settled, tr("settling by the rims"));
+}
+
+void PairReviewModel::moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm) {
+  if (trial_.back < 0) return;
+  Trial trial = trial_;
+  trial.front_from_back =
+      pipeline::movedByHand(trial_.front_from_back, backRef(trial_.back), turn_rad, move_mm);
+  trial.made = Made::ByHand;
+  tryOut(trial, tr("turning by hand"), true);
+}
+
+void PairReviewModel::fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work,
+                            Made made, const QString& text) {
+  if (!live_ || trial_.front < 0) return;
+  if (fit_job_) fit_job_->deleteLater();  // its result is not wanted any more
+  busy_ = true;
+  emit busyChanged(true);
+  const Trial from = trial_;
+  fit_job_ = runner_.start(
+      makeJob(text,
+              [work = std::move(work)](Progress&, std::stop_token stop) { return work(stop); }),
+      this);
+  connect(fit_job_, &JobHandle::finished, this,
+          [this, from, made, text](const JobOutcome& outcome) {
+            busy_ = false;
+            emit busyChanged(false);
+            const auto fit = outcomeAs<pipeline::LiveFit>(outcome);
+            if (!fit) return emit failed(sentenceOf(fit.error()));
+            if (from.front != trial_.front || from.back != trial_.back) return;
+            tryOut({from.front, from.back, fit->front_from_back, made, fit->shift}, text);
+          });
+}
+
+void PairReviewModel::fetchModel() {
+  if (!live_ || card() == nullptr) return;
+  if (model_job_) model_job_->deleteLater();
+  const int front = trial_.front;
+  model_job_ =
+      runner_.start(makeJob(tr("Closed model"),
+                            [live = live_, number = card()->number](Progress&, std::stop_token) {
+                              return closedModel(live, number);
+                            }),
+                    this);
+  connect(model_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
+    const auto model = outcomeAs<MeshPtr>(outcome);
+    if (front != trial_.front) return;
+    if (!model)
+      return emit failed(
+          tr("This pair has no closed model yet; it is made when the "
+             "batch is computed."));
+    emit modelFetched(*model);
+  });
+}
+
+// One picture at a time; what changed meanwhile is fetched when it is there.
+void PairReviewModel::fetchScene(Clouds clouds) {
+  clouds_wanted_ = clouds_wanted_ || clouds == Clouds::Fetch;
+  scene_wanted_ = true;
+  if (scene_job_ || !live_ || trial_.front < 0) return;
+  const Trial trial = trial_;
+  const Clouds with = clouds_wanted_ ? Clouds::Fetch : Clouds::Leave;
+  scene_wanted_ = clouds_wanted_ = false;
+  scene_job_ = runner_.start(makeJob(tr("Picture of a pair"),
+                                     [live = live_, trial, with](Progress&, std::stop_token) {
+                                       return trial.back < 0
+                                                  ? loneScene(live, trial.front)
+                                                  : pairScene(live, trial.front, trial.back,
+                                                              trial.front_from_back, with);
+                                     }),
+                             this);
+  connect(scene_job_, &JobHandle::finished, this, [this, trial](const JobOutcome& outcome) {
+    scene_job_->deleteLater();
+    scene_job_ = nullptr;
+    const auto scene = outcomeAs<ScenePtr>(outcome);
+    const bool current = trial.front == trial_.front && trial.back == trial_.back;
+    if (scene && current) {
+      fit_ = (*scene)->fit;
+      emit sceneChanged(*scene);
+    } else if (!scene && current) {
+      emit failed(sentenceOf(scene.error()));
+    }
+    if (scene_wanted_ || clouds_wanted_) return fetchScene(Clouds::Leave);
+    fetchMore();
+  });
+}
+
+void PairReviewModel::fetchMore() {
+  const int front = trial_.front;
+  if (!live_ || front < 0 || more_job_ || asked_.contains(front)) return;
+  std::vector<int> known;
+  for (const ReviewCandidate& c : candidates_) known.push_back(c.back);
+  asked_.insert(front);
+  if (static_cast<int>(known.size()) >= kWantedCandidates) return;
+  more_job_ = runner_.start(
+      makeJob(
+          tr("More candidates"),
+          [live = live_, front, known](Progress& progress, std::stop_token stop) {
+            return moreCandidates(live, front, known, kWantedCandidates, progress, stop);
+          },
+          JobPriority::Background),
+      this);
+  connect(more_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
+    more_job_->deleteLater();
+    more_job_ = nullptr;
+    const auto found = outcomeAs<std::vector<ReviewCandidate>>(outcome);
+    if (!found) return;  // there are none; what is there stays
+    for (const ReviewCandidate& c : *found) more_[front].push_back(c);
+    if (front == trial_.front)
+      takeCandidates();
+    else
+      fetchMore();
+  });
+}
+
+}  // namespace ostraka::ui

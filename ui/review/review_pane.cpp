@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "ui/frame/look.h"
+#include "ui/frame/state_colours.h"
 #include "ui/review/candidate_bar.h"
 #include "ui/review/card_list.h"
 #include "ui/review/outline_plot.h"
@@ -157,9 +158,15 @@ QBoxLayout* ReviewPane::buttons() {
   row->setSpacing(2);
   for (QAction* action : shown_actions_) {
     auto* button = new QToolButton(this);
-    button->setDefaultAction(action);
     const QString key = action->shortcut().toString(QKeySequence::NativeText);
-    button->setText(tr("%1 %2").arg(action->text(), key));
+    action->setIconText(tr("%1 %2").arg(action->text(), key));
+    button->setDefaultAction(action);
+    // Dark themes hardly tell a pressed button from another.
+    connect(action, &QAction::toggled, button, [this, button](bool on) {
+      QPalette look = palette();
+      if (on) look.setColor(QPalette::Button, StateColours(look).behind(State::Selected));
+      button->setPalette(look);
+    });
     button->setAccessibleName(tr("%1, key %2").arg(action->text(), key));
     button->setFocusPolicy(Qt::TabFocus);
     button->setMinimumHeight(fontMetrics().height() * 2);

@@ -291,8 +291,12 @@ void SherdScene::resetView() {
   view->SetFocalPoint(0, 0, 0);
   view->SetPosition(0.35, -1, 1.2);
   view->SetViewUp(0, 0, 1);
+  fitView();
+}
+
+void SherdScene::fitView() {
   actors_->renderer->ResetCamera();
-  view->Zoom(1.2);  // VTK leaves room for a sphere; sherds are flat
+  camera()->Zoom(1.2);  // VTK leaves room for a sphere; sherds are flat
 }
 
 void SherdScene::prepare() {

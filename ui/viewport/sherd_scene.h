@@ -45,6 +45,7 @@ class SherdScene {
   void moveSection(double mm);
 
   void resetView();  ///< obliquely from above, everything in sight
+  void fitView();    ///< everything in sight, from where one looks
   void prepare();    ///< before each frame
   /// Unit, in the front's frame; away: from the viewer into the picture.
   void viewAxes(double right[3], double up[3], double away[3]) const;

@@ -148,6 +148,7 @@ void SherdView::setApart(bool apart) {
   apart_ = apart;
   if (canvas_ != nullptr) {
     canvas_->scene().setApart(apart);
+    canvas_->scene().fitView();
     canvas_->update();
   }
   emit apartChanged(apart);

@@ -56,6 +56,7 @@ void CatalogueEntryTest::init() {
     scan.side = side;
     scan.index = 1;
     scan.name = side == batch::Side::Front ? "f001" : "b001";
+    scan.path = "results/B0001/scans/" + scan.name + ".ply";
     const auto saved = rows().save(scan, {});
     QVERIFY2(saved.has_value(), saved ? "" : saved.error().sentence().c_str());
   }

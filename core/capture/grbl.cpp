@@ -1,5 +1,6 @@
 #include "capture/grbl.h"
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
@@ -14,6 +15,7 @@ constexpr double kReply_s = 1.0;    // a planned line is answered within millise
 constexpr double kBoot_s = 3.0;     // AVR boards restart when the line is opened
 constexpr double kReport_s = 0.2;   // GRBL wants at most 5 questions a second
 constexpr double kHoming_s = 90.0;  // silent until done
+constexpr double kQuiet_s = 3.1;    // a reply that is later than this is not expected any more
 constexpr int kMostSilences = 12;   // questions without an answer before the line counts as dead
 
 enum class Reply { Ok, Refused, Lost, Restarted, Alarm };
@@ -67,6 +69,13 @@ class GrblTurntable final : public Turntable {
   Result<void> home(std::stop_token stop) override {
     if (!has_switch_) return Error{ErrorCode::Missing, "The table has no zero switch.", where_};
     setPosition(std::nullopt);
+    // An old 'ok' would pass for the end of a homing that never began: the line must be quiet.
+    for (int k = 0; k < 10; ++k) {
+      const auto message = line_.next(kQuiet_s, stop);
+      if (!message) return message.error();
+      if (stop.stop_requested()) return Error::cancelled();
+      if (!*message) break;
+    }
     const Result<Answer> answer = command("$H", kHoming_s, stop);
     if (!answer) return answer.error();
     if (Result<void> r = judge(*answer, "It did not answer while homing."); !r) return r;
@@ -182,9 +191,12 @@ class GrblTurntable final : public Turntable {
     if (line.empty() || line[0] != '$' || equals == std::string_view::npos) return;
     double value = 0;
     const std::string_view text = line.substr(equals + 1);
-    if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) return;
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failed != std::errc() || end != text.data() + text.size()) return;
     if (line.starts_with("$22=")) has_switch_ = value > 0;
-    if (line.starts_with("$100=") && value > 0) tolerance_deg_ = 1.5 / value;
+    // Bounded, since a garbled number must not make every place look like the target.
+    if (line.starts_with("$100=") && value > 0)
+      tolerance_deg_ = std::clamp(1.5 / value, 0.005, 0.1);
   }
 
   // Old replies mean nothing to the next command, but a restart or an alarm does.

@@ -61,9 +61,8 @@ TEST_F(RigDevicesFile, SaysWhatIsWrongWithIt) {
   EXPECT_THAT(readDevices(file_).error().what, HasSubstr("names no devices"));
   std::ofstream(file_) << R"({"devices":{"turntable":{"driver":7},"cameras":[]}})";
   EXPECT_EQ(readDevices(file_).error().code, ErrorCode::UnusableInput);
-  std::ofstream(file_)
-      << R"({"devices":{"turntable":{"driver":"steam"},)"
-      << R"("cameras":[{"driver":"folder","folder":"."}]}})";
+  std::ofstream(file_) << R"({"devices":{"turntable":{"driver":"steam"},)"
+                       << R"("cameras":[{"driver":"folder","folder":"."}]}})";
   const auto opened = openRigDevices(file_, {}, {});
   ASSERT_FALSE(opened.has_value());
   EXPECT_THAT(opened.error().what, HasSubstr("steam"));

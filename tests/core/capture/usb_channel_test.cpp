@@ -2,7 +2,9 @@
 // kernel's usbfs. Run with libumockdev-preload.so.0 preloaded.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <linux/usbdevice_fs.h>
+#include <sys/ioctl.h>
+
+#include <linux/usbdevice_fs.h>  // after the macros that it needs
 #include <umockdev.h>
 
 #include <cerrno>

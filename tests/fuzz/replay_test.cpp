@@ -35,6 +35,12 @@ TEST(Corpus, OfPlyFilesKeepsThePromises) {
 TEST(Corpus, OfJsonFilesKeepsThePromises) {
   replay("json", ostraka::fuzz::json);
 }
+TEST(Corpus, OfTablesKeepsThePromises) {
+  replay("table", ostraka::fuzz::table);
+}
+TEST(Corpus, OfSherdRecordsKeepsThePromises) {
+  replay("sherd_json", ostraka::fuzz::sherdJson);
+}
 TEST(Corpus, OfImageHeadersKeepsThePromises) {
   replay("image_header", ostraka::fuzz::imageHeader);
 }

@@ -9,5 +9,7 @@ void json(std::string_view bytes);
 void imageHeader(std::string_view bytes);
 /// What a turntable answers, to all its drivers.
 void deviceReplies(std::string_view bytes);
+void table(std::string_view bytes);
+void sherdJson(std::string_view bytes);
 
 }  // namespace ostraka::fuzz

@@ -1,0 +1,102 @@
+// bench_catalogue_scale FOLDER [ROWS]: makes a project of so many sherds in FOLDER by importing a
+// table, unless it is there, then measures opening, paging and searching. Milliseconds, the median
+// and the worst of seven runs.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+
+#include "catalogue/filter.h"
+#include "catalogue/project.h"
+#include "exchange/csv.h"
+#include "exchange/import_table.h"
+
+namespace {
+
+using namespace ostraka;
+
+double milliseconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
+void measure(const char* what, const std::function<std::size_t()>& work) {
+  std::vector<double> times;
+  std::size_t rows = 0;
+  for (int i = 0; i < 7; ++i) times.push_back(milliseconds([&] { rows = work(); }));
+  std::sort(times.begin(), times.end());
+  std::printf("%-40s %8zu rows  median %7.1f ms  worst %7.1f ms\n", what, rows, times[3], times[6]);
+}
+
+std::string tableOf(int rows) {
+  const char* parts[] = {"rim", "neck", "shoulder", "body", "base", "handle", "spout", "lid"};
+  const char* wares[] = {"grey", "red slipped", "black burnished", "cooking", "painted fine"};
+  const char* surfaces[] = {"plain", "smoothed", "burnished", "slipped", "washed"};
+  std::string text = exchange::csvLine({"number", "site", "trench", "context", "bag", "part",
+                                        "ware", "surface_out", "munsell_out", "condition",
+                                        "length_mm", "thickness_mean_mm", "weight_g", "note"});
+  for (int i = 0; i < rows; ++i) {
+    const std::string trench = "T" + std::to_string(i / 20'000 + 1);
+    const std::string context = std::to_string(10'001 + i / 200).substr(1);
+    const std::string n = std::to_string(10'001 + i % 200).substr(1);
+    text += exchange::csvLine(
+        {"ARM1-" + trench + "-" + context + "-" + n, "ARM1", trench, context,
+         std::to_string(i / 50 % 4 + 1), parts[i % 8], wares[i % 5], surfaces[i % 5], "10YR 3/1",
+         i % 7 == 0 ? "burnt" : "worn", std::to_string(20 + i % 90),
+         std::to_string(3 + i % 12) + ".5", std::to_string(5 + i % 60),
+         i % 100 == 0 ? "found close to the oven in the north-east corner" : ""});
+  }
+  return text;
+}
+
+int run(const std::filesystem::path& folder, int rows) {
+  QuietProgress quiet;
+  if (!catalogue::Project::isProject(folder)) {
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    Result<catalogue::Project> made = catalogue::Project::create(folder, record);
+    if (!made) return std::fprintf(stderr, "%s\n", made.error().sentence().c_str()), 1;
+    std::size_t entered = 0;
+    const std::string table = tableOf(rows);
+    const double time = milliseconds([&] {
+      const auto report = exchange::importTable(
+          made->catalogue(), table, "table",
+          {exchange::ImportMode::Enter, exchange::UnknownPlaces::Make}, {}, quiet, {});
+      if (report) entered = static_cast<std::size_t>(report->fresh);
+    });
+    std::printf("%-40s %8zu rows  %9.1f s\n", "import of a table", entered, time / 1000);
+  }
+  measure("open the project, all rows by number", [&] {
+    Result<catalogue::Project> project = catalogue::Project::open(folder);
+    return project->catalogue().sherdRows({}, {})->size();
+  });
+  Result<catalogue::Project> project = catalogue::Project::open(folder);
+  if (!project) return std::fprintf(stderr, "%s\n", project.error().sentence().c_str()), 1;
+  catalogue::Catalogue& all = project->catalogue();
+  const std::vector<catalogue::SherdRow> ids = *all.sherdRows({}, {});
+  std::size_t jump = 0;
+  measure("a page of 128 somewhere", [&] {
+    jump = (jump + 37'777) % (ids.size() - 128);
+    return all.sherds(std::span(ids).subspan(jump, 128))->size();
+  });
+  for (const char* line :
+       {"rim T3 thickness>6", "burnished", "oven", "ARM1-T3-0212", "T3", "burnt", "ware:grey",
+        "part:rim -burnt", "thickness>12", "note:*", "context:0300", "zzz"})
+    measure(line, [&] { return all.sherdRows(*catalogue::parseFilter(line), {})->size(); });
+  for (const char* field :
+       {"length_mm", "thickness_mean_mm", "weight_g", "context", "ware", "part", "updated"})
+    measure((std::string("all, ordered by ") + field).c_str(), [&] {
+      return all.sherdRows({}, {field, true})->size();
+    });
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) return std::fprintf(stderr, "bench_catalogue_scale FOLDER [ROWS]\n"), 2;
+  return run(argv[1], argc > 2 ? std::atoi(argv[2]) : 100'000);
+}

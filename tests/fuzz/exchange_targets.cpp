@@ -1,0 +1,58 @@
+#include <cstdio>
+#include <cstdlib>
+
+#include "catalogue/filter.h"
+#include "catalogue/names.h"
+#include "exchange/csv.h"
+#include "exchange/sherd_json.h"
+#include "targets.h"
+
+namespace ostraka::fuzz {
+namespace {
+
+void must(bool kept, const char* promise) {
+  if (kept) return;
+  std::fprintf(stderr, "broken promise: %s\n", promise);
+  std::abort();
+}
+
+}  // namespace
+
+void table(std::string_view bytes) {
+  const Result<exchange::CsvTable> read = exchange::parseCsv(bytes, "fuzz.csv");
+  if (!read) {
+    must(!read.error().what.empty(), "an error has a sentence");
+    return;
+  }
+  std::string written = exchange::csvLine(read->columns);
+  for (const exchange::CsvRow& row : read->rows) {
+    for (const std::string& value : row.values) {
+      must(catalogue::isUtf8(value), "values are UTF-8");
+      must(exchange::unguarded(exchange::guarded(value)) == value, "the guard can be taken off");
+      if (const Result<catalogue::Filter> filter = catalogue::parseFilter(value))
+        must(catalogue::parseFilter(filter->text()).has_value(), "a filter's text is a filter");
+    }
+    written += exchange::csvLine(row.values);
+  }
+  // A table of one empty column is written as an empty line, which no reader can tell from none.
+  if (read->columns.size() < 2 || read->separator != ',') return;
+  const Result<exchange::CsvTable> again = exchange::parseCsv(written, "again.csv");
+  if (again && again->separator != ',') return;  // a name of a column is full of semicolons
+  must(again.has_value() && again->columns == read->columns &&
+           again->rows.size() == read->rows.size(),
+       "what was read can be written and read");
+  for (std::size_t i = 0; i < read->rows.size(); ++i)
+    must(again->rows[i].values == read->rows[i].values, "values survive");
+}
+
+void sherdJson(std::string_view bytes) {
+  const Result<exchange::ReadSherdJson> read = exchange::parseSherdJson(bytes, "fuzz.json");
+  if (!read) {
+    must(!read.error().what.empty(), "an error has a sentence");
+    return;
+  }
+  for (const auto& [measurement, by] : read->row.measured)
+    must(!measurement.kind.empty() || measurement.unit.empty(), "a measurement has a kind");
+}
+
+}  // namespace ostraka::fuzz

@@ -4,13 +4,29 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "capture/gphoto_camera.h"
 #include "command.h"
 
 namespace ostraka::app {
 namespace {
 
+// What only the camera itself tells: the number that binds it to its place.
+void askCameras(std::vector<capture::FoundDevice>& devices) {
+  const Result<std::vector<capture::FoundCamera>> cameras = capture::listGphotoCameras();
+  if (!cameras) return;
+  for (capture::FoundDevice& device : devices)
+    for (const capture::FoundCamera& camera : *cameras) {
+      if (device.kind != capture::DeviceKind::Camera || device.port != camera.id.port) continue;
+      device.model = camera.id.model;
+      if (!camera.id.serial.empty()) device.serial = device.address = camera.id.serial;
+      if (!camera.trouble.empty() && device.troubles.empty())
+        device.troubles.push_back(camera.trouble);
+    }
+}
+
 int runDevices(Session& session) {
-  const std::vector<capture::FoundDevice> devices = capture::findDevices({});
+  std::vector<capture::FoundDevice> devices = capture::findDevices({});
+  askCameras(devices);
   if (session.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const capture::FoundDevice& d : devices)

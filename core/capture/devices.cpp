@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <tuple>
@@ -40,10 +41,11 @@ bool isSerialAdapter(const std::string& vendor) {
                      [&](const char* known) { return vendor == known; });
 }
 
-std::string busFile(const fs::path& device) {
+// "001/002" or "001,002".
+std::string busNumbers(const fs::path& device, const char* between) {
   const auto number = [](const std::string& text) { return std::atoi(text.c_str()); };
-  char name[32];
-  std::snprintf(name, sizeof name, "bus/usb/%03d/%03d", number(lineOf(device / "busnum")),
+  char name[48];
+  std::snprintf(name, sizeof name, "%03d%s%03d", number(lineOf(device / "busnum")), between,
                 number(lineOf(device / "devnum")));
   return name;
 }
@@ -157,7 +159,8 @@ std::vector<FoundDevice> findDevices(const SystemFolders& folders) {
     const std::string product = lineOf(path / "product");
     if (!product.empty()) device.model += (device.model.empty() ? "" : " ") + product;
     if (device.model.empty()) device.model = device.usb;
-    const fs::path node = folders.dev / busFile(path);
+    const fs::path node = folders.dev / "bus" / "usb" / busNumbers(path, "/");
+    device.port = "usb:" + busNumbers(path, ",");
     for (const fs::path& interface : entriesOf(path)) {
       const std::string kind = lineOf(interface / "bInterfaceClass"),
                         subclass = lineOf(interface / "bInterfaceSubClass");

@@ -14,6 +14,7 @@ struct FoundDevice {
   std::string model;                  ///< as the device calls itself
   std::string serial;                 ///< empty when it has none
   std::string usb;                    ///< "1209:0001"
+  std::string port;                   ///< "usb:001,002"
   std::string address;                ///< for RIG.json: turntable.channel, or a camera's serial
   std::string driver;                 ///< for RIG.json: "grbl", "gphoto2" or "uvc"
   std::vector<std::string> troubles;  ///< what is wrong and what to do; empty: all is well

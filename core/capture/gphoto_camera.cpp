@@ -9,6 +9,8 @@
 #include <mutex>
 #include <optional>
 
+#include "capture/gphoto_library.h"
+
 namespace ostraka::capture {
 namespace {
 
@@ -17,13 +19,6 @@ constexpr double kMoreFiles_s = 2;  // RAW and JPEG come one after the other
 constexpr double kPause_s = 0.02;   // a time-out event may come at once
 constexpr double kDrain_s = 0.2;    // silence for so long: nothing is left
 constexpr int kPreviewTries = 3;
-
-// libgphoto2 loads its drivers by libltdl, which is not safe in threads: one lock round loading,
-// opening and closing. The only mutable static here, since the library's state is one as well.
-std::mutex& libraryLock() {
-  static std::mutex lock;
-  return lock;
-}
 
 struct ContextDeleter {
   void operator()(GPContext* c) const { gp_context_unref(c); }
@@ -37,59 +32,6 @@ struct WidgetDeleter {
   void operator()(CameraWidget* w) const { gp_widget_free(w); }
 };
 using Widget = std::unique_ptr<CameraWidget, WidgetDeleter>;
-
-struct Seen {
-  std::string model, port;
-};
-
-// The cameras at all ports. Under the library's lock.
-std::vector<Seen> detected(GPContext* context) {
-  std::vector<Seen> seen;
-  CameraList* list = nullptr;
-  if (gp_list_new(&list) < GP_OK) return seen;
-  if (gp_camera_autodetect(list, context) >= GP_OK)
-    for (int i = 0; i < gp_list_count(list); ++i) {
-      const char *model = nullptr, *port = nullptr;
-      gp_list_get_name(list, i, &model);
-      gp_list_get_value(list, i, &port);
-      if (model != nullptr && port != nullptr) seen.push_back({model, port});
-    }
-  gp_list_free(list);
-  return seen;
-}
-
-Error trouble(int code, const std::string& where) {
-  switch (code) {
-    case GP_ERROR_IO_USB_CLAIM:
-    case GP_ERROR_IO_LOCK:
-      return {ErrorCode::Missing,
-              "The camera is held by another program, often the desktop's file manager; 'ostraka "
-              "devices' names it.",
-              where};
-    case GP_ERROR_IO_USB_FIND:
-    case GP_ERROR_MODEL_NOT_FOUND:
-    case GP_ERROR_UNKNOWN_PORT:
-      return {ErrorCode::Missing, "The camera is not plugged in or not switched on.", where};
-    case GP_ERROR_TIMEOUT:
-      return {ErrorCode::Missing,
-              "The camera does not answer; is it asleep? Switch its automatic power-off off.",
-              where};
-    case GP_ERROR_CAMERA_BUSY:
-      return {ErrorCode::Missing, "The camera stays busy; switch it off and on.", where};
-    case GP_ERROR_IO:
-    case GP_ERROR:
-    case GP_ERROR_IO_READ:
-    case GP_ERROR_IO_WRITE:
-      return {ErrorCode::Missing, "The line to the camera is broken; look at its cable.", where};
-    case GP_ERROR_IO_INIT:
-      return {ErrorCode::Missing,
-              "The camera cannot be opened; may this user use it? Look at 'ostraka devices'.",
-              where};
-    default:
-      return {ErrorCode::Failed,
-              "The camera reports: " + std::string(gp_result_as_string(code)) + ".", where};
-  }
-}
 
 // Names that cameras give to one setting; the first that exists counts.
 const std::map<std::string, std::vector<std::string>>& keysOf() {
@@ -119,11 +61,11 @@ class GphotoCamera final : public Camera {
 
   // By the serial number, wherever it is plugged in.
   Result<void> open() {
-    const std::lock_guard lock(libraryLock());
+    const std::lock_guard lock(gphotoLock());
     if (serial_.starts_with("ptpip:")) return openAt({"PTP/IP Camera", serial_});
     Result<void> best = Error{ErrorCode::Missing, "The camera is not plugged in.", serial_};
     std::string others;
-    for (const Seen& seen : detected(context_.get())) {
+    for (const GphotoPort& seen : detectGphoto(context_.get())) {
       const Result<void> opened = openAt(seen);
       if (!opened) {
         best = opened;
@@ -196,7 +138,7 @@ class GphotoCamera final : public Camera {
     if (stop.stop_requested()) return Error::cancelled();
     if (code == GP_ERROR_NOT_SUPPORTED)
       return Error{ErrorCode::Missing, "This camera shows no live picture.", serial_};
-    return trouble(code, serial_);
+    return gphotoTrouble(code, serial_);
   }
 
   Result<void> getReady(std::stop_token stop) override {
@@ -224,7 +166,7 @@ class GphotoCamera final : public Camera {
       const int code = gp_camera_trigger_capture(camera_, context_.get());
       if (code >= GP_OK) return {};
       if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
-        return trouble(code, serial_);
+        return gphotoTrouble(code, serial_);
       (void)next();
       clock_->sleep(0.1, {});
     }
@@ -253,7 +195,7 @@ class GphotoCamera final : public Camera {
 
   Result<void> reopen(std::stop_token stop) override {
     {
-      const std::lock_guard lock(libraryLock());
+      const std::lock_guard lock(gphotoLock());
       letGo();
     }
     const double deadline_s = clock_->now_s() + 5;  // cameras take seconds to start
@@ -270,7 +212,7 @@ class GphotoCamera final : public Camera {
     for (const auto& [key, value] : changed_)
       if (Result<void> r = write(key, value); !r) restored = r;
     changed_.clear();
-    const std::lock_guard lock(libraryLock());
+    const std::lock_guard lock(gphotoLock());
     letGo();
     return restored;
   }
@@ -288,13 +230,14 @@ class GphotoCamera final : public Camera {
   // Under the library's lock.
   void letGo() {
     if (camera_ == nullptr) return;
+    const KeepDescriptorZero keep;
     gp_camera_exit(camera_, context_.get());
     gp_camera_unref(camera_);
     camera_ = nullptr;
   }
 
   // Under the library's lock.
-  Result<void> openAt(const Seen& seen) {
+  Result<void> openAt(const GphotoPort& seen) {
     std::signal(SIGPIPE, SIG_IGN);  // a camera that leaves the network would end the program
     CameraAbilitiesList* abilities = nullptr;
     GPPortInfoList* ports = nullptr;
@@ -319,9 +262,10 @@ class GphotoCamera final : public Camera {
     gp_abilities_list_free(abilities);
     gp_port_info_list_free(ports);
     if (code < GP_OK) {
+      const KeepDescriptorZero keep;
       if (camera_ != nullptr) gp_camera_unref(camera_);
       camera_ = nullptr;
-      return trouble(code, seen.model + " at " + seen.port);
+      return gphotoTrouble(code, seen.model + " at " + seen.port);
     }
     model_ = seen.model;
     port_ = seen.port;
@@ -392,7 +336,7 @@ class GphotoCamera final : public Camera {
           gp_camera_set_single_config(camera_, key.c_str(), found.get(), context_.get());
       if (code >= GP_OK) return {};
       if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
-        return trouble(code, serial_);
+        return gphotoTrouble(code, serial_);
       clock_->sleep(0.1, {});
     }
   }
@@ -411,7 +355,7 @@ class GphotoCamera final : public Camera {
     if (code == GP_ERROR_CAMERA_BUSY || code == GP_ERROR_TIMEOUT || type == GP_EVENT_TIMEOUT)
       clock_->sleep(kPause_s, {});
     if (code < GP_OK && code != GP_ERROR_CAMERA_BUSY && code != GP_ERROR_TIMEOUT)
-      return trouble(code, serial_);
+      return gphotoTrouble(code, serial_);
     return event;
   }
 
@@ -432,7 +376,7 @@ class GphotoCamera final : public Camera {
                                           GP_FILE_TYPE_NORMAL, file.get(), context_.get());
       if (code >= GP_OK) return CameraFile{place.name, bytesOf(file.get())};
       if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
-        return trouble(code, serial_);
+        return gphotoTrouble(code, serial_);
       clock_->sleep(0.1, {});
     }
   }
@@ -447,48 +391,6 @@ class GphotoCamera final : public Camera {
 };
 
 }  // namespace
-
-Result<std::vector<FoundCamera>> listGphotoCameras() {
-  std::vector<Seen> seen;
-  {
-    const std::lock_guard lock(libraryLock());
-    const Context context(gp_context_new());
-    seen = detected(context.get());
-  }
-  std::vector<FoundCamera> found;
-  for (const Seen& camera : seen) {
-    FoundCamera entry{{"gphoto2", camera.model, {}, camera.port}, {}};
-    // Opened by itself to ask for its number; others may hold it.
-    const std::lock_guard lock(libraryLock());
-    const Context context(gp_context_new());
-    ::Camera* device = nullptr;
-    GPPortInfoList* ports = nullptr;
-    gp_port_info_list_new(&ports);
-    gp_port_info_list_load(ports);
-    GPPortInfo info = nullptr;
-    int code = gp_port_info_list_lookup_path(ports, camera.port.c_str());
-    if (code >= GP_OK) code = gp_port_info_list_get_info(ports, code, &info);
-    if (code >= GP_OK) code = gp_camera_new(&device);
-    if (code >= GP_OK) code = gp_camera_set_port_info(device, info);
-    if (code >= GP_OK) code = gp_camera_init(device, context.get());
-    CameraWidget* widget = nullptr;
-    if (code >= GP_OK &&
-        gp_camera_get_single_config(device, "serialnumber", &widget, context.get()) >= GP_OK) {
-      const Widget owner(widget);
-      const char* value = nullptr;
-      gp_widget_get_value(widget, &value);
-      entry.id.serial = value == nullptr ? "" : value;
-    }
-    if (code < GP_OK) entry.trouble = trouble(code, {}).what;
-    if (device != nullptr) {
-      gp_camera_exit(device, context.get());
-      gp_camera_unref(device);
-    }
-    gp_port_info_list_free(ports);
-    found.push_back(std::move(entry));
-  }
-  return found;
-}
 
 Result<std::unique_ptr<Camera>> openGphotoCamera(const std::string& serial,
                                                  std::shared_ptr<Clock> clock) {

@@ -78,6 +78,7 @@ TEST_F(Devices, ListsCamerasControllersAndVideo) {
   EXPECT_EQ(found[0].kind, DeviceKind::Camera);
   EXPECT_EQ(found[0].model, "D3200");
   EXPECT_EQ(found[0].address, "0815");
+  EXPECT_EQ(found[0].port, "usb:001,002");
   EXPECT_EQ(found[1].address, (root_ / "dev/ttyUSB0").string());
   EXPECT_EQ(found[2].address, "usb:1209:0001:T1");
   EXPECT_EQ(found[3].kind, DeviceKind::VideoCamera);

@@ -1,5 +1,6 @@
 # The Debian package: `cpack -G DEB` in the build folder.
 include(GNUInstallDirs)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the program only, not the tests
 install(FILES packaging/ostraka.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES packaging/ostraka-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
         RENAME ostraka.xml)
@@ -7,9 +8,7 @@ install(FILES resources/icons/ostraka.svg
         DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES packaging/man/ostraka.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-if(EXISTS ${CMAKE_SOURCE_DIR}/packaging/70-ostraka.rules)
-  install(FILES packaging/70-ostraka.rules DESTINATION lib/udev/rules.d)
-endif()
+install(FILES packaging/udev/70-ostraka.rules DESTINATION lib/udev/rules.d)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ostraka)

@@ -60,6 +60,23 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::BulkEdit</name>
+    <message numerus="yes">
+      <source>%n sherd(s) chosen</source>
+      <translation>
+        <numerusform>%n sherd chosen</numerusform>
+        <numerusform>%n sherds chosen</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>Change %n sherd(s)</source>
+      <translation>
+        <numerusform>Change %n sherd</numerusform>
+        <numerusform>Change %n sherds</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::CaptureStation</name>
     <message numerus="yes">
       <source>%1: %n file(s) imported; it is in the queue.</source>
@@ -101,6 +118,71 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::CatalogueStation</name>
+    <message numerus="yes">
+      <source>change %1 of %n sherd(s)</source>
+      <translation>
+        <numerusform>change %1 of %n sherd</numerusform>
+        <numerusform>change %1 of %n sherds</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translation>
+        <numerusform>%n sherd</numerusform>
+        <numerusform>%n sherds</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ExportModel</name>
+    <message numerus="yes">
+      <source>about %n minute(s)</source>
+      <translation>
+        <numerusform>about %n minute</numerusform>
+        <numerusform>about %n minutes</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), %1 files, %2, %3</source>
+      <translation>
+        <numerusform>%n sherd, %1 files, %2, %3</numerusform>
+        <numerusform>%n sherds, %1 files, %2, %3</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model</source>
+      <translation>
+        <numerusform>%n of them without a model</numerusform>
+        <numerusform>%n of them without a model</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%1, %n second(s) left</source>
+      <translation>
+        <numerusform>%1, %n second left</numerusform>
+        <numerusform>%1, %n seconds left</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), %1, manifest checked</source>
+      <translation>
+        <numerusform>%n sherd, %1, manifest checked</numerusform>
+        <numerusform>%n sherds, %1, manifest checked</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ExportStation</name>
+    <message numerus="yes">
+      <source>The %n chosen in the catalogue</source>
+      <translation>
+        <numerusform>The %n chosen in the catalogue</numerusform>
+        <numerusform>The %n chosen in the catalogue</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::HeaderLine</name>
     <message numerus="yes">
       <source>Disk: room for %n batch(es)</source>
@@ -127,6 +209,26 @@
       <translation>
         <numerusform>%n batch stopped and needs you</numerusform>
         <numerusform>%n batches stopped and need you</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ReviewStation</name>
+    <message numerus="yes">
+      <source>%n pair(s) need your eye</source>
+      <translation>
+        <numerusform>%n pair need your eye</numerusform>
+        <numerusform>%n pairs need your eye</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdEdits</name>
+    <message numerus="yes">
+      <source>number %n sherd(s)</source>
+      <translation>
+        <numerusform>number %n sherd</numerusform>
+        <numerusform>number %n sherds</numerusform>
       </translation>
     </message>
   </context>

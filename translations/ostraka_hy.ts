@@ -2,6 +2,161 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="hy" sourcelanguage="en">
   <context>
+    <name>Fields</name>
+    <message>
+      <source>number</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>identifier</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>state</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>void because</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>site</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>trench</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>context</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>bag</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>part</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>ware</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>fabric</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>inclusions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>manufacture</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>firing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>surface outside</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>surface inside</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>decoration</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Munsell outside</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Munsell inside</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Munsell core</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>condition</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>joins with</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>vessel</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>period</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>date</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>length, mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>width, mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>thickness least, mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>thickness, mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>thickness most, mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>area, mm²</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>volume, mm³</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>not seen, %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>rim diameter, mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>rim kept, %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>weight, g</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>note</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
@@ -139,6 +294,190 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui</name>
+    <message>
+      <source>numbered</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>void</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>draft</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>on a scale</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>with a calliper</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>estimated</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>by the program</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>aside</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 or %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The photograph is not there any more.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The printer or file cannot be written; choose another.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>front</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>back</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The printer took no further page.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The printer or file could not be finished; is the disk full?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 and %2 both fit %3.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 would fit %2 nearly as well.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Another partner fits nearly as well.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Its back was given to another front: is %1 the right one now?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 fits hardly better than a stranger's back.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The two sides fit nearly as well in another position.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>under 1 %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %</translation>
+    </message>
+    <message>
+      <source>The back lies upside down: both sides face the same way.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The faces cross: %1 of the front lies behind the back.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The two scans share almost no broken edge; outlines alone tie them.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The broken edges do not fit: %1 apart.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The rim hardly fixes the position: uncertain by %1.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>A place %1 along the rim fits nearly as well.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The rims cannot be compared; outlines alone tie these sides.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>look</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no back</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>sure</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>decided</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>set aside</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>shoot again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 – %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No back was found for it. Choose one, or set it aside.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The program is sure: %1.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Decided by %1 on %2.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Set aside by %1 on %2.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>To be shot again, says %1, %2.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
@@ -265,6 +604,123 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::BulkEdit</name>
+    <message>
+      <source>Field to change</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>New value for all</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>new value; empty deletes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>sherd</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>now</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>then</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What would change</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Change</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Give numbers to the drafts</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Field</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Value</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) chosen</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Type a value to see what would change.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Preview of a change</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>refused: %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 change, %2 stay as they are, %3 are refused.</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>Change %n sherd(s)</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CandidateBar</name>
+    <message>
+      <source>Another back …</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>under 1 %</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>rim %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no rim</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1, now with %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1   %2   %3
+%4</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Candidate %1: %2, %3, %4</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1, nobody's</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::CaptureStation</name>
     <message>
       <source>%1 is in the queue.</source>
@@ -366,7 +822,8 @@
     </message>
     <message>
       <source>does not answer</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>չի պատասխանում</translation>
     </message>
   </context>
   <context>
@@ -600,6 +1057,264 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::CatalogueStation</name>
+    <message numerus="yes">
+      <source>change %1 of %n sherd(s)</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Catalogue</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Filter of the catalogue</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>rim T3 thickness&gt;6</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Export these</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Your initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Who is working? Your initials go into the history:</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sherds</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Search</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Edit</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Give numbers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Take away the condition %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No sherd fits. Take a condition away.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>change %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>move to another context</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The sherds that are chosen have their numbers.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ExportModel</name>
+    <message>
+      <source>Size of the export</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Counting …</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No sherd fits; choose others.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>less than a minute</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>about %n minute(s)</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), %1 files, %2, %3</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>There is a folder of this name already; choose another name.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1, %n second(s) left</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s), %1, manifest checked</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Export</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stopped; nothing was left behind.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ExportStation</name>
+    <message>
+      <source>Exported: %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Export</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>What</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All sherds</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Those that fit this filter:</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Filter of what is exported</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>context:0012</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Forms</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Tables (CSV), for spreadsheets</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Records (JSON), to be read back whole</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>A picture of each model (PNG)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Models as PLY, in mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Models as GLB, for the web and for slides</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Models as OBJ, in mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The photographs, unchanged</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Where</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>New folder for the export</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose …</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Progress of the export</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stop</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Open folder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Where shall the folder be?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Those chosen in the catalogue</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>The %n chosen in the catalogue</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
@@ -667,7 +1382,8 @@
     </message>
     <message>
       <source>Back to work (Esc)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերադառնալ աշխատանքին (Esc)</translation>
     </message>
     <message>
       <source>All keys</source>
@@ -773,14 +1489,82 @@
     </message>
   </context>
   <context>
-    <name>ostraka::ui::MessagePanel</name>
+    <name>ostraka::ui::MapStation</name>
     <message>
-      <source>What happened</source>
+      <source>Batch</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Leave it</source>
+      <source>Print map and labels</source>
       <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Print map and labels   Ctrl+P</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sherd %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No batch is computed yet; its map appears here.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Map of %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1-%2</source>
+      <translation type="unfinished">%1-%2</translation>
+    </message>
+    <message>
+      <source>Batch %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Batch %1, %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Map and labels are sent to the printer.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Map</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MapView</name>
+    <message>
+      <source>Plate, front and back</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sherd %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>front</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>back</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MessagePanel</name>
+    <message>
+      <source>What happened</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ պատահեց</translation>
+    </message>
+    <message>
+      <source>Leave it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թողնել</translation>
     </message>
     <message>
       <source>All right</source>
@@ -808,6 +1592,172 @@
     </message>
     <message>
       <source>Virtual rig</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::OutlinePlot</name>
+    <message>
+      <source>Outlines laid over each other, and their turning angles</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The turning angles differ by %1 rad.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>outlines on each other</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>turning angles</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>differ by %1 rad</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PairReviewModel</name>
+    <message>
+      <source>Small pictures of the sherds</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1, %2. %3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No back is chosen.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The rims do not meet here.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rims %1 apart, %2 of them meet.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Turned by hand; B lets the rims settle it.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Start point %1; B lets the rims settle it.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No pair is chosen.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose a back first.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Enter your initials first: each decision keeps its name.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>choice of %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Comparing two sides</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>pair %1 – %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>setting aside %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>shooting %1 again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>One of the two has no back to be joined.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>joining %1 and %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>cutting %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>start point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>settling by the rims</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>turning by hand</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Closed model</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This pair has no closed model yet; it is made when the batch is computed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Picture of a pair</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>More candidates</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::PicturePair</name>
+    <message>
+      <source>Photographs of both sides</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Front %1, back %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջև %1, հետև %2</translation>
+    </message>
+    <message>
+      <source>The photograph is not there.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>front %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>back %1, mirrored</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>back %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Draw a line over the piece where it is to be cut.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 mm</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -964,6 +1914,188 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::ReviewPane</name>
+    <message>
+      <source>Pairs, most doubtful first</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This one</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Next pair</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Previous pair</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Candidate %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Start point before</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Next start point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>One sample back</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>One sample on</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Mirror back</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Apart</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Measure</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Rim gap</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Model</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Settle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Let the rims settle the position (B)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Set aside</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Shoot again</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Cut</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Join</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Join two pieces of one sherd: then choose the other card (J)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 %2</translation>
+    </message>
+    <message>
+      <source>%1, key %2</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This one   Enter</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Which piece belongs to %1? Choose its card.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The rims are compared …</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>… and the other end</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ReviewStation</name>
+    <message>
+      <source>Batch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Your &amp;initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Your initials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Compute what changed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Makes the models of the pairs that were decided anew</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Opening %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 waits to be computed; only what changed is done again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Saved. The pairs of the new pieces come when it is computed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Taken back. Both are kept in the history.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Saved, with your name.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No pair needs your eye</source>
+      <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+      <source>%n pair(s) need your eye</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+    <message>
+      <source>Review</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::RigPage</name>
     <message>
       <source>Two of them look alike</source>
@@ -1112,6 +2244,176 @@
     </message>
     <message>
       <source>Back to work (Esc)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերադառնալ աշխատանքին (Esc)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdDetails</name>
+    <message>
+      <source>missing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>changed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>present</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Details of the sherd</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Picture of the sherd</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Number of the sherd</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Picture of the sherd in the way</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>measure</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>value</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>from</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Measurements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>when</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>who</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>what</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>History</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>file</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>kind</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>state</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Files</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Measured</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Context</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>context</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Give the number %1</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>added</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>%1: %2 → %3</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>nothing</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>program</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Choose a sherd.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 It is %2.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdEdits</name>
+    <message numerus="yes">
+      <source>number %n sherd(s)</source>
+      <translation type="unfinished">
+        <numerusform />
+        <numerusform />
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdTableModel</name>
+    <message>
+      <source>Picture of a sherd</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>not recorded</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no number yet</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdView</name>
+    <message>
+      <source>Sherd in three dimensions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>This screen has no OpenGL 3.2, so the sherd cannot be shown in three dimensions. Everything else works; photographs and outlines are beside.</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -1236,6 +2538,33 @@
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ViewOverlay</name>
+    <message>
+      <source>%1 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>front: blue rim</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>back: red rim</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>%1 mm and more</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>0 mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>gap between the sides along the rim</source>
       <translation type="unfinished" />
     </message>
   </context>

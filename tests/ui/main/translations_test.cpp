@@ -73,7 +73,7 @@ class TranslationsTest : public QObject {
   void theValuesHaveTheirPlaces() {
     QFETCH(QString, language);
     for (const Message& message : messagesOf(language))
-      for (const QString& form : message.forms) {
+      for (const QString& form : message.unfinished ? QStringList() : message.forms) {
         QStringList wanted = placesIn(message.source), found = placesIn(form);
         wanted.removeAll(QStringLiteral("%n"));  // 'one' may be a word
         found.removeAll(QStringLiteral("%n"));

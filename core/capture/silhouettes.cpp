@@ -250,8 +250,8 @@ int sherdsInPiece(const MapPiece& piece) {
   cv::drawContours(mask, std::vector<std::vector<cv::Point>>{piece.outline}, 0, 255, cv::FILLED,
                    cv::LINE_8, cv::noArray(), 0, -box.tl());
   PointCloud cloud;
-  for (int y = 0; y < mask.rows; y += 2)  // 1 mm suffices for a neck
-    for (int x = 0; x < mask.cols; x += 2)
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
       if (mask(y, x))
         cloud.points.emplace_back(static_cast<float>(x * PlateMap::kPixelMm),
                                   static_cast<float>(y * PlateMap::kPixelMm), 0.f);

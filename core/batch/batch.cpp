@@ -120,6 +120,7 @@ class Reader {
       for (int s = 0; s < 2; ++s)
         there[s] = fs::is_directory(batch_.folder / layout.folder[s], ignored);
       if (there[0] && there[1]) return layout;
+      if (there[0] && options_.min_views_per_side == 0) return layout;
       if (there[0] || there[1]) {
         const int s = there[0] ? 1 : 0;
         return unusable(std::string("The ") + name(s ? Side::Back : Side::Front) +

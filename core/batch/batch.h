@@ -80,7 +80,7 @@ Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOpti
 
 Result<Plate> readPlate(const std::filesystem::path& file);
 Result<Board> readBoard(const std::filesystem::path& file);
-/// {"unit":"mm","lengths":[{"side":"front","length":50,"ends":[[{"file","pixel":[x,y]},...],[...]]}]}
+/// {"unit":"mm","lengths":[{"side":"front","length":50,"ends":[[{"file","pixel"},...],[...]]}]}
 Result<std::vector<KnownLength>> readKnownLengths(const std::filesystem::path& file);
 
 }  // namespace ostraka::batch

@@ -152,6 +152,29 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   return notes;
 }
 
+// Residuals per camera; with a known rig how well it fitted and what has moved since (wish W16).
+ordered_json residualsOf(const rig::BatchPoses& poses) {
+  ordered_json list = ordered_json::array();
+  for (const rig::CameraFindings& c : poses.cameras)
+    list.push_back({{"camera", c.camera},
+                    {"median_residual_px", c.median_residual_px},
+                    {"known_rig_residual_px", c.known_residual_px},
+                    {"moved_mm", c.moved_mm},
+                    {"turned_rad", c.turned_rad}});
+  return list;
+}
+
+// Distances between markers that took no part in the fit (wish W12).
+ordered_json heldOutOf(const rig::BatchPoses& poses) {
+  ordered_json list = ordered_json::array();
+  for (const rig::HeldOutDistance& d : poses.held_out)
+    list.push_back({{"markers", {d.first, d.second}},
+                    {"expected_mm", d.expected_mm},
+                    {"measured_mm", d.measured_mm},
+                    {"error_pct", 100 * d.error()}});
+  return list;
+}
+
 // The share of all photographs' pixels that the masks cover: a figure for the report.
 double coverage(const std::vector<cv::Mat1b>& masks) {
   double inside = 0, all = 0;
@@ -203,7 +226,9 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     notes.figures = {{"images", poses->images.size()},
                      {"reprojection_rms_px", poses->reprojection_rms_px},
                      {"rms_per_image_px", poses->rms_per_image_px},
-                     {"markers_per_image", poses->markers_per_image}};
+                     {"markers_per_image", poses->markers_per_image},
+                     {"cameras", residualsOf(*poses)},
+                     {"held_out", heldOutOf(*poses)}};
     return notes;
   };
   const Result<StageRecord> record =

@@ -182,12 +182,13 @@ class Adjustment {
                    "board.json describe what was photographed.",
                    {}};
     store();
-    if (options_.cameras == Cameras::Free) storeFocalSd();
+    if (options_.cameras == Cameras::Free) storeCovariance();
     return state_;
   }
 
  private:
   void add(const PlateCorner& c) {
+    side_seen_[c.side] = true;
     using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1, 3>;
     problem_.AddResidualBlock(new Cost(new PlateCornerCost{c}), new ceres::CauchyLoss(kLossScale),
                               intrinsics_[c.camera].data(), cameras_[c.camera].data(),
@@ -240,6 +241,8 @@ class Adjustment {
     problem_.SetParameterBlockConstant(&state_.angles_rad[0][0]);
     if (options_.cameras != Cameras::Known)
       problem_.SetManifold(plates_[0].data(), new ceres::SubsetManifold(6, {2, 5}));
+    for (int s = 0; s < 2; ++s)
+      if (!side_seen_[s]) problem_.SetParameterBlockConstant(plates_[s].data());
     for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
       if (options_.cameras != Cameras::Free)
         problem_.SetParameterBlockConstant(intrinsics_[c].data());
@@ -266,21 +269,33 @@ class Adjustment {
       state_.camera_from_board[v] = toPose(boards_[v]);
   }
 
-  // 0 stays where the covariance cannot be computed.
-  void storeFocalSd() {
+  // Nothing is stored where the covariance cannot be computed.
+  void storeCovariance() {
     ceres::Covariance::Options options;
     options.algorithm_type = ceres::SPARSE_QR;
     options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
     options.num_threads = 1;
     ceres::Covariance covariance(options);
     std::vector<std::pair<const double*, const double*>> blocks;
-    for (const IntrinsicsBlock& i : intrinsics_) blocks.emplace_back(i.data(), i.data());
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
+      const double *lens = intrinsics_[c].data(), *pose = cameras_[c].data();
+      blocks.insert(blocks.end(), {{lens, lens}, {lens, pose}, {pose, pose}});
+    }
     if (!covariance.Compute(blocks, &problem_)) return;
     for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
-      std::array<double, 81> matrix{};
-      if (covariance.GetCovarianceBlock(intrinsics_[c].data(), intrinsics_[c].data(),
-                                        matrix.data()))
-        state_.cameras[c].focal_sd_px = std::sqrt(std::max(0.0, matrix[0]));
+      using Matrix = Eigen::Matrix<double, 15, 15, Eigen::RowMajor>;
+      Eigen::Matrix<double, 9, 9, Eigen::RowMajor> lens;
+      Eigen::Matrix<double, 9, 6, Eigen::RowMajor> both;
+      Eigen::Matrix<double, 6, 6, Eigen::RowMajor> pose;
+      const double *l = intrinsics_[c].data(), *p = cameras_[c].data();
+      if (!covariance.GetCovarianceBlock(l, l, lens.data()) ||
+          !covariance.GetCovarianceBlock(l, p, both.data()) ||
+          !covariance.GetCovarianceBlock(p, p, pose.data()))
+        continue;
+      Matrix all;
+      all << lens, both, both.transpose(), pose;
+      state_.cameras[c].covariance.assign(all.data(), all.data() + all.size());
+      state_.cameras[c].focal_sd_px = std::sqrt(std::max(0.0, all(0, 0)));
     }
   }
 
@@ -291,6 +306,7 @@ class Adjustment {
   std::vector<PoseBlock> cameras_, boards_;
   std::array<PoseBlock, 2> plates_{};
   std::vector<double> insets_;
+  std::array<bool, 2> side_seen_{};
   ceres::Problem problem_;
 };
 

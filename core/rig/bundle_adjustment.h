@@ -17,6 +17,9 @@ struct RigState {
     Eigen::Isometry3d camera_from_turntable = Eigen::Isometry3d::Identity();
     double inset_px = 0;  ///< by which marker edges are seen inside of where they are
     double focal_sd_px = 0;
+    /// Of fx fy cx cy k1 k2 p1 p2 k3, rotation vector (rad), translation (mm) of
+    /// camera_from_turntable: 15 x 15 row by row; empty where it could not be computed.
+    std::vector<double> covariance;
   };
   std::vector<Camera> cameras;
   std::array<std::vector<double>, 2> angles_rad;  ///< by side and stop

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <tuple>
 
 #include "rig/batch_corners.h"
 #include "rig/bundle_adjustment.h"
+#include "rig/held_out.h"
 #include "rig/rig_start.h"
 #include "rig/view_pose.h"
 
@@ -58,6 +60,7 @@ class Poser {
     if (const Result<void> found = findIntrinsics(); !found) return found.error();
     if (const Result<void> found = findStart(); !found) return found.error();
     if (const Result<void> found = refine(); !found) return found.error();
+    if (const Result<void> checked = holdOut(); !checked) return checked.error();
     return poses();
   }
 
@@ -82,6 +85,11 @@ class Poser {
     state_.cameras.resize(camera_numbers_.size());
     state_.print_errors_mm.assign(batch_.plate->markers.size() * 4, Eigen::Vector3d::Zero());
     intrinsics_rms_.assign(camera_numbers_.size(), 0);
+    out_.cameras.resize(camera_numbers_.size());
+    for (std::size_t c = 0; c < camera_numbers_.size(); ++c) {
+      out_.cameras[c].camera = camera_numbers_[c];
+      std::tie(out_.cameras[c].width, out_.cameras[c].height) = sizeOf(c);
+    }
   }
   int cameraOf(std::size_t shot) const {
     return indexOf(camera_numbers_, batch_.shots[shot].camera);
@@ -150,6 +158,10 @@ class Poser {
            " Its lens is estimated from the plate's markers instead.");
       return false;
     }
+    out_.cameras[camera].lens = *report;
+    for (const TargetView& view : views)
+      out_.cameras[camera].board_pixels.insert(out_.cameras[camera].board_pixels.end(),
+                                               view.pixels.begin(), view.pixels.end());
     for (const std::string& advice : report->advice) warn(cameraName(camera) + ": " + advice);
     if (!report->focal_determined) return false;
     state_.cameras[camera].intrinsics = report->intrinsics;
@@ -209,7 +221,7 @@ class Poser {
       }
       views.push_back({cameraOf(i), sideOf(i), stopOf(i), pose->camera_from_plate, agreeing});
     }
-    std::optional<RigStart> start = startRig(state_, views, stop_numbers_, mode_);
+    std::optional<RigStart> start = startRig(state_, views, stop_numbers_, mode_, sidesShot());
     if (!start) {
       int seen = 0;
       for (const auto& markers : markers_) seen += markers.empty() ? 0 : 1;
@@ -226,6 +238,13 @@ class Poser {
         warn("No photograph of " + cameraName(c) +
              " shows two markers of the plate; all its photographs are left out.");
     return {};
+  }
+
+  SidesShot sidesShot() const {
+    const bool back =
+        std::any_of(batch_.shots.begin(), batch_.shots.end(),
+                    [](const batch::Shot& shot) { return shot.side == batch::Side::Back; });
+    return back ? SidesShot::Both : SidesShot::FrontOnly;
   }
 
   void drop(std::size_t shot, std::size_t marker, const std::string& reason) {
@@ -269,22 +288,29 @@ class Poser {
     if (const Result<void> done = adjustOnce(1); !done) return done;
     if (mode_ == Cameras::Known && !knownRigFits()) {
       mode_ = Cameras::LensKnown;
+      const RigState known = state_;
       if (const Result<void> found = findStart(); !found) return found;
       state_ = start_.state;
       if (const Result<void> done = adjustOnce(1); !done) return done;
+      sayWhatMoved(known);
     }
     dropOutliers();
     return adjustOnce(sdScale());
   }
 
+  std::vector<double> residualsOf(std::size_t camera) const {
+    std::vector<double> errors;
+    for (const PlateCorner& corner : plateCorners(1))
+      if (corner.camera == static_cast<int>(camera))
+        errors.push_back(residual(state_, corner).norm());
+    return errors;
+  }
+
   bool knownRigFits() {
     bool fits = true;
-    const std::vector<PlateCorner> corners = plateCorners(1);
     for (std::size_t c = 0; c < camera_numbers_.size(); ++c) {
-      std::vector<double> errors;
-      for (const PlateCorner& corner : corners)
-        if (corner.camera == static_cast<int>(c)) errors.push_back(residual(state_, corner).norm());
-      const double typical = median(errors);
+      const double typical = median(residualsOf(c));
+      out_.cameras[c].known_residual_px = typical;
       if (typical <= options_.max_known_rig_residual_px) continue;
       fits = false;
       warn("The known rig no longer fits: " + cameraName(c) + " misses the markers by " +
@@ -293,6 +319,54 @@ class Poser {
            "calibrate the rig again.");
     }
     return fits;
+  }
+
+  // Which camera stands elsewhere than the known rig has it, in words.
+  void sayWhatMoved(const RigState& known) {
+    auto& cameras = out_.cameras;
+    const auto best = std::min_element(cameras.begin(), cameras.end(), [](auto& a, auto& b) {
+      return a.known_residual_px < b.known_residual_px;
+    });
+    const auto reference = static_cast<std::size_t>(best - cameras.begin());
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+      if (c == reference || !start_.camera_posed[c]) continue;
+      const Move move = moveAgainst(known, state_, c, reference);
+      cameras[c].moved_mm = move.moved_mm;
+      cameras[c].turned_rad = move.turned_rad;
+      if (cameras[c].known_residual_px > options_.max_known_rig_residual_px)
+        warn(sentence(move, camera_numbers_[c], camera_numbers_[reference]));
+    }
+  }
+
+  // Distances that the fit does not know: the adjustment once more without four markers.
+  Result<void> holdOut() {
+    const double scale = sdScale();
+    const std::vector<PlateCorner> corners = plateCorners(scale);
+    out_.markers.resize(batch_.plate->markers.size());
+    for (std::size_t m = 0; m < out_.markers.size(); ++m)
+      out_.markers[m] = cornersInSpace(state_, ofMarker(corners, m));
+    const std::vector<std::size_t> chosen = markersToHoldOut(*batch_.plate, corners);
+    if (chosen.empty()) return {};
+    std::vector<PlateCorner> others;
+    for (const PlateCorner& corner : corners)
+      if (std::find(chosen.begin(), chosen.end(), corner.plate_point / 4) == chosen.end())
+        others.push_back(corner);
+    if (stop_.stop_requested()) return Error::cancelled();
+    AdjustOptions options;
+    options.cameras = mode_ == Cameras::Free ? Cameras::LensKnown : mode_;
+    options.table_repeatability_rad = options_.table_repeatability_rad;
+    const Result<RigState> state = adjust(state_, others, {}, options);
+    if (!state) return state.error();
+    out_.held_out = heldOutDistances(*batch_.plate, chosen, *state, corners);
+    for (const HeldOutDistance& d : out_.held_out) {
+      if (std::abs(d.error()) > kMostScaleError)
+        warn(
+            "The scale is not right: " + sentence(d) +
+            "; check that plate.json belongs to this plate and that it is printed and glued true.");
+      else
+        inform("rig: " + sentence(d));
+    }
+    return {};
   }
 
   // How far residuals really scatter against what was expected of them.
@@ -355,6 +429,7 @@ class Poser {
       out_.markers_per_image.push_back(used);
     }
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      if (side == batch::Side::Back && sidesShot() == SidesShot::FrontOnly) break;
       const auto views = std::count_if(out_.images.begin(), out_.images.end(),
                                        [&](const PosedImage& image) { return image.side == side; });
       if (views < kMinViewsPerSide)
@@ -366,10 +441,20 @@ class Poser {
                      batch_.folder.string()};
     }
     out_.reprojection_rms_px = rms(sum, count);
+    for (std::size_t c = 0; c < out_.cameras.size(); ++c) {
+      const std::vector<double> errors = residualsOf(c);
+      out_.cameras[c].marker_corners = static_cast<int>(errors.size());
+      out_.cameras[c].median_residual_px = median(errors);
+    }
     fillRig();
     inform("rig: " + fixed(out_.reprojection_rms_px, 3) + " px over " + fixed(count, 0) +
            " marker corners in " + std::to_string(out_.images.size()) + " photographs");
     return std::move(out_);
+  }
+
+  std::vector<double> knownCovariance(std::size_t camera) const {
+    const RigCamera* known = known_ ? known_->find(camera_numbers_[camera]) : nullptr;
+    return known != nullptr && mode_ == Cameras::Known ? known->covariance : std::vector<double>();
   }
 
   void fillRig() {
@@ -378,7 +463,8 @@ class Poser {
       if (!start_.camera_posed[c]) continue;
       const RigState::Camera& camera = state_.cameras[c];
       rig.cameras.push_back({camera_numbers_[c], camera.intrinsics, camera.camera_from_turntable,
-                             camera.focal_sd_px, intrinsics_rms_[c], camera.inset_px});
+                             camera.focal_sd_px, intrinsics_rms_[c], camera.inset_px,
+                             mode_ == Cameras::Free ? camera.covariance : knownCovariance(c)});
     }
     rig.stops = stop_numbers_;
     rig.stop_angles_rad = state_.angles_rad[0];
@@ -404,14 +490,6 @@ class Poser {
 };
 
 }  // namespace
-
-Result<void> PoseOptions::check() const {
-  if (!(table_repeatability_rad > 0))
-    return Error{ErrorCode::UnusableInput, "table_repeatability_rad must be positive.", {}};
-  if (!(max_known_rig_residual_px > 0))
-    return Error{ErrorCode::UnusableInput, "max_known_rig_residual_px must be positive.", {}};
-  return {};
-}
 
 Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<Rig>& known,
                              const PoseOptions& options, Progress& progress, std::stop_token stop) {

@@ -24,17 +24,25 @@ bool usable(const RigCamera& camera) {
          i.fx > 0 && i.fy > 0;
 }
 
+constexpr std::size_t kParameters = 15;  // of a camera with its pose
+
 nlohmann::ordered_json toJson(const RigCamera& camera) {
   const Intrinsics& i = camera.intrinsics;
-  return {{"camera", camera.camera},
-          {"width", i.width},
-          {"height", i.height},
-          {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}},
-          {"dist", i.distortion},
-          {"camera_from_turntable", ostraka::toJson(camera.camera_from_turntable)},
-          {"focal_sd_px", camera.focal_sd_px},
-          {"intrinsics_rms_px", camera.intrinsics_rms_px},
-          {"marker_inset_px", camera.marker_inset_px}};
+  nlohmann::ordered_json json = {
+      {"camera", camera.camera},
+      {"width", i.width},
+      {"height", i.height},
+      {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}},
+      {"dist", i.distortion},
+      {"camera_from_turntable", ostraka::toJson(camera.camera_from_turntable)},
+      {"focal_sd_px", camera.focal_sd_px},
+      {"intrinsics_rms_px", camera.intrinsics_rms_px},
+      {"marker_inset_px", camera.marker_inset_px}};
+  if (camera.covariance.empty()) return json;
+  json["covariance_of"] = {"fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2",
+                           "k3", "rx", "ry", "rz", "tx", "ty", "tz"};
+  json["covariance"] = camera.covariance;
+  return json;
 }
 
 // Throws nlohmann's exceptions; the caller words them.
@@ -57,6 +65,11 @@ Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesys
   camera.focal_sd_px = value.value("focal_sd_px", 0.0);
   camera.intrinsics_rms_px = value.value("intrinsics_rms_px", 0.0);
   camera.marker_inset_px = value.value("marker_inset_px", 0.0);
+  camera.covariance = value.value("covariance", std::vector<double>());
+  if (!camera.covariance.empty() && camera.covariance.size() != kParameters * kParameters)
+    return unusable("Camera " + std::to_string(camera.camera) +
+                        " has a covariance of another size; calibrate the rig again.",
+                    file);
   if (!usable(camera))
     return unusable("Camera " + std::to_string(camera.camera) +
                         " has no valid size, K or dist; calibrate the rig again.",

@@ -17,6 +17,9 @@ struct RigCamera {
   double focal_sd_px = 0;        ///< standard deviation of fx; 0 = not known
   double intrinsics_rms_px = 0;  ///< of the board's corners; 0 = no board
   double marker_inset_px = 0;    ///< by which this camera shows black marker edges too far inside
+  /// Of fx fy cx cy k1 k2 p1 p2 k3, rotation vector (rad) and translation (mm) of
+  /// camera_from_turntable: 15 x 15 row by row; empty where it is not known.
+  std::vector<double> covariance;
 };
 
 /// The cameras and the turntable of one laboratory: RIG.json.

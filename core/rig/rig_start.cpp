@@ -144,10 +144,12 @@ class Start {
 }  // namespace
 
 std::optional<RigStart> startRig(const RigState& cameras, const std::vector<ViewPose>& views,
-                                 const std::vector<int>& stop_numbers, Cameras known) {
+                                 const std::vector<int>& stop_numbers, Cameras known,
+                                 SidesShot sides) {
   Start start(cameras, views, stop_numbers.size());
   start.spread(known);
-  if (!start.sideSeen(0) || !start.sideSeen(1)) return std::nullopt;
+  if (!start.sideSeen(0)) return std::nullopt;
+  if (sides == SidesShot::Both && !start.sideSeen(1)) return std::nullopt;
   start.separateTheFlip();
   start.fillUnseenStops(stop_numbers);
   start.normalise(known);

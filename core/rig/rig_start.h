@@ -21,11 +21,14 @@ struct RigStart {
   std::array<std::vector<char>, 2> stop_measured;  ///< by side and stop
 };
 
+enum class SidesShot { Both, FrontOnly };
+
 /// First values for the adjustment, with the plate's z for the axis. With known cameras their poses
 /// are kept and only angles are found. stop_numbers: the stops' numbers in the file names; angles
 /// of stops that no view shows come from the other side or from equal steps. Nothing when there is
-/// no view of the front or of the back.
+/// no view of the front or, where both sides were shot, of the back.
 std::optional<RigStart> startRig(const RigState& cameras, const std::vector<ViewPose>& views,
-                                 const std::vector<int>& stop_numbers, Cameras known);
+                                 const std::vector<int>& stop_numbers, Cameras known,
+                                 SidesShot sides = SidesShot::Both);
 
 }  // namespace ostraka::rig

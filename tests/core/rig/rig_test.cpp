@@ -16,8 +16,9 @@ std::filesystem::path temporaryFile(const std::string& name) {
 
 Rig sample() {
   Rig rig;
-  rig.cameras.push_back({0, lens(2600), lookingDown(0.5, 0.1), 0.2, 0.03, 0.01});
-  rig.cameras.push_back({4, lens(2500), lookingDown(1.0, 0.2), 0.2, 0.03, 0.02});
+  rig.cameras.push_back({0, lens(2600), lookingDown(0.5, 0.1), 0.2, 0.03, 0.01, {}});
+  rig.cameras.push_back(
+      {4, lens(2500), lookingDown(1.0, 0.2), 0.2, 0.03, 0.02, std::vector<double>(225, 0.5)});
   rig.stops = {0, 1, 5};
   rig.stop_angles_rad = {0, 0.7, 3};
   rig.reprojection_rms_px = 0.04;
@@ -37,6 +38,8 @@ TEST(RigFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(read->find(4)->intrinsics.distortion, rig.cameras[1].intrinsics.distortion);
   EXPECT_TRUE(
       read->find(4)->camera_from_turntable.isApprox(rig.cameras[1].camera_from_turntable, 1e-15));
+  EXPECT_TRUE(read->find(0)->covariance.empty());
+  EXPECT_EQ(read->find(4)->covariance, rig.cameras[1].covariance);
   EXPECT_EQ(read->stops, rig.stops);
   EXPECT_NEAR(read->stop_angles_rad[2], 3, 1e-14);
 }

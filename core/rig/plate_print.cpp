@@ -1,0 +1,348 @@
+#include "rig/plate_print.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <opencv2/aruco/charuco.hpp>
+
+#include "rig/marker_dictionary.h"
+#include "rig/marker_outline.h"
+
+namespace ostraka::rig {
+namespace {
+
+using Eigen::Vector2d;
+
+// Markers' middle to the plate's edge, in markers' sides; paper around the black, in mm.
+constexpr double kFromEdge = 20.0 / 24, kPaperMargin_mm = 3.5;
+constexpr double kSpacing =
+    1.45;  // of the inner edges, in markers' sides: room for paper and shade
+constexpr int kFewestMarkers = 6;
+
+std::string words(const char* format, double a, double b = 0) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+double ringRadius(double diameter_mm, double marker_mm) {
+  return diameter_mm / 2 - kFromEdge * marker_mm;
+}
+
+int markersOnRing(double diameter_mm, double marker_mm) {
+  const double inner = ringRadius(diameter_mm, marker_mm) - marker_mm / 2;
+  return static_cast<int>(2 * std::numbers::pi * inner / (kSpacing * marker_mm));
+}
+
+Vector2d onPaper(const Eigen::Vector3d& p) {
+  return {p.x(), -p.y()};
+}
+
+// A ruler of full millimetres from `from`, along `along`, its ticks to the right of it.
+void drawRuler(Sheet& sheet, const Vector2d& from, const Vector2d& along, double length_mm) {
+  const Vector2d across(-along.y(), along.x());
+  sheet.line(from, from + length_mm * along, 0.15);
+  for (int mm = 0; mm <= static_cast<int>(std::lround(length_mm)); ++mm) {
+    const double tick = mm % 10 == 0 ? 5 : mm % 5 == 0 ? 3.5 : 2;
+    const Vector2d p = from + mm * along;
+    sheet.line(p, p + tick * across, mm % 10 == 0 ? 0.15 : 0.08);
+    const bool upright = along.x() > 0.5;
+    if (mm % 20 == 0)
+      sheet.text(p + (upright ? Vector2d(0, 8.2) : Vector2d(-6, 1)), 2.6, std::to_string(mm),
+                 upright ? Anchor::Middle : Anchor::Right);
+  }
+}
+
+class Drawing {
+ public:
+  Drawing(const PlatePrintOptions& options, const cv::Ptr<cv::aruco::Dictionary>& dictionary)
+      : options_(options), dictionary_(dictionary) {}
+
+  PlatePrint run() {
+    out_.plate = ringPlate(options_.diameter_mm, options_.marker_mm, options_.dictionary);
+    out_.board = standardBoard();
+    drawPlate();
+    layTiles();
+    drawBoard();
+    scaleToRuler();
+    return std::move(out_);
+  }
+
+ private:
+  double radius() const { return options_.diameter_mm / 2; }
+  // Of the disc that is free of markers and their paper.
+  double freeRadius() const {
+    return ringRadius(options_.diameter_mm, options_.marker_mm) - options_.marker_mm / 2 -
+           kPaperMargin_mm;
+  }
+
+  void drawPlate() {
+    const bool black = options_.ground == Ground::Black;
+    sheet_.circle({0, 0}, radius(), black ? Grey(0.0) : Grey(), 0.4, 0.2);
+    for (const batch::Marker& marker : out_.plate.markers) drawMarkerOf(marker, black);
+    if (black) sheet_.circle({0, 0}, freeRadius(), 1.0, {}, 0);
+    sheet_.circle({0, 0}, freeRadius(), {}, 0.5, 0.15, 3);
+    sheet_.line({-6, 0}, {6, 0}, 0.12);
+    sheet_.line({0, -6}, {0, 6}, 0.12);
+    out_.ruler_mm = 50 * std::floor(1.6 * freeRadius() / 50);
+    if (out_.ruler_mm < 50) out_.ruler_mm = 10 * std::floor(1.6 * freeRadius() / 10);
+    const double half = out_.ruler_mm / 2, aside = 0.22 * freeRadius();
+    drawRuler(sheet_, {-half, aside}, {1, 0}, out_.ruler_mm);
+    drawRuler(sheet_, {-aside, -half}, {0, 1}, out_.ruler_mm);
+    const double size = freeRadius() > 100 ? 3.2 : 2.2;
+    const std::vector<std::string> lines{
+        words("Ostraka plate, diameter %.0f mm, markers of %.0f mm", options_.diameter_mm,
+              options_.marker_mm),
+        options_.dictionary + ", " + std::to_string(out_.plate.markers.size()) + " markers",
+        words("Both rulers must measure %.0f mm. If they do not, make the", out_.ruler_mm),
+        "files again with --ruler-measured and what they measure.",
+        "Turntable's axis at the small cross; sherds within the dashed",
+        "circle, on dark cloth without gloss that is cut to it."};
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      sheet_.text({8, 0.22 * freeRadius() + 16 + 1.5 * size * static_cast<double>(i)}, size,
+                  lines[i]);
+  }
+
+  void drawMarkerOf(const batch::Marker& marker, bool black) {
+    std::array<Vector2d, 4> c;
+    for (int k = 0; k < 4; ++k) c[k] = onPaper(marker.corners[k]);
+    const Vector2d right = (c[1] - c[0]).normalized(), down = (c[3] - c[0]).normalized();
+    if (black) {
+      const double m = kPaperMargin_mm;
+      sheet_.polygon({c[0] - m * right - m * down, c[1] + m * right - m * down,
+                      c[2] + m * right + m * down, c[3] - m * right + m * down},
+                     1.0);
+    }
+    cv::Mat picture;
+    const int cells = dictionary_->markerSize + 2;
+    cv::aruco::drawMarker(dictionary_, marker.id, cells, picture, 1);
+    Shape shape{outlinesOfInk(picture), true, 0.0, {}, 0, 0};
+    for (auto& line : shape.lines)
+      for (Vector2d& p : line) p = c[0] + (p.x() * (c[1] - c[0]) + p.y() * (c[3] - c[0])) / cells;
+    sheet_.items.push_back(std::move(shape));
+  }
+
+  // How far sheets reach along one axis, and where the first begins (plate frame, mm).
+  struct Rows {
+    int count = 1;
+    double begin = 0, usable = 0;
+    int cut = 0;
+    double step(double overlap) const { return usable - overlap; }
+  };
+
+  // Seams run between markers where they can.
+  Rows rowsFor(double usable, int axis) const {
+    const double need = 2 * radius() + 2, overlap = options_.overlap_mm;
+    Rows rows;
+    rows.usable = usable;
+    rows.count = need <= usable
+                     ? 1
+                     : static_cast<int>(std::ceil((need - overlap) / (usable - overlap) - 1e-9));
+    const double slack = rows.count * (usable - overlap) + overlap - need;
+    double best = 1e9;
+    for (double shift = 0; shift <= slack / 2; shift += 0.5)
+      for (const double sign : {1.0, -1.0}) {
+        const double begin = -need / 2 - slack / 2 + sign * shift;
+        const int cut = markersCut(begin, rows.count, usable, axis);
+        const double cost = 1000 * cut + shift;
+        if (cost >= best) continue;
+        best = cost;
+        rows.begin = begin;
+        rows.cut = cut;
+      }
+    return rows;
+  }
+
+  int markersCut(double begin, int count, double usable, int axis) const {
+    int cut = 0;
+    for (const batch::Marker& marker : out_.plate.markers) {
+      double low = 1e9, high = -1e9;
+      for (const Eigen::Vector3d& corner : marker.corners) {
+        low = std::min(low, onPaper(corner)[axis]);
+        high = std::max(high, onPaper(corner)[axis]);
+      }
+      bool on_seam = false;
+      for (int k = 1; k < count; ++k) {
+        const double seam = begin + k * (usable - options_.overlap_mm);
+        on_seam = on_seam || (high > seam && low < seam + options_.overlap_mm);
+      }
+      cut += on_seam ? 1 : 0;
+    }
+    return cut;
+  }
+
+  void layTiles() {
+    if (!options_.paper) {
+      const double size = 2 * (radius() + options_.printer_margin_mm);
+      out_.centres.emplace_back(size / 2, size / 2);
+      out_.pages.push_back({size, size, {{sheet_, {size / 2, size / 2}, {}}}});
+      return;
+    }
+    Vector2d paper = paperSize(*options_.paper);
+    const double margins = 2 * options_.printer_margin_mm;
+    Rows across = rowsFor(paper.x() - margins, 0), down = rowsFor(paper.y() - margins, 1);
+    const Rows across2 = rowsFor(paper.y() - margins, 0), down2 = rowsFor(paper.x() - margins, 1);
+    if (across2.count * down2.count < across.count * down.count) {
+      across = across2;
+      down = down2;
+      paper = {paper.y(), paper.x()};
+    }
+    out_.sheets_across = across.count;
+    out_.sheets_down = down.count;
+    out_.markers_cut = across.cut + down.cut;
+    markSeams(across, down);
+    for (int y = 0; y < down.count; ++y)
+      for (int x = 0; x < across.count; ++x) addTile(paper, across, down, x, y);
+  }
+
+  // Crosses in the middle of each seam, which both neighbours show.
+  void markSeams(const Rows& across, const Rows& down) {
+    const auto crosses = [&](const Rows& rows, int axis) {
+      for (int k = 1; k < rows.count; ++k) {
+        const double seam =
+            rows.begin + k * rows.step(options_.overlap_mm) + options_.overlap_mm / 2;
+        for (const double along : {-0.85, -0.55, 0.55, 0.85}) {
+          Vector2d p;
+          p[axis] = seam;
+          p[1 - axis] = along * freeRadius();
+          sheet_.line(p - Vector2d(4, 0), p + Vector2d(4, 0), 0.1);
+          sheet_.line(p - Vector2d(0, 4), p + Vector2d(0, 4), 0.1);
+          sheet_.circle(p, 2, {}, 0.0, 0.1);
+        }
+      }
+    };
+    crosses(across, 0);
+    crosses(down, 1);
+  }
+
+  void addTile(const Vector2d& paper, const Rows& across, const Rows& down, int x, int y) {
+    const double margin = options_.printer_margin_mm, overlap = options_.overlap_mm;
+    const Vector2d low(margin, margin), high = paper - low;
+    const Vector2d centre(margin - across.begin - x * across.step(overlap),
+                          margin - down.begin - y * down.step(overlap));
+    Sheet marks;
+    if (x + 1 < across.count) marks.line({high.x(), low.y()}, high, 0.15, 2);
+    if (y + 1 < down.count) marks.line({low.x(), high.y()}, high, 0.15, 2);
+    const int number = y * across.count + x + 1, count = across.count * down.count;
+    if (count > 1) {
+      // In the corner that is farthest from the plate's centre, where nothing else is.
+      const bool right = centre.x() < paper.x() / 2, below = centre.y() < paper.y() / 2;
+      const Vector2d at(right ? high.x() - 3 : low.x() + 3, below ? high.y() - 8 : low.y() + 6);
+      const Anchor anchor = right ? Anchor::Right : Anchor::Left;
+      marks.text(at, 3.2, "Sheet " + std::to_string(number) + " of " + std::to_string(count),
+                 anchor, Weight::Bold);
+      if (number < count)
+        marks.text(at + Vector2d(0, 4.5), 2.6, "cut at the dashed line, glue cross on cross",
+                   anchor);
+    }
+    out_.centres.push_back(centre);
+    out_.pages.push_back({paper.x(),
+                          paper.y(),
+                          {{sheet_, centre, Eigen::AlignedBox2d(low, high)}, {marks, {0, 0}, {}}}});
+  }
+
+  void drawBoard() {
+    const Vector2d paper(297, 210);  // A4 across: fits every printer
+    const batch::Board& b = out_.board;
+    const Vector2d size(b.squares_x * b.square_mm, b.squares_y * b.square_mm);
+    out_.board_corner = {(paper.x() - size.x()) / 2, 18};
+    Sheet sheet;
+    for (Shape& shape : boardInk(b)) sheet.items.push_back(std::move(shape));
+    // A frame that can be cut along, clear of the squares by the white they need.
+    const Vector2d margin(8, 8);
+    sheet.polygon({-margin, {size.x() + 8, -8}, size + margin, {-8, size.y() + 8}}, {}, 0.6, 0.1);
+    const double ruler = 150;
+    drawRuler(sheet, {(size.x() - ruler) / 2, size.y() + 17}, {1, 0}, ruler);
+    sheet.text({0, size.y() + 15}, 3.0,
+               words("Board: squares of %.0f mm, markers of %.0f mm, ", b.square_mm, b.marker_mm) +
+                   b.dictionary +
+                   ". The ruler must measure 150 mm. Glue it on glass or a stiff "
+                   "board; it must not bend.");
+    out_.pages.push_back({paper.x(), paper.y(), {{sheet, out_.board_corner, {}}}});
+  }
+
+  void scaleToRuler() {
+    if (options_.ruler_measured_mm == 0) return;
+    const double scale = options_.ruler_measured_mm / out_.ruler_mm;
+    out_.plate.diameter_mm *= scale;
+    for (batch::Marker& marker : out_.plate.markers)
+      for (Eigen::Vector3d& corner : marker.corners) corner *= scale;
+    out_.board.square_mm *= scale;
+    out_.board.marker_mm *= scale;
+  }
+
+  const PlatePrintOptions& options_;
+  cv::Ptr<cv::aruco::Dictionary> dictionary_;
+  Sheet sheet_;  // origin at the plate's centre
+  PlatePrint out_;
+};
+
+}  // namespace
+
+Result<void> PlatePrintOptions::check() const {
+  const auto bad = [](std::string what) {
+    return Error{ErrorCode::UnusableInput, std::move(what), {}};
+  };
+  if (!(marker_mm >= 5 && marker_mm <= 200))
+    return bad("The markers' side must lie between 5 and 200 mm.");
+  if (!(diameter_mm > 0 && diameter_mm <= 2000))
+    return bad("The plate's diameter must lie between 1 and 2000 mm.");
+  if (markersOnRing(diameter_mm, marker_mm) < kFewestMarkers)
+    return bad(
+        words("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; make the "
+              "markers smaller or the plate larger.",
+              marker_mm, diameter_mm));
+  if (!(printer_margin_mm >= 0 && printer_margin_mm <= 40))
+    return bad("The printer's margin must lie between 0 and 40 mm.");
+  if (!(overlap_mm >= 5 && overlap_mm <= 40))
+    return bad("The sheets' overlap must lie between 5 and 40 mm.");
+  const Result<cv::Ptr<cv::aruco::Dictionary>> known = markerDictionary(dictionary);
+  if (!known) return known.error();
+  if (markersOnRing(diameter_mm, marker_mm) > (*known)->bytesList.rows)
+    return bad("The dictionary " + dictionary + " has too few markers for this plate.");
+  const double ruler = ruler_measured_mm;
+  if (ruler != 0 && !(ruler > 0 && ruler < diameter_mm))
+    return bad("What the ruler measures must be a length in mm within the plate.");
+  return {};
+}
+
+batch::Plate ringPlate(double diameter_mm, double marker_mm, const std::string& dictionary) {
+  batch::Plate plate;
+  plate.dictionary = dictionary;
+  plate.diameter_mm = diameter_mm;
+  const int count = markersOnRing(diameter_mm, marker_mm);
+  const double ring = ringRadius(diameter_mm, marker_mm), half = marker_mm / 2;
+  for (int id = 0; id < count; ++id) {
+    const double turn = 2 * std::numbers::pi * id / count;
+    const Eigen::Vector3d out(std::cos(turn), std::sin(turn), 0), left(-out.y(), out.x(), 0);
+    plate.markers.push_back(
+        {id,
+         {(ring + half) * out + half * left, (ring + half) * out - half * left,
+          (ring - half) * out - half * left, (ring - half) * out + half * left}});
+  }
+  return plate;
+}
+
+batch::Board standardBoard() {
+  return {"DICT_5X5_100", 9, 7, 22, 16};
+}
+
+Result<PlatePrint> printPlate(const PlatePrintOptions& options) {
+  if (const Result<void> good = options.check(); !good) return good.error();
+  PlatePrint print = Drawing(options, *markerDictionary(options.dictionary)).run();
+  if (options.ruler_measured_mm != 0) {
+    const double off = options.ruler_measured_mm / print.ruler_mm - 1;
+    if (std::abs(off) > 0.1)
+      return Error{
+          ErrorCode::UnusableInput,
+          words("The ruler of this plate is %.0f mm long as drawn, %.1f mm differs by more "
+                "than a tenth; print the file at 100 %, without 'fit to page', and measure "
+                "again.",
+                print.ruler_mm, options.ruler_measured_mm),
+          {}};
+  }
+  return print;
+}
+
+}  // namespace ostraka::rig

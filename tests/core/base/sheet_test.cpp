@@ -1,0 +1,77 @@
+#include "base/sheet.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+namespace ostraka {
+namespace {
+
+Page pageWith(Sheet sheet) {
+  return {100, 50, {{std::move(sheet), {10, 5}, {}}}};
+}
+
+TEST(Sheet, StatesThePagesSizeInMillimetres) {
+  const std::string svg = formatSvg(pageWith({}), "plate");
+  EXPECT_THAT(svg, testing::HasSubstr("width=\"100mm\" height=\"50mm\" viewBox=\"0 0 100 50\""));
+  // 100 mm = 283.4646 pt, 50 mm = 141.7323 pt.
+  EXPECT_THAT(formatPdf({pageWith({})}, "plate"),
+              testing::HasSubstr("/MediaBox [0 0 283.4646 141.7323]"));
+}
+
+TEST(Sheet, KeepsMarkupOfTextsFromBecomingMarkup) {
+  Sheet sheet;
+  sheet.text({1, 2}, 3, "a<b & (c)\\");
+  EXPECT_THAT(formatSvg(pageWith(sheet), ""), testing::HasSubstr(">a&lt;b &amp; (c)\\</text>"));
+  EXPECT_THAT(formatPdf({pageWith(sheet)}, ""), testing::HasSubstr("(a<b & \\(c\\)\\\\) Tj"));
+}
+
+TEST(Sheet, WritesLatinLettersAsOneByteAndOthersAsQuestionMarks) {
+  Sheet sheet;
+  sheet.text({0, 0}, 3,
+             "\xC3\x98 5 \xC2\xB1 1 \xD5\x80");  // diameter sign, plus-minus, Armenian ho
+  EXPECT_THAT(formatPdf({pageWith(sheet)}, ""), testing::HasSubstr("(\xD8 5 \xB1 1 ?) Tj"));
+}
+
+TEST(Sheet, MeasuresTextsByTheirLetters) {
+  // H 722, i 222 thousandths of 10 mm.
+  EXPECT_NEAR(textWidth({{0, 0}, 10, "Hi", Anchor::Left, Weight::Plain}), 9.44, 1e-9);
+}
+
+TEST(Sheet, PutsAllItemsOfAnotherSheetWhereItIsTold) {
+  Sheet inner, outer;
+  inner.line({1, 1}, {2, 1}, 0.2);
+  inner.text({3, 3}, 2, "x");
+  outer.add(inner, {10, 20});
+  ASSERT_EQ(outer.items.size(), 2U);
+  EXPECT_EQ(std::get<Shape>(outer.items[0]).lines[0][1], Eigen::Vector2d(12, 21));
+  EXPECT_EQ(std::get<Text>(outer.items[1]).at, Eigen::Vector2d(13, 23));
+}
+
+TEST(Sheet, EncodesPicturesOfAnyLength) {
+  for (const auto& [bytes, encoded] : std::vector<std::pair<std::string, std::string>>{
+           {"M", "TQ=="}, {"Ma", "TWE="}, {"Man", "TWFu"}, {"Mane", "TWFuZQ=="}}) {
+    Sheet sheet;
+    sheet.items.push_back(Picture{{0, 0}, {1, 1}, bytes, 1, 1});
+    EXPECT_THAT(formatSvg(pageWith(sheet), ""), testing::HasSubstr("base64," + encoded + "\""));
+  }
+}
+
+TEST(Sheet, TableOfThePdfPointsAtItsObjects) {
+  Sheet sheet;
+  sheet.circle({20, 20}, 5, 0.0, {});
+  const std::string pdf = formatPdf({pageWith(sheet), pageWith(sheet)}, "two pages");
+  const std::size_t table = std::strtoul(pdf.c_str() + pdf.rfind("startxref") + 10, nullptr, 10);
+  ASSERT_EQ(pdf.substr(table, 5), "xref\n");
+  const int count = std::atoi(pdf.c_str() + table + 7);
+  EXPECT_EQ(count, 10);  // the free one, catalogue, pages, 2 fonts, 2 x (content, page), title
+  for (int id = 1; id < count; ++id) {
+    const std::size_t entry = pdf.find("\n", table + 5) + 1 + 20 * static_cast<std::size_t>(id);
+    const std::size_t offset = std::strtoul(pdf.c_str() + entry, nullptr, 10);
+    const std::string head = std::to_string(id) + " 0 obj\n";
+    EXPECT_EQ(pdf.substr(offset, head.size()), head);
+  }
+}
+
+}  // namespace
+}  // namespace ostraka

@@ -1,0 +1,164 @@
+#include "rig/plate_print.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <opencv2/imgcodecs.hpp>
+#include <set>
+
+#include "base/files.h"
+#include "rig/colmap_program.h"
+#include "rig/intrinsics.h"
+#include "rig/plate_markers.h"
+
+namespace ostraka::rig {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDpi = 300;
+
+class PlatePrintTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / (std::to_string(::getpid()) + "-plate");
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // The pages as a printer of 300 dots per inch sees them.
+  std::vector<cv::Mat> printed(const PlatePrint& print) {
+    const fs::path file = folder_ / "plate.pdf";
+    EXPECT_TRUE(writeFileAtomically(file, formatPdf(print.pages, "plate")));
+    const auto program = findProgram("pdftoppm");
+    EXPECT_TRUE(program.has_value()) << "poppler-utils belongs to the packages";
+    const Result<void> done =
+        runProgram(*program, {"-r", "300", "-gray", file.string(), (folder_ / "page").string()},
+                   folder_ / "log.txt", {});
+    EXPECT_TRUE(done) << done.error().sentence();
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().extension() == ".pgm") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::vector<cv::Mat> pages;
+    for (const fs::path& page : files)
+      pages.push_back(cv::imread(page.string(), cv::IMREAD_GRAYSCALE));
+    return pages;
+  }
+
+  // On the page, mm; a pixel's centre has integer coordinates.
+  static Eigen::Vector2d onPage(const Eigen::Vector2d& pixel) {
+    return (pixel + Eigen::Vector2d(0.5, 0.5)) * 25.4 / kDpi;
+  }
+
+  fs::path folder_;
+};
+
+// Largest distance of a marker's corner from where plate.json has it, mm; how many were found.
+double worstCorner(const cv::Mat& page, const batch::Plate& plate, const Eigen::Vector2d& centre,
+                   std::set<int>& found) {
+  double worst = 0;
+  const std::vector<SeenMarker> markers = *findPlateMarkers(page, plate);
+  for (const SeenMarker& marker : markers) {
+    found.insert(marker.id);
+    for (int c = 0; c < 4; ++c) {
+      const Eigen::Vector3d& p = plate.markers[static_cast<std::size_t>(marker.id)].corners[c];
+      const Eigen::Vector2d seen = (marker.corners[c] + Eigen::Vector2d(0.5, 0.5)) * 25.4 / kDpi;
+      worst = std::max(worst, (seen - centre - Eigen::Vector2d(p.x(), -p.y())).norm());
+    }
+  }
+  return worst;
+}
+
+TEST_F(PlatePrintTest, OnOnePageIsDetectedWholeAndTrue) {
+  for (const Ground ground : {Ground::White, Ground::Black}) {
+    PlatePrintOptions options;
+    options.paper.reset();
+    options.ground = ground;
+    const auto print = printPlate(options);
+    ASSERT_TRUE(print.has_value()) << print.error().sentence();
+    const std::vector<cv::Mat> pages = printed(*print);
+    ASSERT_EQ(pages.size(), 2U);
+    std::set<int> found;
+    EXPECT_LT(worstCorner(pages[0], print->plate, print->centres[0], found), 0.05);
+    EXPECT_EQ(found.size(), 24U);
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+}
+
+TEST_F(PlatePrintTest, OnSheetsIsTrueWithEachMarkerWholeOnOneOfThem) {
+  for (const auto& [paper, sheets] :
+       std::vector<std::pair<Paper, std::size_t>>{{Paper::A3, 2}, {Paper::A4, 4}}) {
+    PlatePrintOptions options;
+    options.paper = paper;
+    const auto print = printPlate(options);
+    ASSERT_TRUE(print.has_value()) << print.error().sentence();
+    ASSERT_EQ(print->centres.size(), sheets);
+    EXPECT_EQ(print->markers_cut, 0);
+    const std::vector<cv::Mat> pages = printed(*print);
+    ASSERT_EQ(pages.size(), sheets + 1);
+    std::set<int> found;
+    for (std::size_t i = 0; i < sheets; ++i)
+      EXPECT_LT(worstCorner(pages[i], print->plate, print->centres[i], found), 0.05);
+    EXPECT_EQ(found.size(), 24U);
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+}
+
+TEST_F(PlatePrintTest, BoardIsTheOneThatIsLookedFor) {
+  const auto print = printPlate({});
+  ASSERT_TRUE(print.has_value());
+  const cv::Mat page = printed(*print).back();
+  const Result<TargetView> view = findBoard(page, print->board);
+  ASSERT_TRUE(view.has_value());
+  ASSERT_EQ(view->points.size(), 48U);  // 8 x 6 corners between 9 x 7 squares
+  // 0.06 of this comes from the page's height, which is rounded up to whole pixels.
+  for (std::size_t i = 0; i < view->points.size(); ++i)
+    EXPECT_LT((onPage(view->pixels[i]) - print->board_corner - view->points[i].head<2>()).norm(),
+              0.1);
+}
+
+TEST(PlatePrint, FollowsTheRulerAsMeasured) {
+  PlatePrintOptions options;
+  const auto drawn = printPlate(options);
+  ASSERT_TRUE(drawn.has_value());
+  EXPECT_DOUBLE_EQ(drawn->ruler_mm, 200);
+  options.ruler_measured_mm = 198;  // 1 % short
+  const auto measured = printPlate(options);
+  ASSERT_TRUE(measured.has_value()) << measured.error().sentence();
+  EXPECT_NEAR(measured->plate.diameter_mm, 326.7, 1e-9);
+  EXPECT_NEAR(measured->board.square_mm, 21.78, 1e-9);
+  EXPECT_NEAR(measured->plate.markers[0].corners[0].x(), 157 * 0.99, 1e-9);
+  options.ruler_measured_mm = 141;  // A3 on A4
+  const auto shrunk = printPlate(options);
+  ASSERT_FALSE(shrunk.has_value());
+  EXPECT_THAT(shrunk.error().what, testing::HasSubstr("at 100 %"));
+}
+
+TEST(PlatePrint, RefusesWhatCannotBe) {
+  PlatePrintOptions options;
+  options.diameter_mm = 70;
+  EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("Fewer than six markers"));
+  options.diameter_mm = 1900;
+  EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("too few markers"));
+  options.diameter_mm = 330;
+  options.dictionary = "DICT_9X9";
+  EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("DICT_9X9"));
+}
+
+TEST_F(PlatePrintTest, FilesAreReadBackAsWritten) {
+  const auto print = printPlate({});
+  ASSERT_TRUE(print.has_value());
+  ASSERT_TRUE(writePlate(folder_ / "plate.json", print->plate));
+  ASSERT_TRUE(writeBoard(folder_ / "board.json", print->board));
+  const auto plate = batch::readPlate(folder_ / "plate.json");
+  ASSERT_TRUE(plate.has_value()) << plate.error().sentence();
+  ASSERT_EQ(plate->markers.size(), 24U);
+  EXPECT_EQ(plate->markers[7].corners[2], print->plate.markers[7].corners[2]);
+  EXPECT_EQ(batch::readBoard(folder_ / "board.json")->square_mm, 22);
+}
+
+}  // namespace
+}  // namespace ostraka::rig

@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "cloud/ply.h"
+#include "rig/plate_print.h"
 #include "virtualrig/plate_surface.h"
 
 namespace ostraka::virtualrig {
@@ -76,24 +77,8 @@ Result<void> writePng(const std::filesystem::path& file, const cv::Mat& image) {
 }
 
 Result<void> writePlateAndBoard(const std::filesystem::path& folder) {
-  const batch::Plate plate = standardPlate();
-  nlohmann::ordered_json markers = nlohmann::ordered_json::array();
-  for (const batch::Marker& m : plate.markers) {
-    nlohmann::ordered_json corners = nlohmann::ordered_json::array();
-    for (const Eigen::Vector3d& c : m.corners) corners.push_back({c.x(), c.y(), c.z()});
-    markers.push_back({{"id", m.id}, {"corners", corners}});
-  }
-  const Result<void> written = writeJson(folder / "plate.json", {{"unit", "mm"},
-                                                                 {"dictionary", plate.dictionary},
-                                                                 {"diameter", plate.diameter_mm},
-                                                                 {"markers", markers}});
-  if (!written) return written;
-  const batch::Board board = standardBoard();
-  return writeJson(folder / "board.json", {{"dictionary", board.dictionary},
-                                           {"squares_x", board.squares_x},
-                                           {"squares_y", board.squares_y},
-                                           {"square_mm", board.square_mm},
-                                           {"marker_mm", board.marker_mm}});
+  if (Result<void> r = rig::writePlate(folder / "plate.json", standardPlate()); !r) return r;
+  return rig::writeBoard(folder / "board.json", rig::standardBoard());
 }
 
 Result<void> writeTruth(const std::filesystem::path& folder,
@@ -102,7 +87,7 @@ Result<void> writeTruth(const std::filesystem::path& folder,
   std::vector<rig::PosedImage> images;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
     for (int stop = 0; stop < static_cast<int>(rig.angles_rad.size()); ++stop)
-      for (int camera = 0; camera < kCameras; ++camera)
+      for (int camera = 0; camera < rig.cameras(); ++camera)
         images.push_back({photographName(side, camera, stop), side, camera, stop,
                           rig.intrinsics[camera], rig.cameraFromPlate(camera, stop)});
   if (Result<void> r = rig::writeCameras(folder / "cameras.json", images); !r) return r;

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <opencv2/aruco/charuco.hpp>
 
+#include "rig/plate_print.h"
+
 namespace ostraka::virtualrig {
 namespace {
 
@@ -16,22 +18,7 @@ constexpr float kPaper = 0.72f, kInk = 0.028f;
 }  // namespace
 
 batch::Plate standardPlate() {
-  batch::Plate plate;
-  plate.dictionary = "DICT_4X4_100";
-  plate.diameter_mm = 2 * PlateSurface::kRadius;
-  for (int id = 0; id < kMarkers; ++id) {
-    const double turn = 2 * std::numbers::pi * id / kMarkers;
-    const Eigen::Vector3d out(std::cos(turn), std::sin(turn), 0), left(-out.y(), out.x(), 0);
-    const double near = kRing - kSide / 2, far = kRing + kSide / 2, half = kSide / 2;
-    plate.markers.push_back({id,
-                             {far * out + half * left, far * out - half * left,
-                              near * out - half * left, near * out + half * left}});
-  }
-  return plate;
-}
-
-batch::Board standardBoard() {
-  return {"DICT_5X5_100", 9, 7, 22, 16};
+  return rig::ringPlate(2 * PlateSurface::kRadius, kSide, "DICT_4X4_100");
 }
 
 PlateSurface::PlateSurface(PlateColor color, std::uint64_t seed)
@@ -79,7 +66,7 @@ Eigen::Vector3f PlateSurface::albedo(const Eigen::Vector2f& p) const {
 }
 
 BoardSurface::BoardSurface() : pixels_per_mm_(8) {
-  const batch::Board b = standardBoard();
+  const batch::Board b = rig::standardBoard();
   const auto board = cv::aruco::CharucoBoard::create(
       b.squares_x, b.squares_y, static_cast<float>(b.square_mm), static_cast<float>(b.marker_mm),
       cv::aruco::getPredefinedDictionary(cv::aruco::DICT_5X5_100));

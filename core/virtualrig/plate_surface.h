@@ -10,7 +10,6 @@ namespace ostraka::virtualrig {
 
 /// The plate that the rig turns: 24 markers of DICT_4X4_100 on a ring, tops outward.
 batch::Plate standardPlate();
-batch::Board standardBoard();
 
 /// Linear albedo of the plate's top: felt, marker paper and ink.
 class PlateSurface {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "rig/plate_print.h"
 #include "virtualrig/plate_surface.h"
 
 namespace ostraka::virtualrig {
@@ -73,6 +74,8 @@ Eigen::Isometry3d VirtualRig::cameraFromPlate(int camera, int stop) const {
 
 VirtualRig makeRig(int width, int stops, Random& random) {
   VirtualRig rig;
+  rig.intrinsics.resize(kCameras);
+  rig.camera_from_room.resize(kCameras);
   const double scale = width / 1600.0;
   const int height = width * 3 / 4;
   const std::array<double, kCameras> elevation{24.5, 44, 64}, focal{2670, 2750, 2460},
@@ -107,8 +110,26 @@ VirtualRig makeRig(int width, int stops, Random& random) {
   return rig;
 }
 
+VirtualRig asVirtual(const rig::Rig& rig, int width) {
+  VirtualRig out;
+  for (const rig::RigCamera& camera : rig.cameras) {
+    const double scale = static_cast<double>(width) / rig.cameras.front().intrinsics.width;
+    rig::Intrinsics k = camera.intrinsics;
+    k.width = static_cast<int>(std::lround(k.width * scale));
+    k.height = static_cast<int>(std::lround(k.height * scale));
+    k.fx *= scale;
+    k.fy *= scale;
+    k.cx = (k.cx + 0.5) * scale - 0.5;
+    k.cy = (k.cy + 0.5) * scale - 0.5;
+    out.intrinsics.push_back(k);
+    out.camera_from_room.push_back(camera.camera_from_turntable);
+  }
+  out.angles_rad = rig.stop_angles_rad;
+  return out;
+}
+
 std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random& random) {
-  const batch::Board board = standardBoard();
+  const batch::Board board = rig::standardBoard();
   const Eigen::Vector3d middle(board.squares_x * board.square_mm / 2,
                                board.squares_y * board.square_mm / 2, 0);
   std::vector<Eigen::Isometry3d> poses;
@@ -132,7 +153,8 @@ std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random&
 
 Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
   Random random(mixed(options.seed, 1));
-  const std::vector<double> radii = drawRadii(options.sherds, random);
+  const std::vector<double> radii =
+      options.radii_mm.empty() ? drawRadii(options.sherds, random) : options.radii_mm;
   std::vector<Order> orders(static_cast<std::size_t>(options.sherds));
   for (int i = 0; i < options.sherds; ++i) {
     Order& order = orders[i];

@@ -1,24 +1,28 @@
 #pragma once
-#include <array>
 #include <vector>
 
 #include "rig/camera.h"
+#include "rig/rig.h"
 #include "virtualrig/sherd.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::virtualrig {
 
-inline constexpr int kCameras = 3;
+inline constexpr int kCameras = 3;  ///< of the rig that makeRig draws
 
-/// Three cameras on an arc and a turntable, drawn by chance around one design.
+/// Cameras and a turntable.
 struct VirtualRig {
-  std::array<rig::Intrinsics, kCameras> intrinsics;
-  std::array<Eigen::Isometry3d, kCameras> camera_from_room;  ///< room: the plate's frame at stop 0
-  std::vector<double> angles_rad;  ///< of the plate, counter-clockwise, by stop
+  std::vector<rig::Intrinsics> intrinsics;
+  std::vector<Eigen::Isometry3d> camera_from_room;  ///< room: the plate's frame at stop 0
+  std::vector<double> angles_rad;                   ///< of the plate, counter-clockwise, by stop
 
+  int cameras() const { return static_cast<int>(intrinsics.size()); }
   Eigen::Isometry3d cameraFromPlate(int camera, int stop) const;
 };
+/// Three cameras on an arc, drawn by chance around one design.
 VirtualRig makeRig(int width, int stops, Random& random);
+/// A calibrated rig, its pictures scaled so that the first camera's have this width.
+VirtualRig asVirtual(const rig::Rig& rig, int width);
 
 /// Twelve positions of the calibration board before a camera: near and far, tilted, into the
 /// corners.

@@ -102,20 +102,21 @@ class Studio {
       fields.push_back(castShadows(scene, rooms.back(), mixed(seed, s), options_.threads));
     }
     if (stop_.stop_requested()) return;
-    parallelFor(
-        static_cast<std::size_t>((last - first) * kCameras), options_.threads, [&](std::size_t i) {
-          const int s = static_cast<int>(i) / kCameras, camera = static_cast<int>(i) % kCameras;
-          if (stop_.stop_requested() || report_.failed()) return;
-          const View view{scene,
-                          rooms[s],
-                          fields[s],
-                          ambient,
-                          plate_,
-                          rig_.cameraFromPlate(camera, first + s),
-                          rig_.angles_rad[first + s],
-                          {}};
-          report_.done(shoot(view, side, camera, first + s));
-        });
+    parallelFor(static_cast<std::size_t>((last - first) * rig_.cameras()), options_.threads,
+                [&](std::size_t i) {
+                  const int s = static_cast<int>(i) / rig_.cameras(),
+                            camera = static_cast<int>(i) % rig_.cameras();
+                  if (stop_.stop_requested() || report_.failed()) return;
+                  const View view{scene,
+                                  rooms[s],
+                                  fields[s],
+                                  ambient,
+                                  plate_,
+                                  rig_.cameraFromPlate(camera, first + s),
+                                  rig_.angles_rad[first + s],
+                                  {}};
+                  report_.done(shoot(view, side, camera, first + s));
+                });
   }
 
   void shootEmptyPlate() {
@@ -124,7 +125,7 @@ class Studio {
     const AmbientField ambient =
         gatherAmbient(scene, room_, plate_, options_.seed, options_.threads);
     const LightField field = castShadows(scene, room_, options_.seed, options_.threads);
-    parallelFor(kCameras, options_.threads, [&](std::size_t c) {
+    parallelFor(lenses_.size(), options_.threads, [&](std::size_t c) {
       const int camera = static_cast<int>(c);
       const View view{scene, room_, field, ambient, plate_, rig_.cameraFromPlate(camera, 0), 0, {}};
       const Photograph shot =
@@ -139,7 +140,7 @@ class Studio {
     std::vector<std::vector<Eigen::Isometry3d>> poses;
     for (const rig::Intrinsics& k : rig_.intrinsics) poses.push_back(boardPoses(k, random));
     const BoardSurface board;
-    parallelFor(kCameras * poses[0].size(), options_.threads, [&](std::size_t i) {
+    parallelFor(lenses_.size() * poses[0].size(), options_.threads, [&](std::size_t i) {
       if (stop_.stop_requested() || report_.failed()) return;
       const std::size_t camera = i / poses[0].size(), n = i % poses[0].size();
       const cv::Mat image = photographBoard(board, lenses_[camera], poses[camera][n], sensor_,
@@ -157,7 +158,7 @@ class Studio {
     sensor.blur_px = std::hypot(sensor.blur_px, mishap.extra_blur_px);
     view.hand = mishap.hand;
     const auto id = static_cast<std::uint64_t>((side == batch::Side::Front ? 0 : 1000) +
-                                               stop_index * kCameras + camera);
+                                               stop_index * rig_.cameras() + camera);
     const Photograph shot = photograph(view, lenses_[static_cast<std::size_t>(camera)], sensor,
                                        mixed(options_.seed, 9000 + id), stop_);
     if (stop_.stop_requested()) return Error::cancelled();
@@ -227,6 +228,12 @@ Result<void> SimulateOptions::check() const {
     return bad("lookalikes are groups of two: at most half the number of sherds.");
   if (touching < 0 || 2 * touching > sherds)
     return bad("touching counts pairs: at most half the number of sherds.");
+  if (!radii_mm.empty() && static_cast<int>(radii_mm.size()) != sherds)
+    return bad("radii_mm must hold one radius per sherd.");
+  for (const double radius : radii_mm)
+    if (!(radius >= 8 && radius <= 60)) return bad("radii_mm must lie between 8 and 60 mm.");
+  if (rig && (rig->cameras.empty() || rig->stop_angles_rad.size() < 4))
+    return bad("The rig needs a camera and at least four stops; calibrate it again.");
   return {};
 }
 
@@ -245,7 +252,9 @@ Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
   const Result<Layout> layout = layOut(*sherds, options, layout_random);
   if (!layout) return layout.error();
   if (stop.stop_requested()) return Error::cancelled();
-  const VirtualRig rig = makeRig(options.width, options.stops, rig_random);
+  const VirtualRig rig = options.rig ? asVirtual(*options.rig, options.width)
+                                     : makeRig(options.width, options.stops, rig_random);
+  const int stops = static_cast<int>(rig.angles_rad.size());
   const Room room = makeRoom(room_random);
   progress.note(NoteLevel::Info,
                 "virtualrig: " + std::to_string(sherds->size()) + " sherds made and laid down");
@@ -253,19 +262,19 @@ Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
   if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
   if (Result<void> r = writeTruth(options.output / "truth", *sherds, *layout, rig); !r) return r;
 
-  Report report(progress, 2 * kCameras * options.stops + kCameras + 12 * kCameras);
+  Report report(progress, rig.cameras() * (2 * stops + (options.rig ? 1 : 13)));
   PlateSurface plate(options.plate, options.seed);
   PlateSurface covered = plate;
   if (options.fault == Fault::Covered) covered.coverMarkers(8);
   Studio front(options, rig, room, covered, stop, report);
-  const int push = options.fault == Fault::Moved ? options.stops / 2 : options.stops;
+  const int push = options.fault == Fault::Moved ? stops / 2 : stops;
   front.shootStops(*sherds, layout->front, batch::Side::Front, 0, push);
-  if (push < options.stops)
-    front.shootStops(*sherds, pushed(layout->front), batch::Side::Front, push, options.stops);
+  if (push < stops)
+    front.shootStops(*sherds, pushed(layout->front), batch::Side::Front, push, stops);
   Studio studio(options, rig, room, plate, stop, report);
-  studio.shootStops(*sherds, layout->back, batch::Side::Back, 0, options.stops);
+  studio.shootStops(*sherds, layout->back, batch::Side::Back, 0, stops);
   studio.shootEmptyPlate();
-  studio.shootBoards();
+  if (!options.rig) studio.shootBoards();
   if (stop.stop_requested()) return Error::cancelled();
   return report.result();
 }

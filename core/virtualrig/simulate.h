@@ -4,9 +4,11 @@
 #include <optional>
 #include <stop_token>
 #include <string_view>
+#include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "rig/rig.h"
 
 /// A rig for everybody: vessels are made, broken, laid on a plate and photographed, with the truth.
 namespace ostraka::virtualrig {
@@ -39,6 +41,11 @@ struct SimulateOptions {
   bool scans_only = false;  ///< noisy scans of both sides instead of photographs
   int threads = 0;          ///< 0: all processors; the files do not depend on it
   std::optional<Fault> fault;
+  /// Mean radii of the sherds' outlines, largest first, one per sherd; empty: spread as in a bag.
+  std::vector<double> radii_mm;
+  /// The cameras and stops of a calibrated rig in place of those drawn by chance; `stops` is not
+  /// used then, and there are no pictures of the board, since its lenses are known.
+  std::optional<rig::Rig> rig;
 
   /// Names the field that cannot be; nothing else fails before the first file is written.
   Result<void> check() const;

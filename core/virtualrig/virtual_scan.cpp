@@ -154,7 +154,7 @@ Result<void> writeScans(const std::vector<VirtualSherd>& sherds, const Layout& l
   const std::vector<int> fronts = shuffled(count, names), backs = shuffled(count, names);
   std::vector<Eigen::Vector3f> eyes;
   for (int s = 0; s < static_cast<int>(rig.angles_rad.size()); ++s)
-    for (int c = 0; c < kCameras; ++c)
+    for (int c = 0; c < rig.cameras(); ++c)
       eyes.push_back(rig.cameraFromPlate(c, s).inverse().translation().cast<float>());
   for (const bool front : {true, false}) {
     if (stop.stop_requested()) return Error::cancelled();

@@ -1,0 +1,61 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "rig/rig.h"
+#include "virtualrig/coverage.h"
+
+/// What a calibrated rig will do, before a sherd lies on it.
+namespace ostraka::virtualrig {
+
+struct PredictOptions {
+  int width = 1000;  ///< of the simulated pictures, at most the rig's own: time goes by its square
+  int sherds_per_size = 2;
+  std::uint64_t seed = 1;
+  std::filesystem::path work;  ///< new or empty folder for batch and models; left as it is
+  int threads = 0;
+  Result<void> check() const;
+};
+
+struct SizePrediction {
+  std::string name;     ///< "small", "medium", "large"
+  double width_mm = 0;  ///< mean of the sherds
+  int sherds = 0, without_model = 0;
+  /// From the simulated pictures: 90 % of the surface lies within accuracy of the truth; share of
+  /// the truth within 0.25 mm. Means over the sherds with a model.
+  double accuracy_mm = 0, completeness_percent = 0;
+  double seen = 0, break_seen = 0;  ///< by rays at the rig's own resolution, shares
+};
+
+struct Prediction {
+  std::array<SizePrediction, 3> sizes;
+  double width_share = 1;  ///< simulated width over the rig's own
+  double seconds = 0;      ///< of processing the simulated batch, on this machine
+  int photographs = 0;
+  double outside = 0;  ///< share of looks at the sherds that fall outside of the pictures
+  CameraAdvice advice;
+  std::vector<int> cameras;                       ///< their numbers
+  std::vector<double> elevations_rad, pixels_mm;  ///< by camera
+  std::vector<std::string> remarks;               ///< on the rig, whole sentences
+
+  /// Extrapolations to the rig's own resolution: noise goes with the pixel's size, time with its
+  /// square.
+  double expectedAccuracy(const SizePrediction& size) const {
+    return size.accuracy_mm * width_share;
+  }
+  double expectedSeconds() const { return seconds / (width_share * width_share); }
+};
+
+/// Simulates the rig: virtual sherds of 26, 48 and 82 mm are photographed by its cameras at its
+/// stops and go through the whole chain with this rig, the models are compared with the truth; rays
+/// tell what is seen and which camera to move. One to three minutes at 1000 pixels on two cores.
+/// Errors: as simulateBatch and processBatch.
+Result<Prediction> predict(const rig::Rig& rig, const PredictOptions& options, Progress& progress,
+                           std::stop_token stop);
+
+}  // namespace ostraka::virtualrig

@@ -1,0 +1,30 @@
+#pragma once
+#include <Eigen/Geometry>
+
+#include "base/sheet.h"
+#include "cloud/point_cloud.h"
+
+namespace ostraka::drawing {
+
+enum class Surface {
+  Relief,  ///< light and shade of the form alone
+  Painted  ///< and the brightness of the model's colours: paint, slip, temper
+};
+
+struct ViewOptions {
+  double scale = 1;           ///< mm on paper per mm
+  double pixels_per_mm = 12;  ///< on paper; about 300 dots per inch
+  Surface surface = Surface::Relief;
+};
+
+/// A sherd seen along -x of the view's frame, z up, y to the right: a shaded picture, light from
+/// the upper left, and its outline as a vector path. On paper, mm, y down; the frame's origin at
+/// (0, 0).
+struct SherdView {
+  Sheet sheet;
+  Eigen::AlignedBox2d box;  ///< of the outline, on paper
+};
+SherdView drawView(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
+                   const ViewOptions& options);
+
+}  // namespace ostraka::drawing

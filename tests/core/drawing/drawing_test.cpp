@@ -1,0 +1,98 @@
+#include "drawing/drawing.h"
+
+#include <gmock/gmock.h>
+
+#include "true_rim.h"
+
+namespace ostraka::drawing {
+namespace {
+
+using testing::HasSubstr;
+using virtualrig::SherdPart;
+
+const TrueSherdOfVessel& wallSherd() {
+  static const TrueSherdOfVessel sherd = trueSherd(SherdPart::Wall, 41, 0);
+  return sherd;
+}
+
+TEST(Drawing, OfAWallSherdIsInTrueScale) {
+  DrawingOptions options;
+  options.rim = RimChoice::No;
+  for (const double scale : {1.0, 0.5}) {
+    options.scale = scale;
+    const auto drawing = drawSherd(wallSherd().sherd.mesh, "ARM1-7", options);
+    ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+    // The outer view's outline is as tall as the sherd along its longest axis.
+    const auto* picture = std::get_if<Picture>(&drawing->sheet.items[2]);
+    const auto* outline = std::get_if<Shape>(&drawing->sheet.items[3]);
+    ASSERT_TRUE(picture != nullptr && outline != nullptr);
+    Eigen::AlignedBox2d box;
+    for (const auto& line : outline->lines)
+      for (const Eigen::Vector2d& p : line) box.extend(p);
+    const Walls walls = findWalls(wallSherd().sherd.mesh);
+    double low = 1e9, high = -1e9;
+    for (const Eigen::Vector3f& v : wallSherd().sherd.mesh.vertices) {
+      low = std::min(low, v.cast<double>().dot(walls.axes.col(0)));
+      high = std::max(high, v.cast<double>().dot(walls.axes.col(0)));
+    }
+    EXPECT_NEAR(box.sizes().y(), scale * (high - low), 0.15);  // two pixels of 1/24 mm and the line
+  }
+}
+
+TEST(Drawing, SaysTheNumberAndTheMeasures) {
+  DrawingOptions options;
+  const auto drawing = drawSherd(wallSherd().sherd.mesh, "ARM1-7", options);
+  ASSERT_TRUE(drawing.has_value());
+  const std::string svg = formatSvg(layOut({*drawing}, 1, {})[0], "x");
+  EXPECT_THAT(svg, HasSubstr(">ARM1-7</text>"));
+  EXPECT_THAT(svg, HasSubstr(", wall "));
+  EXPECT_THAT(svg, HasSubstr(">1 : 1</text>"));
+}
+
+TEST(Drawing, OfARimSaysDiameterIntervalAndWhatIsKept) {
+  const TrueSherdOfVessel rim = trueSherd(SherdPart::Rim, 500, 0);
+  DrawingOptions options;
+  options.rim = RimChoice::Yes;
+  const auto drawing = drawSherd(rim.sherd.mesh, "R", options);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  EXPECT_TRUE(drawing->drawn_as_rim);
+  const std::string svg = formatSvg(layOut({*drawing}, 1, {})[0], "x");
+  EXPECT_THAT(svg, HasSubstr("\xC3\x98 "));
+  EXPECT_THAT(svg, HasSubstr("95 %: "));
+  EXPECT_THAT(svg, HasSubstr("% of the rim kept"));
+}
+
+TEST(Drawing, RefusesAnOpenModel) {
+  TriangleMesh open = wallSherd().sherd.mesh;
+  open.triangles.pop_back();
+  const auto drawing = drawSherd(open, "open", {});
+  ASSERT_FALSE(drawing.has_value());
+  EXPECT_EQ(drawing.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(drawing.error().sentence(), HasSubstr("closed model"));
+}
+
+TEST(Plates, HoldAllDrawingsInTheirOrderWithoutOverlap) {
+  SherdDrawing one;
+  one.box = Eigen::AlignedBox2d(Eigen::Vector2d(-5, -10), Eigen::Vector2d(75, 50));
+  SheetOptions options;
+  options.layout = SheetOptions::Layout::Plates;
+  // 80 x 60 on A4 with 186 x 251 mm of room: two in a row, three rows.
+  const std::vector<Page> pages = layOut(std::vector<SherdDrawing>(7, one), 1, options);
+  ASSERT_EQ(pages.size(), 2U);
+  ASSERT_EQ(pages[0].layers.size(), 7U);  // the foot and six
+  ASSERT_EQ(pages[1].layers.size(), 2U);
+  EXPECT_EQ(pages[0].layers[2].at - pages[0].layers[1].at, Eigen::Vector2d(88, 0));
+  EXPECT_EQ(pages[0].layers[3].at - pages[0].layers[1].at, Eigen::Vector2d(0, 68));
+}
+
+TEST(Plates, GiveLargeDrawingsTheRoomTheyNeed) {
+  SherdDrawing large;
+  large.box = Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(390, 100));
+  const std::vector<Page> a3 = layOut({large}, 1, {});
+  EXPECT_EQ(a3[0].width_mm, 420);
+  large.box = Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(600, 100));
+  EXPECT_GT(layOut({large}, 1, {})[0].width_mm, 600);
+}
+
+}  // namespace
+}  // namespace ostraka::drawing

@@ -39,6 +39,8 @@ void addRig(CLI::App& root, Command& chosen);
 void addCapture(CLI::App& root, Command& chosen);
 void addDevices(CLI::App& root, Command& chosen);
 void addDoctor(CLI::App& root, Command& chosen);
+void addDraw(CLI::App& root, Command& chosen);
+void addPlate(CLI::App& root, Command& chosen);
 void addCompletion(CLI::App& root, Command& chosen);
 
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives

@@ -68,6 +68,8 @@ int main(int argc, char** argv) {
   app::addCapture(root, chosen);
   app::addDevices(root, chosen);
   app::addDoctor(root, chosen);
+  app::addDraw(root, chosen);
+  app::addPlate(root, chosen);
   app::addCompletion(root, chosen);
   try {
     root.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "rig_commands.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::app {
@@ -72,8 +73,10 @@ void addSimulate(CLI::App& rig, Command& chosen) {
 }  // namespace
 
 void addRig(CLI::App& root, Command& chosen) {
-  CLI::App* rig = root.add_subcommand("rig", "Cameras and turntable: simulate a batch");
+  CLI::App* rig = root.add_subcommand("rig", "Cameras and turntable: calibrate, predict, simulate");
   rig->require_subcommand(1);
+  addRigCalibrate(*rig, chosen);
+  addRigPredict(*rig, chosen);
   addSimulate(*rig, chosen);
 }
 

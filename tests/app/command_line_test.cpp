@@ -67,7 +67,11 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
       {"register", {"--front", "--back", "--output", "--scale", "--pairing"}},
       {"dense", {"IMAGES", "--cameras", "--masks", "--output"}},
       {"evaluate", {"OUT", "--truth", "--align"}},
-      {"rig simulate", {"--output", "--seed", "--sherds"}},
+      {"draw", {"MODEL.ply", "--output", "--scale", "--rim", "--plates", "--paint"}},
+      {"plate", {"--output", "--diameter", "--paper", "--ruler-measured"}},
+      {"rig calibrate", {"FOLDER", "--output", "--length"}},
+      {"rig predict", {"RIG.json", "--width", "extrapolated"}},
+      {"rig simulate", {"--output", "--seed", "--sherds", "--fault", "--touching"}},
       {"completion", {"bash", "zsh", "fish"}}};
   for (const auto& [command, options] : commands) {
     const Outcome help = run(std::string(command) + " --help");
@@ -160,6 +164,44 @@ TEST_F(CommandLine, EvaluateMeasuresAModelAndGates) {
   EXPECT_TRUE(value["goals_met"].get<bool>());
   EXPECT_EQ(run("evaluate " + path("model.ply") + truth + " --gate").status, 1);
   EXPECT_EQ(run("evaluate " + path("model.ply") + truth).status, 0) << "measuring is no failure";
+}
+
+TEST_F(CommandLine, PlateWritesItsPdfAndTheFilesThatDescribeItIntoAnyFolder) {
+  const std::string folder = path("Tafel \xC3\xBC 1");
+  const Outcome made = run("plate -o '" + folder + "/plate.pdf' --diameter 200");
+  EXPECT_EQ(made.status, 0) << made.text;
+  EXPECT_TRUE(says(made, "100 %")) << made.text;
+  for (const char* name : {"plate.pdf", "plate.json", "board.json"})
+    EXPECT_TRUE(fs::exists(fs::path(folder) / name)) << name;
+  const Outcome small = run("plate -o " + path("x.pdf") + " --diameter 60");
+  EXPECT_EQ(small.status, 2);
+  EXPECT_TRUE(says(small, "Fewer than six markers")) << small.text;
+}
+
+TEST_F(CommandLine, CalibrateSaysWhatIsMissingInAFolderWithoutABoard) {
+  const Outcome outcome = run("rig calibrate " + folder_.string() + " -o " + path("rig.json"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(says(outcome, "board.json")) << outcome.text;
+  EXPECT_FALSE(fs::exists(path("rig.json")));
+  EXPECT_EQ(run("rig calibrate x -o y --length 3").status, 2);
+}
+
+TEST_F(CommandLine, DrawMakesSvgAndPdfAndNamesAModelThatIsOpen) {
+  ostraka::TriangleMesh mesh;  // a tetrahedron of 30 mm
+  mesh.vertices = {{0, 0, 0}, {30, 0, 0}, {0, 30, 0}, {0, 0, 30}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  fs::create_directories(path("07"));
+  ASSERT_TRUE(ostraka::writePly(folder_ / "07/model.ply", mesh, "model").has_value());
+  mesh.triangles.pop_back();
+  ASSERT_TRUE(ostraka::writePly(folder_ / "open.ply", mesh, "model").has_value());
+  for (const char* name : {"d.svg", "d.pdf"})
+    EXPECT_EQ(run("draw " + path("07/model.ply") + " -o " + path(name) + " --no-rim").status, 0);
+  std::ifstream svg(path("d.svg"));
+  const std::string text{std::istreambuf_iterator<char>(svg), {}};
+  EXPECT_NE(text.find(">07</text>"), std::string::npos) << "named after its folder";
+  const Outcome open = run("draw " + path("open.ply") + " -o " + path("o.pdf"));
+  EXPECT_EQ(open.status, 2);
+  EXPECT_TRUE(says(open, "closed model")) << open.text;
 }
 
 TEST_F(CommandLine, CompletionScriptsNameCommandsAndOptions) {

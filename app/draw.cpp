@@ -1,0 +1,153 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "cloud/ply.h"
+#include "command.h"
+#include "drawing/drawing.h"
+
+namespace ostraka::app {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace ostraka::drawing;
+using nlohmann::ordered_json;
+
+struct DrawArguments {
+  std::vector<fs::path> models;
+  std::vector<std::string> ids;
+  fs::path output;
+  DrawingOptions drawing;
+  SheetOptions sheets;
+};
+
+// OUT/sherds/07/model.ply is sherd 07; other files are named after themselves.
+std::string idOf(const fs::path& model) {
+  return model.stem() == "model" && model.has_parent_path()
+             ? fs::absolute(model).parent_path().filename().string()
+             : model.stem().string();
+}
+
+bool isSvg(const fs::path& file) {
+  return file.extension() == ".svg" || file.extension() == ".SVG";
+}
+
+// A PDF holds all pages, an SVG one: further ones get -2, -3 behind the name.
+Result<std::vector<fs::path>> writePages(const fs::path& output, const std::vector<Page>& pages) {
+  if (!isSvg(output)) {
+    if (Result<void> r = writeFileAtomically(output, formatPdf(pages, output.stem().string())); !r)
+      return r.error();
+    return std::vector<fs::path>{output};
+  }
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    fs::path file = output;
+    if (i > 0) file.replace_filename(output.stem().string() + "-" + std::to_string(i + 1) + ".svg");
+    if (Result<void> r = writeFileAtomically(file, formatSvg(pages[i], file.stem().string())); !r)
+      return r.error();
+    files.push_back(file);
+  }
+  return files;
+}
+
+ordered_json toJson(const SherdDrawing& drawing) {
+  ordered_json rim;
+  if (drawing.rim) {
+    const RimEstimate& r = *drawing.rim;
+    rim = {{"probability", r.probability},
+           {"diameter_mm", r.diameter_mm},
+           {"low_mm", r.low_mm},
+           {"high_mm", std::isfinite(r.high_mm) ? ordered_json(r.high_mm) : ordered_json()},
+           {"kept_pct", 100 * r.kept},
+           {"kept_low_pct", 100 * r.kept_low},
+           {"kept_high_pct", 100 * r.kept_high}};
+  }
+  return {{"id", drawing.id},
+          {"drawn_as_rim", drawing.drawn_as_rim},
+          {"rim", rim},
+          {"remarks", drawing.remarks}};
+}
+
+void print(const SherdDrawing& drawing) {
+  if (drawing.drawn_as_rim)
+    std::printf("%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim kept.\n",
+                drawing.id.c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm,
+                drawing.rim->high_mm, 100 * drawing.rim->kept);
+  for (const std::string& remark : drawing.remarks)
+    std::printf("%s: %s\n", drawing.id.c_str(), remark.c_str());
+}
+
+int runDraw(const DrawArguments& arguments, Session& session) {
+  if (!arguments.ids.empty() && arguments.ids.size() != arguments.models.size())
+    return fail(session, {ErrorCode::UnusableInput,
+                          "Give one --id for each model, in the same order, or none.",
+                          {}});
+  std::vector<SherdDrawing> drawings;
+  ordered_json list = ordered_json::array();
+  session.progress.begin("drawings", 1.0);
+  for (std::size_t i = 0; i < arguments.models.size(); ++i) {
+    if (session.stop.stop_requested()) return fail(session, Error::cancelled());
+    session.progress.report(static_cast<std::int64_t>(i),
+                            static_cast<std::int64_t>(arguments.models.size()));
+    const Result<PlyContents> model = readPly(arguments.models[i]);
+    if (!model) return fail(session, model.error());
+    const std::string id = arguments.ids.empty() ? idOf(arguments.models[i]) : arguments.ids[i];
+    Result<SherdDrawing> drawing = drawSherd(model->mesh, id, arguments.drawing);
+    if (!drawing) return fail(session, drawing.error());
+    list.push_back(toJson(*drawing));
+    drawings.push_back(std::move(*drawing));
+  }
+  const Result<std::vector<fs::path>> files =
+      writePages(arguments.output, layOut(drawings, arguments.drawing.scale, arguments.sheets));
+  if (!files) return fail(session, files.error());
+  session.finishProgress();
+  if (session.json) {
+    ordered_json names = ordered_json::array();
+    for (const fs::path& file : *files) names.push_back(file.string());
+    printJson({{"files", names}, {"sherds", list}, {"exit_status", static_cast<int>(Whole)}});
+    return Whole;
+  }
+  for (const SherdDrawing& drawing : drawings) print(drawing);
+  for (const fs::path& file : *files) std::printf("Drawn: %s\n", file.c_str());
+  return Whole;
+}
+
+}  // namespace
+
+void addDraw(CLI::App& root, Command& chosen) {
+  CLI::App* command = root.add_subcommand(
+      "draw", "Archaeological drawings of models: section, views, scale, rim diameter");
+  auto a = std::make_shared<DrawArguments>();
+  command->add_option("MODEL.ply", a->models, "Closed models, as OUT/sherds/01/model.ply")
+      ->required();
+  command->add_option("--output,-o", a->output, "FILE.pdf (all sheets) or FILE.svg (a file each)")
+      ->required();
+  command->add_option("--scale", a->drawing.scale, "1:1 or 1:2")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, double>{
+          {"1:1", 1.0}, {"1:2", 0.5}, {"1:3", 1.0 / 3}, {"2:1", 2.0}}))
+      ->default_str("1:1");
+  command->add_flag_callback(
+      "--rim", [a] { a->drawing.rim = RimChoice::Yes; }, "These are rim sherds, I am sure");
+  command->add_flag_callback(
+      "--no-rim", [a] { a->drawing.rim = RimChoice::No; }, "These are no rim sherds, I am sure");
+  command->add_flag_callback(
+      "--paint", [a] { a->drawing.surface = Surface::Painted; },
+      "Show paint and slip by their brightness, not the relief alone");
+  command->add_flag_callback(
+      "--plates", [a] { a->sheets.layout = SheetOptions::Layout::Plates; },
+      "Many sherds on a sheet instead of one each");
+  command->add_option("--paper", a->sheets.paper, "a4 or a3; what is larger gets what it needs")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Paper>{{"a4", Paper::A4}, {"a3", Paper::A3}}))
+      ->default_str("a4");
+  command->add_option("--id", a->ids, "Name of each sherd, in the order of the models");
+  command->add_option("--title", a->sheets.title, "At the foot of each sheet");
+  command->callback(
+      [a, &chosen] { chosen = [a](Session& session) { return runDraw(*a, session); }; });
+}
+
+}  // namespace ostraka::app

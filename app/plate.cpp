@@ -1,0 +1,99 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "command.h"
+#include "rig/plate_print.h"
+
+namespace ostraka::app {
+namespace {
+
+using rig::PlatePrint;
+using rig::PlatePrintOptions;
+
+enum class PaperChoice { A4, A3, Whole };
+
+Result<void> writeAll(const std::filesystem::path& output, const PlatePrint& print) {
+  if (Result<void> r = writeFileAtomically(output, formatPdf(print.pages, "Ostraka plate")); !r)
+    return r;
+  const std::filesystem::path folder = output.parent_path();
+  if (Result<void> r = rig::writePlate(folder / "plate.json", print.plate); !r) return r;
+  return rig::writeBoard(folder / "board.json", print.board);
+}
+
+int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem::path& output,
+             const Session& session) {
+  options.paper.reset();
+  if (paper != PaperChoice::Whole) options.paper = paper == PaperChoice::A4 ? Paper::A4 : Paper::A3;
+  const Result<PlatePrint> print = rig::printPlate(options);
+  if (!print) return fail(session, print.error());
+  if (const Result<void> written = writeAll(output, *print); !written)
+    return fail(session, written.error());
+  if (session.json) {
+    printJson({{"output", output.string()},
+               {"markers", print->plate.markers.size()},
+               {"sheets", print->centres.size()},
+               {"markers_on_seams", print->markers_cut},
+               {"ruler_mm", print->ruler_mm},
+               {"exit_status", static_cast<int>(Whole)}});
+    return Whole;
+  }
+  std::printf("%s: the plate on %zu sheet(s), the board on the last page.\n", output.c_str(),
+              print->centres.size());
+  std::printf("plate.json and board.json beside it describe them%s.\n",
+              options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
+  if (print->markers_cut > 0)
+    std::printf("%d marker(s) lie on a seam; glue those with care.\n", print->markers_cut);
+  if (options.ruler_measured_mm == 0)
+    std::printf(
+        "Print at 100 %% (not 'fit to page'), glue the sheets, and measure both rulers: %.0f mm.\n"
+        "If they measure otherwise, run this again with --ruler-measured and the length.\n",
+        print->ruler_mm);
+  return Whole;
+}
+
+}  // namespace
+
+void addPlate(CLI::App& root, Command& chosen) {
+  CLI::App* command = root.add_subcommand(
+      "plate", "Marker plate and calibration board to be printed in true scale (PDF)");
+  auto options = std::make_shared<PlatePrintOptions>();
+  auto paper = std::make_shared<PaperChoice>(PaperChoice::A3);
+  auto output = std::make_shared<std::filesystem::path>();
+  command
+      ->add_option("--output,-o", *output,
+                   "PDF to write; plate.json and board.json are written beside it")
+      ->required();
+  command->add_option("--diameter", options->diameter_mm, "Of the turntable's plate, mm")
+      ->capture_default_str();
+  command
+      ->add_option("--paper", *paper,
+                   "a4 or a3: sheets that are glued together; whole: one page for a plotter")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, PaperChoice>{
+          {"a4", PaperChoice::A4}, {"a3", PaperChoice::A3}, {"whole", PaperChoice::Whole}}))
+      ->default_str("a3");
+  command->add_option("--marker", options->marker_mm, "Side of the markers, mm")
+      ->capture_default_str();
+  command->add_option("--dictionary", options->dictionary, "Of the plate's markers, OpenCV's name")
+      ->capture_default_str();
+  command
+      ->add_option("--ground", options->ground,
+                   "Between the markers: white, or black where no cloth is laid")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, rig::Ground>{
+          {"white", rig::Ground::White}, {"black", rig::Ground::Black}}))
+      ->default_str("white");
+  command->add_option("--margin", options->printer_margin_mm, "What the printer leaves white, mm")
+      ->capture_default_str();
+  command->add_option("--ruler-measured", options->ruler_measured_mm,
+                      "What the plate's ruler measures on paper, mm: the files follow it");
+  command->callback([options, paper, output, &chosen] {
+    chosen = [options, paper, output](Session& session) {
+      return runPlate(*options, *paper, *output, session);
+    };
+  });
+}
+
+}  // namespace ostraka::app

@@ -1,0 +1,116 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "rig_commands.h"
+#include "virtualrig/predict.h"
+
+namespace ostraka::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+using virtualrig::Prediction;
+using virtualrig::PredictOptions;
+using virtualrig::SizePrediction;
+
+ordered_json toJson(const Prediction& p) {
+  ordered_json sizes = ordered_json::array();
+  for (const SizePrediction& s : p.sizes)
+    sizes.push_back({{"size", s.name},
+                     {"width_mm", s.width_mm},
+                     {"sherds", s.sherds},
+                     {"without_model", s.without_model},
+                     {"accuracy_simulated_mm", s.accuracy_mm},
+                     {"accuracy_expected_mm", p.expectedAccuracy(s)},
+                     {"completeness_pct", s.completeness_percent},
+                     {"seen_pct", 100 * s.seen},
+                     {"break_seen_pct", 100 * s.break_seen}});
+  return {{"sizes", sizes},
+          {"simulated_width_share", p.width_share},
+          {"seconds_simulated", p.seconds},
+          {"seconds_expected", p.expectedSeconds()},
+          {"photographs", p.photographs},
+          {"cameras", p.cameras},
+          {"elevations_rad", p.elevations_rad},
+          {"pixels_mm", p.pixels_mm},
+          {"remarks", p.remarks},
+          {"exit_status", static_cast<int>(Whole)}};
+}
+
+void print(const Prediction& p) {
+  for (std::size_t c = 0; c < p.elevations_rad.size(); ++c)
+    std::printf("Camera %d: %.0f degrees above the plate, %.3f mm a pixel.\n", p.cameras[c],
+                p.elevations_rad[c] * 180 / M_PI, p.pixels_mm[c]);
+  std::printf("%-8s %9s %13s %13s %14s %10s %12s\n", "sherds", "width mm", "accuracy mm",
+              "expected mm", "completeness %", "seen %", "breaks seen %");
+  for (const SizePrediction& s : p.sizes) {
+    std::printf("%-8s %9.0f %13.3f %13.3f %14.1f %10.1f %12.1f\n", s.name.c_str(), s.width_mm,
+                s.accuracy_mm, p.expectedAccuracy(s), s.completeness_percent, 100 * s.seen,
+                100 * s.break_seen);
+    if (s.without_model > 0)
+      std::printf("         %d of %d got no model.\n", s.without_model, s.sherds);
+  }
+  std::printf(
+      "%d photographs took %.0f s at %.0f %% of the rig's width; at its own expect %.0f s.\n",
+      p.photographs, p.seconds, 100 * p.width_share, p.expectedSeconds());
+  for (const std::string& remark : p.remarks) std::printf("%s\n", remark.c_str());
+}
+
+int runPredict(const fs::path& rig_file, PredictOptions options, Session& session) {
+  const Result<rig::Rig> rig = rig::readRig(rig_file);
+  if (!rig) return fail(session, rig.error());
+  const bool own_folder = options.work.empty();
+  if (own_folder)
+    options.work = fs::temp_directory_path() / ("ostraka-predict-" + std::to_string(::getpid()));
+  const Result<Prediction> prediction =
+      virtualrig::predict(*rig, options, session.progress, session.stop);
+  if (own_folder) {
+    std::error_code ignored;
+    fs::remove_all(options.work, ignored);
+  }
+  if (!prediction) return fail(session, prediction.error());
+  session.finishProgress();
+  if (session.json)
+    printJson(toJson(*prediction));
+  else
+    print(*prediction);
+  return Whole;
+}
+
+}  // namespace
+
+void addRigPredict(CLI::App& rig, Command& chosen) {
+  CLI::App* command = rig.add_subcommand(
+      "predict", "What a calibrated rig will do: accuracy, completeness, seconds");
+  command->footer(
+      "Virtual sherds of about 26, 48 and 82 mm, matte and on the standard dark plate, are\n"
+      "photographed by the rig's own cameras at its stops, at reduced width, and go through the\n"
+      "whole chain; the models are compared with the truth. 'expected' and the seconds at the\n"
+      "rig's own width are extrapolated: noise with the size of a pixel, time with its square.\n"
+      "What is seen, and which camera to move, comes from rays at the full resolution. Depth of\n"
+      "field, gloss and an unsteady turntable are not simulated: real figures can only be worse.");
+  auto options = std::make_shared<PredictOptions>();
+  auto file = std::make_shared<fs::path>();
+  command->add_option("RIG.json", *file, "As 'ostraka rig calibrate' wrote it")->required();
+  command
+      ->add_option("--width", options->width,
+                   "Of the simulated pictures, pixels; the rig's own width is the exact way")
+      ->capture_default_str();
+  command
+      ->add_option("--sherds-per-size", options->sherds_per_size, "Small, medium, large: of each")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Start of all chance")->capture_default_str();
+  command->add_option("--work", options->work,
+                      "New folder that keeps the simulated batch and its models");
+  command->add_option("--threads", options->threads, "Threads; 0 = all processors")
+      ->check(CLI::Range(0, 1024));
+  command->callback([options, file, &chosen] {
+    chosen = [options, file](Session& session) { return runPredict(*file, *options, session); };
+  });
+}
+
+}  // namespace ostraka::app

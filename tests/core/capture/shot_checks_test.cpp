@@ -34,15 +34,18 @@ TEST(LookAtPlate, FindsTheMarkersAndTheSherdsInTheirPlaces) {
   EXPECT_TRUE(look.too_close.empty());
 }
 
-TEST(LookAtPlate, SeesSherdsThatTouchOrNearlyDo) {
+TEST(LookAtPlate, SeesSherdsThatLieTooClose) {
   FlatScene scene;
   scene.width = 1280;
-  scene.sherds = {{-30, 0, 15}, {2.7, 0, 15}, {-20, 60, 20}, {18, 60, 20}};
-  const PlateLook look = lookAt(scene, 1, 0);  // a gap of 2.7 mm; an overlap of 2 mm
-  ASSERT_EQ(look.sherds.size(), 3u);
-  ASSERT_EQ(look.too_close.size(), 2u);
-  EXPECT_EQ(look.too_close[0].first == look.too_close[0].second,
-            look.too_close[1].first != look.too_close[1].second);
+  scene.sherds = {{-30, 0, 15}, {4.5, 0, 15}, {-20, 60, 15}};
+  const std::string picture = flatPicture(scene, 1, 0, "");
+  LookOptions options;  // the gap is 4.5 mm, the others are far away
+  options.too_close_mm = 7;
+  const auto near = lookAtPlate(picture, flatPlate(), options);
+  ASSERT_TRUE(near.has_value());
+  ASSERT_EQ(near->sherds.size(), 3u);
+  ASSERT_EQ(near->too_close.size(), 1u);
+  EXPECT_EQ(near->too_close[0], std::make_pair(0, 2));  // from left to right: -30, -20, 4.5
 }
 
 TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {

@@ -13,6 +13,7 @@ namespace {
 
 using virtualrig::Fault;
 using virtualrig::PlateColor;
+using virtualrig::ScanNoise;
 using virtualrig::SimulateOptions;
 
 int runSimulate(const SimulateOptions& options, Session& session) {
@@ -55,6 +56,10 @@ void addSimulate(CLI::App& rig, Command& chosen) {
   command->add_option("--touching", options->touching, "Pairs of sherds that touch each other")
       ->capture_default_str();
   command->add_flag("--scans-only", options->scans_only, "Scans of both sides, no photographs");
+  command->add_option("--scan-noise", options->scan_noise, "How the scans err: scanner or stereo")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, ScanNoise>{
+          {"scanner", ScanNoise::Scanner}, {"stereo", ScanNoise::Stereo}}))
+      ->default_str("scanner");
   command->add_option("--threads", options->threads, "Threads; 0 = all processors")
       ->check(CLI::Range(0, 1024));
   command->add_option("--fault", options->fault, "Something that goes wrong on purpose")

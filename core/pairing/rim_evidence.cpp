@@ -1,51 +1,101 @@
 #include "pairing/rim_evidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 
 namespace ostraka::pairing {
 namespace {
 
-/// Median RMS over pairs certain by their outlines: the best of its front and of its back by far.
-std::optional<double> usualRms(std::span<const RimFigures> candidates) {
+constexpr double kRelief_mm = 0.22;   // two breaks of like outlines differ by this
+constexpr double kOtherSpread = 0.4;  // of its logarithm, from pair to pair
+constexpr double kSameSpread = 0.2;   // of the logarithm of true pairs' misfits within a batch
+constexpr double kFailed = 0.01;  // share of true pairs whose registration says nothing: 1 of 370
+
+// Usual misfits of true pairs, all as likely at first: a good scanner's to the worst stereo's.
+constexpr double kLeastUsual_mm = 0.01, kMostUsual_mm = 0.30, kUsualStep = 0.1;
+
+// Share of strays among pairs that outlines make certain: next to none, but in one batch of a
+// hundred.
+struct Strays {
+  double share, prior;
+};
+constexpr std::array<Strays, 2> kStrays = {{{0.002, 0.99}, {0.3, 0.01}}};
+
+double normal(double x, double sigma) {
+  return std::exp(-0.5 * x * x / (sigma * sigma)) / sigma;
+}
+
+// Densities of a misfit's logarithm; a floor keeps an outlier from deciding alone.
+struct Densities {
+  double same, other;
+};
+Densities densities(const RimFigures& c, double usual_mm) {
+  const double at = std::log(std::max(1e-3, c.misfit_mm));
+  const double counted = 0.5 / std::max(1.0, c.places);  // variance of an RMS' logarithm
+  constexpr double kFloor = 1e-30;
+  return {normal(at - std::log(usual_mm), std::sqrt(kSameSpread * kSameSpread + counted)) + kFloor,
+          normal(at - std::log(std::hypot(kRelief_mm, usual_mm)),
+                 std::sqrt(kOtherSpread * kOtherSpread + counted)) +
+              kFloor};
+}
+
+/// Certain by its outlines: they are alike, and no other pair of its front or back comes near.
+std::vector<bool> certainOnes(std::span<const RimFigures> candidates) {
   constexpr double kCertain = 10;  // logarithm; above any stranger's
-  constexpr std::size_t kFewest = 3;
-  std::vector<double> figures;
+  std::vector<bool> certain;
   for (const RimFigures& own : candidates) {
     const bool rivalled =
         std::any_of(candidates.begin(), candidates.end(), [&](const RimFigures& c) {
           const bool other = (c.front == own.front) != (c.back == own.back);
           return other && c.outline_log_likelihood > own.outline_log_likelihood - kCertain;
         });
-    if (own.outline_log_likelihood > kCertain && !rivalled) figures.push_back(own.rim_rms_mm);
+    certain.push_back(own.outline_log_likelihood > kCertain && !rivalled);
   }
-  if (figures.size() < kFewest) return std::nullopt;
-  const auto middle = figures.begin() + static_cast<std::ptrdiff_t>(figures.size() / 2);
-  std::nth_element(figures.begin(), middle, figures.end());
-  return std::max(0.02, *middle);
+  return certain;
+}
+
+/// What the scans of this batch may be like, with its probability.
+struct Case {
+  double usual_mm, strays, probability;
+};
+std::vector<Case> casesOf(std::span<const RimFigures> candidates,
+                          const std::vector<bool>& certain) {
+  std::vector<Case> cases;
+  double most = -1e300;
+  for (double usual = kLeastUsual_mm; usual <= kMostUsual_mm; usual *= std::exp(kUsualStep))
+    for (const Strays& strays : kStrays) {
+      double log = std::log(strays.prior);
+      for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (!certain[i]) continue;
+        const Densities d = densities(candidates[i], usual);
+        log += std::log((1 - strays.share) * d.same + strays.share * d.other);
+      }
+      cases.push_back({usual, strays.share, log});
+      most = std::max(most, log);
+    }
+  for (Case& c : cases) c.probability = std::exp(c.probability - most);
+  return cases;
 }
 
 }  // namespace
 
 std::vector<double> rimLogLikelihoods(std::span<const RimFigures> candidates) {
-  constexpr double kRelief = 0.25;       // mm: two breaks of like outlines differ by their relief
-  constexpr double kSameSpread = 0.30;   // of the RMS' logarithm, from true pair to true pair
-  constexpr double kOtherSpread = 0.45;  // reliefs differ more
-  constexpr double kFailed = 0.05;       // share of true pairs whose registration says nothing
-  const std::optional<double> usual = usualRms(candidates);
+  const std::vector<bool> certain = certainOnes(candidates);
+  const std::vector<Case> cases = casesOf(candidates, certain);
+  const double few = kStrays[0].share;
   std::vector<double> found;
-  for (const RimFigures& c : candidates) {
-    double ratio = c.rim_log_likelihood;
-    if (usual) {
-      const double rms = std::log(std::max(1e-3, c.rim_rms_mm));
-      // A rim that fits better than usual is no evidence against the pair.
-      const double same = std::max(0.0, rms - std::log(*usual)) / kSameSpread;
-      const double other =
-          std::min(0.0, rms - std::log(std::hypot(kRelief, *usual))) / kOtherSpread;
-      ratio = 0.5 * (other * other - same * same) + std::log(kOtherSpread / kSameSpread);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    double same = 0, other = 0;
+    for (const Case& c : cases) {
+      const Densities d = densities(candidates[i], c.usual_mm);
+      // A certain pair has shaped the cases' probabilities itself; against the usual share of
+      // strays its odds become a ratio of likelihoods again.
+      const double both = certain[i] ? (1 - c.strays) * d.same + c.strays * d.other : 1.0;
+      same += c.probability / both * d.same * (certain[i] ? (1 - c.strays) / (1 - few) : 1);
+      other += c.probability / both * d.other * (certain[i] ? c.strays / few : 1);
     }
-    found.push_back(std::log((1 - kFailed) * std::exp(ratio) + kFailed));
+    found.push_back(std::log((1 - kFailed) * same / other + kFailed));
   }
   return found;
 }

@@ -8,15 +8,17 @@ namespace ostraka::pairing {
 struct RimFigures {
   int front = 0, back = 0;
   double outline_log_likelihood = 0;  ///< of the start that the registration came from
-  double rim_rms_mm = 0;              ///< of the registered strips
-  double rim_log_likelihood = 0;      ///< the registration's own, used where the batch is too small
+  double misfit_mm = 0;               ///< how far the two breaks differ; above 0
+  double places = 0;                  ///< independent places that misfit_mm comes from
 };
 
-/// Per candidate the logarithm of the ratio of likelihoods of its rim's RMS: one sherd against a
-/// look-alike. How well true rims fit depends on the scans (0.1 mm clean, 0.3 mm of ragged stereo):
-/// the batch says it itself, as the median over the pairs that outlines alone make certain; with
-/// fewer than three of them, the registration's own figure stands. One registration in twenty fails
-/// on a true pair, so a bad rim never says more than -3.
+/// Per candidate the logarithm of the ratio of likelihoods of its breaks' misfit: one sherd against
+/// a look-alike. How well true breaks fit depends on the scans (0.04 mm clean, 0.15 mm of ragged
+/// stereo), and a single scan does not tell: the batch says it itself, through all the pairs that
+/// outlines alone make certain. Some of them may be strays, two sherds of like outlines whose other
+/// sides are not there: how many is unknown too, so one that fits far worse than the others is
+/// suspected, and then the others a little more. One registration in a hundred fails on a true
+/// pair, so a bad rim never says more than -4.6.
 std::vector<double> rimLogLikelihoods(std::span<const RimFigures> candidates);
 
 }  // namespace ostraka::pairing

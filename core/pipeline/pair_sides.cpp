@@ -67,7 +67,7 @@ double outlineOf(const Registered& r, const scan::Scan& back) {
 }
 
 bool rimsCompared(const Registered& r) {
-  return r.registration && r.registration->rim_rms_mm > 0;
+  return r.registration && r.registration->misfit_mm > 0;
 }
 
 /// One figure per candidate, 0 where no rims could be compared.
@@ -78,7 +78,7 @@ std::vector<double> rimsOf(const std::vector<Registered>& registered,
     if (!rimsCompared(r)) continue;
     const scan::Scan& back = backs[static_cast<std::size_t>(r.candidate->back)];
     figures.push_back({r.candidate->front, r.candidate->back, outlineOf(r, back),
-                       r.registration->rim_rms_mm, r.registration->log_likelihood});
+                       r.registration->misfit_mm, r.registration->misfit_places});
   }
   const std::vector<double> known = pairing::rimLogLikelihoods(figures);
   std::vector<double> rims(registered.size(), 0);
@@ -228,6 +228,7 @@ ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
                      {"alternatives", alternatives},
                      {"T_front_from_back", ostraka::toJson(pair.registration.front_from_back)},
                      {"rim_rms_mm", nullptr},
+                     {"rim_misfit_mm", pair.registration.misfit_mm},
                      {"rim_overlap", pair.registration.rim_overlap},
                      {"uncertainty_mm", pair.registration.uncertainty_mm},
                      {"contour_rms_mm", pair.contour_rms_mm},

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "registration/bilateral_boundary_icp.h"
+#include "registration/break_misfit.h"
 #include "registration/pair_fit.h"
 #include "registration/self_check.h"
 
@@ -198,6 +199,9 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
     found.runner_up_gap = poseGap(best, rival);
     found.runner_up_mm = away;
   }
+  const BreakMisfit misfit = breakMisfit(front, back, found.front_from_back);
+  found.misfit_mm = misfit.rms_mm;
+  found.misfit_places = misfit.places;
   judgeRegistration(front, back, found);
   progress.report(3, 3);
   return found;

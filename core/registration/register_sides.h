@@ -63,6 +63,8 @@ struct Registration {
   double scale = 1;           ///< front size / back size; 1 unless Scale::Free
   double rim_rms_mm = 0;      ///< normal-checked closest pairs of the strips, point to plane
   double rim_overlap = 0;     ///< share of the strip points in reach that have a partner
+  double misfit_mm = 0;       ///< how far the breaks differ, noise averaged away; 0: nothing met
+  double misfit_places = 0;   ///< independent places that misfit_mm comes from
   double log_likelihood = 0;  ///< of the rims being one against being two similar rims
   /// Of front_from_back, for a small turn (rad) then shift (mm) in the front's frame about the
   /// strip's centre `pivot`; inverse covariance.

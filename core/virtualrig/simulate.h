@@ -24,6 +24,11 @@ enum class Fault {
   Shadow,    ///< a hand's shadow falls on the plate in three photographs
   Truncated  ///< the files of two photographs end in the middle
 };
+/// How scans without photographs err.
+enum class ScanNoise {
+  Scanner,  ///< as a good scanner, or stereo on well-lit clay: 0.05 mm
+  Stereo    ///< faces as above, broken edges as stereo leaves them: fat, wavy, full of gaps
+};
 std::optional<Fault> faultFromName(std::string_view name);
 std::optional<PlateColor> plateColorFromName(std::string_view name);
 
@@ -39,7 +44,8 @@ struct SimulateOptions {
   int touching = 0;       ///< pairs that lie against each other on both sides
   int stops = 8;
   bool scans_only = false;  ///< noisy scans of both sides instead of photographs
-  int threads = 0;          ///< 0: all processors; the files do not depend on it
+  ScanNoise scan_noise = ScanNoise::Scanner;
+  int threads = 0;  ///< 0: all processors; the files do not depend on it
   std::optional<Fault> fault;
   /// Mean radii of the sherds' outlines, largest first, one per sherd; empty: spread as in a bag.
   std::vector<double> radii_mm;

@@ -8,31 +8,53 @@ namespace ostraka::pairing {
 namespace {
 
 TEST(RimLogLikelihoods, LearnFromTheBatchHowWellTrueRimsFit) {
-  // Four certain pairs whose rims fit to 0.3 mm, and a look-alike of the first at 0.7 mm.
+  // Four certain pairs whose breaks fit to 0.15 mm, and a look-alike of the first at 0.4 mm.
   std::vector<RimFigures> ragged;
-  for (int i = 0; i < 4; ++i) ragged.push_back({i, i, 40, 0.3, -12});
-  ragged.push_back({0, 1, 20, 0.7, -12});
+  for (int i = 0; i < 4; ++i) ragged.push_back({i, i, 40, 0.15, 100});
+  ragged.push_back({0, 1, 20, 0.4, 100});
   const std::vector<double> found = rimLogLikelihoods(ragged);
-  EXPECT_GT(found[0], 0.3);
+  EXPECT_GT(found[0], -0.5);  // nothing against it
   EXPECT_LT(found[4], -2.5);
-  // The same 0.3 mm beside rims of 0.1 mm is a look-alike's.
+  // The same 0.15 mm beside breaks that fit to 0.04 mm is a look-alike's.
   std::vector<RimFigures> clean;
-  for (int i = 0; i < 4; ++i) clean.push_back({i, i, 40, 0.1, 0});
-  clean.push_back({0, 1, 20, 0.3, 0});
+  for (int i = 0; i < 4; ++i) clean.push_back({i, i, 40, 0.04, 100});
+  clean.push_back({0, 1, 20, 0.15, 100});
   EXPECT_GT(rimLogLikelihoods(clean)[0], 2);
   EXPECT_LT(rimLogLikelihoods(clean)[4], -2.5);
 }
 
-TEST(RimLogLikelihoods, NeverSayMoreThanAFailedRegistrationMay) {
-  std::vector<RimFigures> figures;
-  for (int i = 0; i < 4; ++i) figures.push_back({i, i, 40, 0.1, 0});
-  figures.push_back({4, 4, 40, 5.0, -1e6});
-  EXPECT_NEAR(rimLogLikelihoods(figures)[4], std::log(0.05), 1e-6);
+TEST(RimLogLikelihoods, SeeThatMostOfTheCertainPairsAreStrays) {
+  // Fronts and backs of three look-alikes whose own other sides are missing, and two true pairs.
+  const std::vector<RimFigures> figures = {{0, 0, 40, 0.04, 100},
+                                           {1, 1, 40, 0.045, 100},
+                                           {2, 2, 40, 0.20, 100},
+                                           {3, 3, 40, 0.24, 100},
+                                           {4, 4, 40, 0.30, 100}};
+  const std::vector<double> found = rimLogLikelihoods(figures);
+  EXPECT_GT(found[0], 2);
+  EXPECT_GT(found[1], 2);
+  for (int i = 2; i < 5; ++i) EXPECT_NEAR(found[i], std::log(0.01), 0.01);
 }
 
-TEST(RimLogLikelihoods, TakeTheRegistrationsOwnFigureInASmallBatch) {
-  const std::vector<RimFigures> one = {{0, 0, 40, 0.1, 8}};
-  EXPECT_NEAR(rimLogLikelihoods(one)[0], std::log(0.95 * std::exp(8.0) + 0.05), 1e-9);
+TEST(RimLogLikelihoods, BelieveABatchThatIsAllAlikeAndRagged) {
+  std::vector<RimFigures> figures;
+  for (int i = 0; i < 7; ++i) figures.push_back({i, i, 40, 0.15 + 0.005 * i, 60});
+  for (const double ratio : rimLogLikelihoods(figures)) EXPECT_GT(ratio, -0.5);
+}
+
+TEST(RimLogLikelihoods, NeverSayMoreThanAFailedRegistrationMay) {
+  std::vector<RimFigures> figures;
+  for (int i = 0; i < 4; ++i) figures.push_back({i, i, 40, 0.04, 100});
+  figures.push_back({4, 4, 40, 0.9, 100});
+  EXPECT_NEAR(rimLogLikelihoods(figures)[4], std::log(0.01), 1e-3);
+}
+
+TEST(RimLogLikelihoods, SayLittleOfARimThatHardlyMet) {
+  // Alone, without a batch to compare with: 0.12 mm over two places may be anything.
+  const std::vector<RimFigures> met = {{0, 0, 40, 0.05, 100}};
+  const std::vector<RimFigures> hardly = {{0, 0, 40, 0.12, 2}};
+  EXPECT_GT(rimLogLikelihoods(met)[0], 2);
+  EXPECT_LT(std::abs(rimLogLikelihoods(hardly)[0]), 1.5);
 }
 
 }  // namespace

@@ -195,5 +195,44 @@ TEST(SimulatedScans, ComeWithTheirTruthAndSitOnTheMesh) {
   fs::remove_all(root);
 }
 
+// Of one simulated front: points of the broken edge, and how far their normals scatter about each
+// other within a millimetre.
+struct Edge {
+  int points = 0;
+  double scatter = 0;
+};
+Edge edgeOf(const fs::path& root, ScanNoise noise) {
+  SimulateOptions options = tiny(root / (noise == ScanNoise::Stereo ? "stereo" : "scanner"));
+  options.scans_only = true;
+  options.scan_noise = noise;
+  QuietProgress quiet;
+  EXPECT_TRUE(simulateBatch(options, quiet, {}));
+  const PointCloud cloud = *readPlyCloud(options.output / "front" / "f001.ply");
+  const KdTree tree(cloud.points);
+  Edge edge;
+  std::vector<Neighbour> near;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (std::abs(cloud.normals[i].z()) > 0.4f) continue;
+    tree.within(cloud.points[i], 1.0f, near);
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+    for (const Neighbour& n : near) mean += cloud.points[static_cast<std::size_t>(n.index)];
+    mean /= static_cast<float>(near.size());
+    edge.scatter += std::abs(cloud.normals[i].dot(cloud.points[i] - mean));
+    ++edge.points;
+  }
+  edge.scatter /= std::max(1, edge.points);
+  return edge;
+}
+
+TEST(SimulatedScans, WithTheNoiseOfStereoLoseEdgeAndRoughenIt) {
+  std::string pattern = (fs::temp_directory_path() / "virtualrig_XXXXXX").string();
+  const fs::path root = mkdtemp(pattern.data());
+  const Edge scanner = edgeOf(root, ScanNoise::Scanner), stereo = edgeOf(root, ScanNoise::Stereo);
+  EXPECT_LT(stereo.points, 0.85 * scanner.points);  // a fifth to two fifths are missing
+  EXPECT_GT(stereo.points, 0.4 * scanner.points);
+  EXPECT_GT(stereo.scatter, 1.1 * scanner.scatter);  // most of it is the relief of the break
+  fs::remove_all(root);
+}
+
 }  // namespace
 }  // namespace ostraka::virtualrig

@@ -14,6 +14,7 @@ using Eigen::Vector3f;
 constexpr float kReach_mm = 1.0f;  // rims of look-alikes differ by half of it
 constexpr float kMinCos = 0.7071f;
 constexpr float kPatch_mm = 1.5f;  // the noise of scans is alike over 1 mm, that of stereo over 2
+constexpr float kAlike_mm = 3.0f;  // stereo errs alike over 2 to 4 mm; beyond, breaks are too short
 constexpr float kSameFace = 0.5f;
 constexpr std::size_t kFewest = 5;  // pairs that make a mean
 
@@ -57,6 +58,36 @@ void takeOutFatness(Gaps& gaps) {
     gaps.distances[i] -= fat.x() + fat.y() * gaps.rises[i];
 }
 
+// Mean distances over patches around the thinned points.
+struct Patches {
+  double rms = 0, pairs = 0;  // of the means; pairs to a patch
+  double count = 0;
+};
+
+Patches patchesOf(const StripLevel& centres, const Gaps& gaps, const KdTree& tree, float radius) {
+  Patches patches;
+  std::vector<Neighbour> found;
+  for (std::size_t c = 0; c < centres.points.size(); ++c) {
+    tree.within(centres.points[c], radius, found);
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Neighbour& n : found) {
+      const auto i = static_cast<std::size_t>(n.index);
+      if (gaps.normals[i].dot(centres.normals[c]) < kSameFace) continue;
+      sum += gaps.distances[i];
+      ++count;
+    }
+    if (count < kFewest) continue;
+    const double mean = sum / static_cast<double>(count);
+    patches.rms += mean * mean;
+    patches.pairs += static_cast<double>(count);
+    ++patches.count;
+  }
+  patches.rms = std::sqrt(patches.rms / std::max(1.0, patches.count));
+  patches.pairs /= std::max(1.0, patches.count);
+  return patches;
+}
+
 }  // namespace
 
 BreakMisfit breakMisfit(const Strip& front, const Strip& back,
@@ -64,27 +95,20 @@ BreakMisfit breakMisfit(const Strip& front, const Strip& back,
   Gaps gaps = gapsOf(front, back, front_from_back);
   takeOutFatness(gaps);
   const KdTree tree(gaps.points);
-  std::vector<Neighbour> found;
-  double squares = 0, centres = 0;
-  for (std::size_t c = 0; c < back.coarse.points.size(); ++c) {
-    tree.within(back.coarse.points[c], kPatch_mm, found);
-    double sum = 0;
-    std::size_t count = 0;
-    for (const Neighbour& n : found) {
-      const auto i = static_cast<std::size_t>(n.index);
-      if (gaps.normals[i].dot(back.coarse.normals[c]) < kSameFace) continue;
-      sum += gaps.distances[i];
-      ++count;
-    }
-    if (count < kFewest) continue;
-    const double mean = sum / static_cast<double>(count);
-    squares += mean * mean;
-    ++centres;
-  }
-  if (centres == 0) return {};
+  const Patches patches = patchesOf(back.coarse, gaps, tree, kPatch_mm);
+  if (patches.count == 0) return {};
+  BreakMisfit misfit;
+  misfit.rms_mm = patches.rms;
   // Centres lie 1.2 mm apart, about one to a square of that edge, and share their patches.
   const double per_patch = M_PI * kPatch_mm * kPatch_mm / (1.2 * 1.2);
-  return {std::sqrt(squares / centres), std::max(1.0, centres / per_patch)};
+  misfit.places = std::max(1.0, patches.count / per_patch);
+  // The mean of n white distances has an n-th of their variance.
+  const Patches wide = patchesOf(back.coarse, gaps, tree, kAlike_mm);
+  double squares = 1e-12;
+  for (const double d : gaps.distances) squares += d * d;
+  const double point = squares / static_cast<double>(gaps.distances.size());
+  misfit.alike = std::max(1.0, wide.pairs * wide.rms * wide.rms / point);
+  return misfit;
 }
 
 }  // namespace ostraka::registration

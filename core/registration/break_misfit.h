@@ -8,6 +8,8 @@ namespace ostraka::registration {
 /// How far two breaks differ where both sides show them, noise averaged away.
 struct BreakMisfit {
   double rms_mm = 0;  ///< of the mean signed distance over patches of 1.5 mm radius; 0: no patch
+  /// Neighbouring points of the back's strip that err together and count as one: 1 for white noise.
+  double alike = 1;
   double places = 0;  ///< independent patches: what rms_mm can be trusted to, 1 / sqrt(2 places)
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "registration/break_misfit.h"
+
 namespace ostraka::registration {
 namespace {
 
@@ -59,7 +61,8 @@ RimFit PairFit::rim(const FittedPose& pose, bool fine, double radius, double rob
   pairing.robust_mm = robust;
   pairing.sigma_mm = sigma;
   // Each pair is met from both sides, and neighbours err together.
-  pairing.correlated = 2 * std::max(1.0, std::pow(kCorrelationMm / std::max(spacing, 0.05), 2));
+  const double usual = std::max(1.0, std::pow(kCorrelationMm / std::max(spacing, 0.05), 2));
+  pairing.correlated = 2 * (fine ? std::max(usual, pose.alike) : usual);
   pairing.bias_mm = fine ? commonBias(sigma) : 0.02;
   return fitRim(fine ? front_.fine : front_.coarse, fine ? back_.fine : back_.coarse, front_.up,
                 pose.front_from_back, pivot(pose.front_from_back), radius_mm_, pairing);
@@ -128,6 +131,13 @@ void PairFit::fine(FittedPose& pose) const {
     if (radius <= last_radius_mm_ && moved < 1e-3) break;  // 1/30 of what scans can tell
     radius = std::max(last_radius_mm_, radius * 0.75);
   }
+  judge(pose);
+}
+
+void PairFit::weighed(FittedPose& pose) const {
+  pose.alike = breakMisfit(front_, back_, pose.front_from_back).alike;
+  for (int round = 0; round < 10; ++round)
+    if (fineRound(pose, last_radius_mm_, nullptr, 0) < 1e-3) break;
   judge(pose);
 }
 

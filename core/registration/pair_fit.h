@@ -17,6 +17,7 @@ struct FittedPose {
   RimFit rim;              ///< rms and overlap within 1 mm once fine() has run
   Evidence evidence;       ///< of all witnesses together
   double sigma_mm = 0.15;  ///< of one pair of strip points
+  double alike = 0;        ///< strip points that err together; 0: as many as a good scanner's
   double score = 1e9;      ///< share of strip points that do not fit, lower is better
 };
 
@@ -30,7 +31,9 @@ class PairFit {
   void coarse(FittedPose& pose) const;
   /// All points, radius 1 mm down to one scan spacing, until nothing moves; at most 30 rounds.
   void fine(FittedPose& pose) const;
-  /// Goes on from fine() with the photographs' outlines.
+  /// Goes on from fine() with the weight that the strips' own misfit gives them.
+  void weighed(FittedPose& pose) const;
+  /// Goes on from weighed() with the photographs' outlines.
   void withSilhouettes(FittedPose& pose, const SilhouetteWitness& silhouettes) const;
 
   /// 1-sigma RMS displacement over the sherd.

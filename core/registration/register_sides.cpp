@@ -183,6 +183,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   rivals.insert(rivals.end(), survivors.begin(), survivors.end());
   best = *std::min_element(rivals.begin(), rivals.end(), better);
 
+  pair.weighed(best);
   const bool hopeless = reported(best, pair, front, back).log_likelihood < kNoPairLogLikelihood;
   if (!hopeless && (!witnesses.front.empty() || !witnesses.back.empty())) {
     const SilhouetteWitness silhouettes(front, back, witnesses.front, witnesses.back,

@@ -12,11 +12,14 @@ constexpr int kRounds = 3;
 constexpr float kNormalSigma = 0.5f;    // about 29 degrees: the paper's value, between 0.5 and 1.5
 constexpr float kCreaseCosine = 0.77f;  // 40 degrees: above what smoothed normals scatter
 constexpr float kLeastSecondSheet = 0.08f;  // of all weight: one or two neighbours are no sheet
-constexpr float kRadiusInSpacings = 2.4f;   // some 15 neighbours on a flat, enough after smoothing
+// Each of these decides over a range, or the surface would have a ledge where it changes its mind.
+constexpr float kCosineRange = 0.1f, kSheetRange = 0.08f;
+constexpr float kBendRange = 0.25f;        // of the radius
+constexpr float kRadiusInSpacings = 2.4f;  // some 15 neighbours on a flat, enough after smoothing
 
 struct Near {
   int index;
-  float weight, offset;
+  float mass, weight, offset;  // weight: mass by confidence
 };
 
 // A sheet of the surface near a place, by weighted neighbours.
@@ -39,16 +42,24 @@ struct Sheet {
   }
 };
 
+// 0 up to `from`, 1 beyond `from` + `range`.
+float ramp(float value, float from, float range) {
+  return std::clamp((value - from) / range, 0.0f, 1.0f);
+}
+
 // Where another sheet lies behind a convex crease the body is where both say inside, at a concave
 // one where either does (Fleishman, Cohen-Or, Silva, SIGGRAPH 2005): without it, a face would be
 // drawn past its edge.
-bool otherSheetRules(const Sheet& first, const Sheet& second) {
-  if (first.normal.dot(second.normal) > kCreaseCosine) return false;
+// The bend is the sum of both sheets' heights over each other's planes: one height alone changes
+// its sign where two scans of one wall disagree by a tenth of a millimetre. Returns how much the
+// other sheet's distance counts.
+float otherSheetRules(const Sheet& first, const Sheet& second, float radius) {
   const Vector3f between = second.centre - first.centre;
-  const float a = first.normal.dot(between), b = -second.normal.dot(between);
-  if (a < 0 && b < 0) return second.distance > first.distance;
-  if (a > 0 && b > 0) return second.distance < first.distance;
-  return false;
+  const float bend = (first.normal - second.normal).dot(between);
+  const bool rules = bend < 0 ? second.distance > first.distance : second.distance < first.distance;
+  if (!rules) return 0;
+  return ramp(-first.normal.dot(second.normal), -kCreaseCosine, kCosineRange) *
+         ramp(std::abs(bend), 0, kBendRange * radius);
 }
 
 }  // namespace
@@ -79,7 +90,7 @@ FieldSample SurfaceField::sample(const Vector3f& p) const {
     const float mass = u * u * u * u * surfels_.area[i];
     support += mass;
     const float w = mass * surfels_.confidence[i];
-    near.push_back({j, w, 0});
+    near.push_back({j, mass, w, 0});
     // The start is the nearest neighbour's say: a mean across a crease would stay between the
     // faces.
     if (w > most) {
@@ -113,24 +124,27 @@ FieldSample SurfaceField::sample(const Vector3f& p) const {
     if (normal.norm() > 1e-20f) gradient = normal.normalized();
   }
   Sheet first, second;
-  float all = 0;
+  // Whether there is another sheet is asked of the surface that was seen, whatever its noise: where
+  // two scans of a wall disagree, it has little confidence beside the face above it.
+  float all = 0, others = 0;
   for (const Near& n : near) {
     const std::size_t i = static_cast<std::size_t>(n.index);
     const float turn =
         (surfels_.normals[i] - gradient).squaredNorm() / (kNormalSigma * kNormalSigma);
     const float same = std::exp(-turn);
-    all += n.weight;
+    all += n.mass;
     first.add(n.weight * same, n.offset, surfels_.normals[i], surfels_.points[i]);
-    if (turn > 1)
-      second.add(n.weight * (1 - same), surfels_.normals[i].dot(p - surfels_.points[i]),
-                 surfels_.normals[i], surfels_.points[i]);
+    if (turn <= 1) continue;
+    others += n.mass * (1 - same);
+    second.add(n.weight * (1 - same), surfels_.normals[i].dot(p - surfels_.points[i]),
+               surfels_.normals[i], surfels_.points[i]);
   }
-  if (second.weight > kLeastSecondSheet * all && first.close() && second.close()) {
+  const float is_sheet = ramp(others / std::max(all, 1e-20f), kLeastSecondSheet, kSheetRange);
+  if (is_sheet > 0 && first.close() && second.close()) {
     first.distance = distance;
-    if (otherSheetRules(first, second)) {
-      distance = second.distance;
-      gradient = second.normal;
-    }
+    const float share = is_sheet * otherSheetRules(first, second, radius_);
+    distance += share * (second.distance - distance);
+    if (share > 0) gradient = (gradient + share * (second.normal - gradient)).normalized();
   }
   // Below a tenth of full support (an edge of a hole, half a radius out) the indicator takes over.
   const float own = std::min(1.0f, support / 0.1f);

@@ -122,11 +122,17 @@ void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSid
     painter.setBrush(lit ? QColor(255, 255, 0, 60) : QColor(Qt::transparent));
     painter.drawPolygon(outline);
   }
-  // Numbers last, so that no neighbour's outline runs through one.
-  for (const MapMark& mark : side.marks)
-    paintNumber(painter, place.topLeft() + scale * QPointF(mark.at.x(), mark.at.y()), wordsOf(mark),
-                std::max(place.width() / 26, 11.0),
+  // Numbers last, so that no neighbour's outline runs through one; above a sherd that its number
+  // would cover.
+  const double height = std::max(place.width() / 26, 11.0);
+  for (const MapMark& mark : side.marks) {
+    QPointF at = place.topLeft() + scale * QPointF(mark.at.x(), mark.at.y());
+    double top = at.y();
+    for (const Eigen::Vector2d& p : mark.outline) top = std::min(top, place.top() + scale * p.y());
+    if (at.y() - top < 1.1 * height) at.setY(std::max(place.top(), top - 0.7 * height));
+    paintNumber(painter, at, wordsOf(mark), height,
                 !mark.number.empty() && QString::fromStdString(mark.number) == highlighted);
+  }
   painter.restore();
 }
 

@@ -14,8 +14,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "catalogue/project.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
+#include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
 
 namespace ostraka::ui {
@@ -156,14 +158,14 @@ void MapStation::openBatch(const QString& batch) {
 
 QVector<SherdLabel> MapStation::labels() const {
   const pipeline::PlateMap& map = view_->picture().map;
-  if (source_) return source_(batch_, map);
   QVector<SherdLabel> labels;
   for (const pipeline::MapMark& mark : map.front.marks) {
     if (mark.number.empty()) continue;
     const QString number = tr("%1-%2").arg(batch_, QString::fromStdString(mark.number));
     labels.append({number, {}, date_, QStringLiteral("OST1:S:") + number.toUpper()});
   }
-  return labels;
+  if (!session_ || !session_->hasProject()) return labels;
+  return withCatalogue(labels, map, session_->project().catalogue(), batch_.toStdString());
 }
 
 QString MapStation::pageTitle() const {

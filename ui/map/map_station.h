@@ -1,7 +1,6 @@
 #pragma once
 #include <QPointer>
 #include <QVector>
-#include <functional>
 
 #include "ui/frame/station.h"
 #include "ui/jobs/job.h"
@@ -20,10 +19,6 @@ class MapStation final : public Station {
   Q_OBJECT
 
  public:
-  /// What the labels of a batch say; without one they carry the batch's and the sherd's number.
-  using LabelSource =
-      std::function<QVector<SherdLabel>(const QString& batch, const pipeline::PlateMap& map)>;
-
   explicit MapStation(QWidget* parent = nullptr);
 
   QString title() const override { return tr("Map"); }
@@ -33,7 +28,7 @@ class MapStation final : public Station {
   void closeProject() override;
   void setInFront(bool in_front) override;
 
-  void setLabelSource(LabelSource source) { source_ = std::move(source); }
+  /// As the catalogue has them; before it has, with the batch's and the sherd's number.
   QVector<SherdLabel> labels() const;
   /// Map and labels as PDF. False: said why.
   bool writePdf(const QString& file);
@@ -49,7 +44,6 @@ class MapStation final : public Station {
   QString pageTitle() const;
 
   QPointer<ProjectSession> session_;
-  LabelSource source_;
   QString batch_, date_;
   QComboBox* batches_ = nullptr;
   QLabel* message_ = nullptr;

@@ -95,6 +95,7 @@ struct SherdScene::Actors {
   std::vector<std::uint8_t> front_rim, back_rim;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   bool section = false, apart = false;
+  bool gaps_shown = false;  ///< the rim shows its gaps: no other colours beside them
   double ratio = 1;
 
   void fill(Drawn& drawn, const PointCloud& cloud, const std::vector<std::uint8_t>& rim_marks,
@@ -107,7 +108,7 @@ struct SherdScene::Actors {
     std::vector<Rgb> colours(cloud.size(), kClay);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       if (i < cloud.colors.size()) colours[i] = cloud.colors[i];
-      if (i < rim_marks.size() && rim_marks[i] != 0) colours[i] = rim_colour;
+      if (i < rim_marks.size() && rim_marks[i] != 0) colours[i] = gaps_shown ? kUnseen : rim_colour;
     }
     drawn.data->GetPointData()->SetScalars(coloursOf(colours));
     drawn.data->Modified();
@@ -219,6 +220,10 @@ void SherdScene::setRim(const std::vector<Eigen::Vector3f>& points,
                         const std::vector<Rgb>& colours) {
   Actors& a = *actors_;
   a.rim.empty();
+  if (a.gaps_shown == points.empty()) {
+    a.gaps_shown = !points.empty();
+    a.colour();
+  }
   if (points.empty()) return;
   a.rim.data->SetPoints(pointsOf(points));
   a.rim.data->SetVerts(vertsOf(points.size()));

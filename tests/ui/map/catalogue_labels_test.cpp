@@ -1,0 +1,74 @@
+// Labels carry the catalogue's numbers; what has none yet keeps the batch's own.
+#include "ui/map/catalogue_labels.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "catalogue/project.h"
+
+namespace ostraka::ui {
+
+class CatalogueLabelsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aNumberedSherdHasItsNumberAndAnotherTheBatchs();
+};
+
+void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
+  QTemporaryDir folder;
+  catalogue::ProjectRecord record;
+  record.code = "ARM";
+  record.title = "Trial";
+  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  QVERIFY2(project.has_value(), project ? "" : project.error().sentence().c_str());
+  catalogue::Catalogue& rows = project->catalogue();
+  catalogue::BatchRecord batch;
+  batch.number = "B0001";
+  const auto batch_row = rows.addBatch(batch, {});
+  QVERIFY(batch_row.has_value());
+  catalogue::ScanRecord scan;
+  scan.batch = *batch_row;
+  scan.index = 2;
+  scan.name = "f002";
+  scan.path = "results/B0001/scans/f002.ply";
+  const auto scan_row = rows.save(scan, {});
+  QVERIFY2(scan_row.has_value(), scan_row ? "" : scan_row.error().sentence().c_str());
+  catalogue::SherdRecord sherd;
+  sherd.batch = *batch_row;
+  sherd.front = *scan_row;
+  catalogue::SiteRecord site;
+  site.code = "ARM1";
+  site.name = "Trial";
+  const auto site_row = rows.save(site, {});
+  QVERIFY2(site_row.has_value(), site_row ? "" : site_row.error().sentence().c_str());
+  catalogue::ContextRecord context;
+  context.site = *site_row;
+  context.number = "0012";
+  const auto context_row = rows.save(context, {});
+  QVERIFY2(context_row.has_value(), context_row ? "" : context_row.error().sentence().c_str());
+  sherd.context = *context_row;
+  sherd.number = "ARM1-T3-0012-0007";
+  const auto sherd_row = rows.addSherd(sherd, {});
+  QVERIFY2(sherd_row.has_value(), sherd_row ? "" : sherd_row.error().sentence().c_str());
+
+  pipeline::PlateMap map;
+  map.front.marks.resize(3);
+  map.front.marks[0].number = "01";
+  map.front.marks[2].number = "02";  // the one between is set aside
+  const QVector<SherdLabel> plain = {{"B0001-01", {}, "2026-07-14", "OST1:S:B0001-01"},
+                                     {"B0001-02", {}, "2026-07-14", "OST1:S:B0001-02"}};
+  const QVector<SherdLabel> labels = withCatalogue(plain, map, rows, "B0001");
+  QCOMPARE(labels[0].number, QStringLiteral("B0001-01"));
+  QCOMPARE(labels[1].number, QStringLiteral("ARM1-T3-0012-0007"));
+  const QString id = QString::fromStdString(rows.sherd(*sherd_row)->id).remove('-').toUpper();
+  QCOMPARE(labels[1].code, "OST1:S:ARM1-T3-0012-0007:" + id.right(8));
+  QCOMPARE(labels[1].context, QStringLiteral("ARM1 / 0012"));
+  QCOMPARE(labels[1].date, QStringLiteral("2026-07-14"));
+  QCOMPARE(withCatalogue(plain, map, rows, "B0009")[1].number, QStringLiteral("B0001-02"));
+}
+
+}  // namespace ostraka::ui
+
+QTEST_GUILESS_MAIN(ostraka::ui::CatalogueLabelsTest)
+#include "catalogue_labels_test.moc"

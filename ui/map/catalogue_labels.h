@@ -1,0 +1,19 @@
+#pragma once
+#include <QVector>
+
+#include "ui/map/map_pages.h"
+
+namespace ostraka::catalogue {
+class Catalogue;
+}
+
+namespace ostraka::ui {
+
+/// The labels of a batch with what the catalogue knows of its sherds: number, place, and a code
+/// with the end of the sherd's id. What has no number there yet keeps the batch's own.
+/// labels: one for each mark of the front side that has a number, in their order.
+QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::PlateMap& map,
+                                  const catalogue::Catalogue& catalogue,
+                                  const std::string& batch_number);
+
+}  // namespace ostraka::ui

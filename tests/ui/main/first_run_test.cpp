@@ -69,6 +69,7 @@ class FirstRunTest : public QObject {
     QTest::keyClicks(site, "arm1");
     QTest::mouseClick(named<QPushButton>(window, "makeProject"), Qt::LeftButton);
     QVERIFY(window.session() != nullptr);
+    activate(window);  // the first 3D view makes the native window anew
     named<QSpinBox>(window, "virtualSherds")->setValue(2);
     named<QComboBox>(window, "virtualWidth")->setCurrentIndex(0);
     QTest::mouseClick(named<QPushButton>(window, "useVirtualRig"), Qt::LeftButton);

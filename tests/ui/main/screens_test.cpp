@@ -51,6 +51,7 @@ bool isPartOfAnother(const QWidget* widget) {
   for (const QWidget* up = widget->parentWidget(); up != nullptr; up = up->parentWidget())
     if (qobject_cast<const QAbstractSpinBox*>(up) != nullptr ||
         qobject_cast<const QComboBox*>(up) != nullptr ||
+        qobject_cast<const QLineEdit*>(up) != nullptr ||
         qobject_cast<const QAbstractItemView*>(up) != nullptr ||
         qobject_cast<const QAbstractScrollArea*>(up) != nullptr)
       return true;
@@ -103,6 +104,7 @@ class ScreensTest : public QObject {
     QTest::keyClicks(named<QLineEdit>(*window_, "newName"), "Seven");
     QTest::mouseClick(named<QPushButton>(*window_, "makeProject"), Qt::LeftButton);
     QVERIFY(window_->session() != nullptr);
+    activate(*window_);
     QTest::keyClick(window_.get(), Qt::Key_W, Qt::ControlModifier);
     QVERIFY(window_->session() == nullptr);
     QVERIFY(named<QWidget>(*window_, "recentProjects")->isVisible());
@@ -180,6 +182,7 @@ class ScreensTest : public QObject {
     }
     window_->openProject(project_);
     QVERIFY(window_->session() != nullptr);
+    activate(*window_);  // the first 3D view makes the native window anew
   }
 
   // One of each state, so that the queue shows what it can.

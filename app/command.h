@@ -42,6 +42,7 @@ void addDoctor(CLI::App& root, Command& chosen);
 void addDraw(CLI::App& root, Command& chosen);
 void addPlate(CLI::App& root, Command& chosen);
 void addCompletion(CLI::App& root, Command& chosen);
+void addManPages(CLI::App& root, Command& chosen);
 
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives
 /// the exit status.

@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
   app::addDraw(root, chosen);
   app::addPlate(root, chosen);
   app::addCompletion(root, chosen);
+  app::addManPages(root, chosen);
   try {
     root.parse(argc, argv);
     if (chosen && !project.empty())

@@ -1,14 +1,32 @@
 # The Debian package: `cpack -G DEB` in the build folder.
 include(GNUInstallDirs)
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the program only, not the tests
 install(FILES packaging/ostraka.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES packaging/ostraka-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
         RENAME ostraka.xml)
 install(FILES resources/icons/ostraka.svg
         DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
-install(FILES packaging/man/ostraka.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES packaging/udev/70-ostraka.rules DESTINATION lib/udev/rules.d)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Manual pages and completions are what the program says of itself; packages want pages compressed.
+set(says ${CMAKE_BINARY_DIR}/says)
+install(CODE "
+  file(REMOVE_RECURSE ${says})
+  file(MAKE_DIRECTORY ${says}/completion)
+  execute_process(COMMAND $<TARGET_FILE:ostraka> man-pages ${says}/man COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND sh -c \"gzip -9n ${says}/man/*.1\" COMMAND_ERROR_IS_FATAL ANY)
+  foreach(shell bash zsh fish)
+    execute_process(COMMAND $<TARGET_FILE:ostraka> completion \${shell}
+      OUTPUT_FILE ${says}/completion/\${shell} COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()")
+install(DIRECTORY ${says}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${says}/completion/bash RENAME ostraka
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${says}/completion/zsh RENAME _ostraka
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${says}/completion/fish RENAME ostraka.fish
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ostraka)

@@ -1,5 +1,6 @@
 # The Debian package: `cpack -G DEB` in the build folder.
 include(GNUInstallDirs)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the program only, not the tests
 install(FILES packaging/ostraka.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES packaging/ostraka-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
         RENAME ostraka.xml)

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "rig/covariance.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -271,31 +273,23 @@ class Adjustment {
 
   // Nothing is stored where the covariance cannot be computed.
   void storeCovariance() {
-    ceres::Covariance::Options options;
-    options.algorithm_type = ceres::SPARSE_QR;
-    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
-    options.num_threads = 1;
-    ceres::Covariance covariance(options);
-    std::vector<std::pair<const double*, const double*>> blocks;
+    std::vector<double*> blocks;
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c)
+      blocks.insert(blocks.end(), {intrinsics_[c].data(), cameras_[c].data()});
+    const std::size_t wanted = blocks.size();
+    for (PoseBlock& plate : plates_) blocks.push_back(plate.data());
+    for (std::vector<double>& angles : state_.angles_rad)
+      for (double& angle : angles) blocks.push_back(&angle);
+    for (double& inset : insets_) blocks.push_back(&inset);
+    for (Eigen::Vector3d& error : state_.print_errors_mm) blocks.push_back(error.data());
+    for (PoseBlock& board : boards_) blocks.push_back(board.data());
+    const std::optional<Eigen::MatrixXd> all = covarianceOfFirst(problem_, blocks, wanted);
+    if (!all) return;
     for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
-      const double *lens = intrinsics_[c].data(), *pose = cameras_[c].data();
-      blocks.insert(blocks.end(), {{lens, lens}, {lens, pose}, {pose, pose}});
-    }
-    if (!covariance.Compute(blocks, &problem_)) return;
-    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
-      using Matrix = Eigen::Matrix<double, 15, 15, Eigen::RowMajor>;
-      Eigen::Matrix<double, 9, 9, Eigen::RowMajor> lens;
-      Eigen::Matrix<double, 9, 6, Eigen::RowMajor> both;
-      Eigen::Matrix<double, 6, 6, Eigen::RowMajor> pose;
-      const double *l = intrinsics_[c].data(), *p = cameras_[c].data();
-      if (!covariance.GetCovarianceBlock(l, l, lens.data()) ||
-          !covariance.GetCovarianceBlock(l, p, both.data()) ||
-          !covariance.GetCovarianceBlock(p, p, pose.data()))
-        continue;
-      Matrix all;
-      all << lens, both, both.transpose(), pose;
-      state_.cameras[c].covariance.assign(all.data(), all.data() + all.size());
-      state_.cameras[c].focal_sd_px = std::sqrt(std::max(0.0, all(0, 0)));
+      const Eigen::Matrix<double, 15, 15, Eigen::RowMajor> own =
+          all->block<15, 15>(15 * static_cast<Eigen::Index>(c), 15 * static_cast<Eigen::Index>(c));
+      state_.cameras[c].covariance.assign(own.data(), own.data() + own.size());
+      state_.cameras[c].focal_sd_px = std::sqrt(std::max(0.0, own(0, 0)));
     }
   }
 

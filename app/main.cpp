@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   app::addDoctor(root, chosen);
   app::addDraw(root, chosen);
   app::addPlate(root, chosen);
+  app::addCatalogue(root, chosen);
   app::addCompletion(root, chosen);
   app::addManPages(root, chosen);
   try {

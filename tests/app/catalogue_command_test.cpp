@@ -1,0 +1,80 @@
+// `ostraka catalogue` as a person uses it, from an empty project to an archive that comes back.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class CatalogueCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("ostraka catalogue " + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::ofstream(folder_ / "sherds.csv") << "number,site,trench,context,part,weight_g\n"
+                                             "ARM1-T3-0012-0001,ARM1,T3,0012,rim,\"23,4\"\n"
+                                             "ARM1-T3-0012-0002,ARM1,T3,0012,wing,5\n";
+    EXPECT_EQ(run("new -o " + at("p") + " --code ARM"), 0);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string at(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
+  /// The exit status; what it printed as JSON is in said_.
+  int run(const std::string& arguments) {
+    const std::string command =
+        std::string(OSTRAKA_PROGRAM) + " --json catalogue " + arguments + " 2>/dev/null";
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+      text.append(buffer.data(), n);
+    said_ = nlohmann::json::parse(text, nullptr, false);
+    const int status = ::pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  fs::path folder_;
+  nlohmann::json said_;
+};
+
+TEST_F(CatalogueCommand, ImportsWithAPreviewAndSaysWhatItRefuses) {
+  EXPECT_EQ(run("import " + at("p") + " " + at("sherds.csv") + " --make-places"), 1);
+  EXPECT_EQ(said_["new"], 1);
+  EXPECT_EQ(said_["entered"], false);
+  EXPECT_EQ(said_["refusals"][0]["line"], 3);
+  EXPECT_EQ(said_["refusals"][0]["value"], "wing");
+  EXPECT_EQ(run("import " + at("p") + " " + at("sherds.csv") +
+                " --make-places --enter --refusals " + at("why.csv")),
+            1);
+  EXPECT_EQ(said_["new"], 1);
+  EXPECT_TRUE(fs::exists(folder_ / "why.csv"));
+  run("import " + at("p") + " " + at("sherds.csv") + " --enter");
+  EXPECT_EQ(said_["same"], 1) << "twice gives once";
+  EXPECT_EQ(run("import " + at("p") + " " + at("nothing.csv")), 2);
+}
+
+TEST_F(CatalogueCommand, WhatItExportsAndArchivesComesBack) {
+  run("import " + at("p") + " " + at("sherds.csv") + " --make-places --enter");
+  EXPECT_EQ(run("export " + at("p") + " -o " + at("out") + " --filter part:rim --forms csv,json"),
+            0);
+  EXPECT_EQ(said_["sherds"], 1);
+  EXPECT_TRUE(fs::exists(folder_ / "out/data/sherds/ARM1-T3-0012-0001.json"));
+  EXPECT_EQ(run("export " + at("p") + " -o " + at("out")), 2) << "never over another folder";
+  EXPECT_EQ(run("export " + at("p") + " -o " + at("none") + " --filter part:lid"), 2);
+  EXPECT_EQ(run("new -o " + at("q") + " --code ARM"), 0);
+  EXPECT_EQ(run("import " + at("q") + " " + at("out") + " --enter"), 0);
+  EXPECT_EQ(said_["new"], 1);
+  EXPECT_EQ(run("archive " + at("p") + " -o " + at("archive")), 0);
+  EXPECT_EQ(run("restore " + at("archive") + " -o " + at("back")), 0);
+  EXPECT_EQ(run("check " + at("back")), 0);
+  EXPECT_EQ(said_["whole"], true);
+}
+
+}  // namespace

@@ -53,8 +53,8 @@ class Look {
       }
   }
 
-  // Marks the samples that enough views of this side see.
-  void side(const Scene& scene, const std::vector<Sample>& samples, std::vector<char>& seen,
+  // Counts this side for the samples that enough of its views see.
+  void side(const Scene& scene, const std::vector<Sample>& samples, std::vector<char>& sides,
             Tally& tally) const {
     const std::vector<Eigen::Vector3f>&points = scene.vertices(0), &normals = scene.normals(0);
     const double least = std::cos(options_.most_slant_rad);
@@ -72,7 +72,7 @@ class Look {
         }
         if (views < options_.least_views && !scene.blocked(p + kLift * n, to_eye, 1)) ++views;
       }
-      if (views >= options_.least_views) seen[i] = 1;
+      if (views >= options_.least_views) ++sides[i];
     }
   }
 
@@ -96,19 +96,19 @@ SherdCoverage ofSherd(const VirtualSherd& sherd, const Look& look, const Coverag
   Tally tally;
   const std::vector<VirtualSherd> alone{sherd};
   for (const double away : {0.0, kHalfWay_mm}) {
-    std::vector<char> seen(samples.size(), 0);
+    std::vector<char> sides(samples.size(), 0);
     for (const double up : {1.0, -1.0}) {
       Eigen::Isometry3d pose = restPose(sherd.mesh, {0, 0, up});
       pose.pretranslate(Eigen::Vector3d(away, 0, 0));
       const Scene scene(alone, {pose});
-      look.side(scene, samples, seen, tally);
+      look.side(scene, samples, sides, tally);
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
       tally.area += samples[i].area;
-      tally.seen += seen[i] ? samples[i].area : 0;
+      tally.seen += sides[i] > 0 ? samples[i].area : 0;
       if (!samples[i].broken) continue;
       tally.broken += samples[i].area;
-      tally.broken_seen += seen[i] ? samples[i].area : 0;
+      tally.broken_seen += sides[i] == 2 ? samples[i].area : 0;
     }
   }
   const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };

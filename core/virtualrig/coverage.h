@@ -18,7 +18,7 @@ struct CoverageOptions {
 /// Shares of one sherd's surface, both sides together.
 struct SherdCoverage {
   double seen = 0;        ///< of the whole surface, by enough views of one side
-  double break_seen = 0;  ///< of the broken edge
+  double break_seen = 0;  ///< of the broken edge, from both sides: only that ties them together
   double outside = 0;     ///< of points and views: the point lies outside of the picture
 };
 /// Each sherd lies at the plate's middle and half-way to the ring in turn; means of both.

@@ -32,6 +32,7 @@ ShownScan shownScan(const pipeline::ScanCloud& cloud) {
 
 ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent), model_(model) {
   setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(tr("Pairs of the batch"));
   cards_ = new CardList(this);
   cards_->setObjectName("cards");
   cards_->setAccessibleName(tr("Pairs, most doubtful first"));

@@ -179,7 +179,7 @@ CREATE TABLE given_number (
   n INTEGER
 ) STRICT;
 CREATE INDEX given_number_counter ON given_number (counter, n);
-CREATE INDEX given_number_sherd ON given_number (sherd);
+CREATE INDEX given_number_sherd ON given_number (sherd, counter, n);
 
 CREATE TABLE sherd_join (
   sherd INTEGER NOT NULL REFERENCES sherd, other INTEGER NOT NULL REFERENCES sherd,
@@ -197,6 +197,7 @@ CREATE TABLE measurement (
   current INTEGER NOT NULL DEFAULT 1
 ) STRICT;
 CREATE UNIQUE INDEX measurement_current ON measurement (sherd, kind) WHERE current = 1;
+CREATE INDEX measurement_sherd ON measurement (sherd, kind, value);
 
 -- What counts now, one row a sherd, for the table and its order.
 CREATE TABLE sherd_measure (

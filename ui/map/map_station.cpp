@@ -90,7 +90,8 @@ void MapStation::openProject(ProjectSession& session) {
   session_ = &session;
   connect(&session, &ProjectSession::batchChanged, this, [this](const QString& batch) {
     listBatches();
-    if (batch == batch_) openBatch(batch);
+    if (batches_->findText(batch) < 0) return;
+    if (batch_.isEmpty() || batch == batch_) openBatch(batch);
   });
   listBatches();
   if (batches_->count() > 0) openBatch(batches_->itemText(0));

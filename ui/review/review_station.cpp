@@ -117,7 +117,8 @@ void ReviewStation::listBatches() {
   const QStringList names = reviewable(session_->folder() / "results");
   QStringList shown;
   for (int i = 0; i < batches_->count(); ++i) shown << batches_->itemText(i);
-  if (names == shown) return;
+  if (pane_) pane_->setVisible(!names.isEmpty());  // empty panes would say nothing
+  if (names == shown && !names.isEmpty()) return;
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
@@ -183,7 +184,9 @@ void ReviewStation::enter(const pipeline::PairDecision& decision) {
 // What another station did to this batch: new pairs are shown, a mere change of its state is not.
 void ReviewStation::follow(const QString& batch) {
   listBatches();
-  if (batch == batch_ && model_->isOpen() && stampOf(batch) != stamp_) openOutput(batch);
+  if (batches_->findText(batch) < 0) return;
+  // The first batch that is computed shows itself; one that was computed anew is read anew.
+  if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) != stamp_)) openOutput(batch);
 }
 
 fs::file_time_type ReviewStation::stampOf(const QString& batch) const {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "base/markup.h"
 #include "base/sheet_text.h"
 
 namespace ostraka {
@@ -33,41 +34,6 @@ std::string number(double value) {
   while (out.back() == '0') out.pop_back();
   if (out.back() == '.') out.pop_back();
   return out == "-0" ? "0" : out;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      word = word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += i + k > bytes.size() ? '=' : kDigits[word >> (18 - 6 * k) & 63];
-  }
-  return out;
-}
-
-std::string xmlText(const std::string& text) {
-  std::string out;
-  for (const char c : text) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    }
-  return out;
 }
 
 std::string colour(const Grey& grey) {
@@ -99,8 +65,8 @@ struct SvgItem {
     return "<text x=\"" + number(text.at.x()) + "\" y=\"" + number(text.at.y()) +
            "\" font-size=\"" + number(text.size_mm) + "\" text-anchor=\"" +
            kAnchors[static_cast<int>(text.anchor)] + "\"" +
-           (text.weight == Weight::Bold ? " font-weight=\"bold\"" : "") + ">" + xmlText(text.text) +
-           "</text>\n";
+           (text.weight == Weight::Bold ? " font-weight=\"bold\"" : "") + ">" +
+           markupText(text.text) + "</text>\n";
   }
   std::string operator()(const Picture& picture) const {
     return "<image x=\"" + number(picture.corner.x()) + "\" y=\"" + number(picture.corner.y()) +
@@ -200,8 +166,9 @@ std::string formatSvg(const Page& page, const std::string& title) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
       "width=\"" +
       width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-      "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n<title>" + xmlText(title) +
-      "</title>\n<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"#ffffff\"/>\n";
+      "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n<title>" +
+      markupText(title) + "</title>\n<rect width=\"" + width + "\" height=\"" + height +
+      "\" fill=\"#ffffff\"/>\n";
   int windows = 0;
   for (const Layer& layer : page.layers) {
     std::string clip;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/files.h"
+#include "base/markup.h"
 #include "batch/photograph.h"
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
@@ -29,47 +30,14 @@ td.words,th.words{text-align:left}img{max-width:100%;border:1px solid #ccc}
 figcaption{color:#555;font-size:14px}
 )";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string fixed(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
 }
 
-std::string base64(const std::string& bytes) {
-  static constexpr char kLetters[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool padding = i + k > bytes.size();
-      out += padding ? '=' : kLetters[group >> (18 - 6 * k) & 63];
-    }
-  }
-  return out;
-}
-
 std::string picture(const std::string& bytes, const char* type, const std::string& words) {
-  return "<img alt=\"" + escaped(words) + "\" src=\"data:image/" + type + ";base64," +
+  return "<img alt=\"" + markupText(words) + "\" src=\"data:image/" + type + ";base64," +
          base64(bytes) + "\">";
 }
 
@@ -98,7 +66,7 @@ std::string sidePicture(const ReportInput& input, batch::Side side) {
   if (view < 0) return {};
   const rig::PosedImage& image = images[static_cast<std::size_t>(view)];
   Result<cv::Mat> photograph = batch::readPhotograph(image.file);
-  if (!photograph) return "<p>" + escaped(photograph.error().sentence()) + "</p>";
+  if (!photograph) return "<p>" + markupText(photograph.error().sentence()) + "</p>";
   cv::Mat drawn = photograph->clone();
   const Masks& masks = side == batch::Side::Front ? *input.front_masks : *input.back_masks;
   std::vector<std::vector<cv::Point>> outlines;
@@ -224,12 +192,12 @@ std::string decidedWords(const DecidedPair& pair) {
 std::string sherdSection(const ReportSherd& sherd) {
   const DecidedPair& pair = *sherd.pair;
   std::string html = "<section class=\"sherd" + std::string(pair.ambiguous ? " doubt" : "") +
-                     "\"><div><h3>Sherd " + sherd.number + "</h3><p>" + escaped(sherd.front->id) +
-                     " and " + escaped(sherd.back->id) + ", certainty " +
-                     fixed(100 * pair.score, 1) + " %</p>";
+                     "\"><div><h3>Sherd " + sherd.number + "</h3><p>" +
+                     markupText(sherd.front->id) + " and " + markupText(sherd.back->id) +
+                     ", certainty " + fixed(100 * pair.score, 1) + " %</p>";
   if (pair.ambiguous)
-    html += "<p class=\"ask\">A person must look: " + escaped(pair.reason) + "</p>";
-  if (!pair.decided_by.empty()) html += "<p>" + escaped(decidedWords(pair)) + "</p>";
+    html += "<p class=\"ask\">A person must look: " + markupText(pair.reason) + "</p>";
+  if (!pair.decided_by.empty()) html += "<p>" + markupText(decidedWords(pair)) + "</p>";
   html += measureLine(sherd.figures);
   if (const Result<std::string> preview = readFile(sherd.preview))
     html += picture(*preview, "png", "model of sherd " + sherd.number);
@@ -245,18 +213,18 @@ std::string pairTable(const ReportInput& input) {
       "<th>Uncertainty mm</th><th class=\"words\">Remark</th></tr>";
   for (const ReportSherd& sherd : input.sherds) {
     const DecidedPair& p = *sherd.pair;
-    html += "<tr><td>" + sherd.number + "</td><td>" + escaped(sherd.front->id) + "</td><td>" +
-            escaped(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
+    html += "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
+            markupText(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
             fixed(p.margin, 2) + "</td><td>" + fixed(p.rim_rms_mm, 3) + "</td><td>" +
             fixed(100 * p.rim_overlap, 0) + " %</td><td>" + fixed(p.uncertainty_mm, 3) +
             "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
-            escaped(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
+            markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
   }
   html += "</table>";
   const auto lone = [&](const std::vector<std::string>& ids, const char* words) {
     if (ids.empty()) return;
     html += std::string("<p class=\"ask\">") + words;
-    for (const std::string& id : ids) html += " " + escaped(id);
+    for (const std::string& id : ids) html += " " + markupText(id);
     html += "</p>";
   };
   lone(input.unpaired_front, "Fronts without a back:");
@@ -270,7 +238,7 @@ std::string stageTable(const ReportInput& input) {
   std::string html =
       "<table><tr><th class=\"words\">Stage</th><th>Seconds</th><th>Peak memory MB</th></tr>";
   for (const ReportStage& stage : input.stages)
-    html += "<tr><td class=\"words\">" + escaped(stage.name) + "</td><td>" +
+    html += "<tr><td class=\"words\">" + markupText(stage.name) + "</td><td>" +
             fixed(stage.record.seconds, 1) + "</td><td>" + fixed(stage.record.peak_memory_mb, 0) +
             "</td></tr>";
   return html + "</table>";
@@ -282,16 +250,17 @@ std::string reportHtml(const ReportInput& input) {
   const auto doubtful = std::count_if(input.sherds.begin(), input.sherds.end(),
                                       [](const ReportSherd& s) { return s.pair->ambiguous; });
   std::string html = "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Ostraka: " +
-                     escaped(input.batch_name) + "</title><style>" + kStyle + "</style><h1>Batch " +
-                     escaped(input.batch_name) + "</h1><p>" + std::to_string(input.sherds.size()) +
-                     " sherds, " +
+                     markupText(input.batch_name) + "</title><style>" + kStyle +
+                     "</style><h1>Batch " + markupText(input.batch_name) + "</h1><p>" +
+                     std::to_string(input.sherds.size()) + " sherds, " +
                      (doubtful == 0 ? std::string("all pairs certain.")
                                     : "<span class=\"ask\">" + std::to_string(doubtful) +
                                           " for a person to decide.</span>") +
                      "</p>";
   if (!input.warnings.empty()) {
     html += "<h2>Warnings</h2><ul>";
-    for (const std::string& warning : input.warnings) html += "<li>" + escaped(warning) + "</li>";
+    for (const std::string& warning : input.warnings)
+      html += "<li>" + markupText(warning) + "</li>";
     html += "</ul>";
   }
   html += "<h2>The plate</h2><div class=\"sides\">" + sidePicture(input, batch::Side::Front) +

@@ -10,11 +10,10 @@
 #include <cstring>
 #include <ctime>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/files.h"
-#include "base/json.h"
+#include "rig/plate_print.h"
 
 namespace ostraka::capture {
 namespace {
@@ -108,16 +107,7 @@ Result<void> keepPlate(const fs::path& folder, const batch::Plate& plate) {
                  "The batch was begun on another plate; name another folder for this one.",
                  file.string()};
   }
-  nlohmann::ordered_json markers = nlohmann::ordered_json::array();
-  for (const batch::Marker& m : plate.markers) {
-    nlohmann::ordered_json corners = nlohmann::ordered_json::array();
-    for (const Eigen::Vector3d& c : m.corners) corners.push_back({c.x(), c.y(), c.z()});
-    markers.push_back({{"id", m.id}, {"corners", corners}});
-  }
-  return writeJson(file, {{"unit", "mm"},
-                          {"dictionary", plate.dictionary},
-                          {"diameter", plate.diameter_mm},
-                          {"markers", markers}});
+  return rig::writePlate(file, plate);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
-#include <QSurfaceFormat>
 #include <QTranslator>
 #include <cstdio>
 
@@ -11,22 +10,10 @@
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/settings/window_settings.h"
+#include "ui/viewport/sherd_view.h"
 
 namespace ostraka::ui {
 namespace {
-
-// What the 3D view needs; must be set before the application exists.
-void askForOpenGl() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  format.setAlphaBufferSize(8);
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
-}
 
 bool hasDisplay() {
   return !qEnvironmentVariableIsEmpty("DISPLAY") ||
@@ -47,7 +34,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   // The 3D view works through GLX; native Wayland windows have none.
   if (!qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
     qputenv("QT_QPA_PLATFORM", "xcb");
-  askForOpenGl();
+  prepareOpenGl();
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("ostraka"));
   QApplication::setApplicationDisplayName(QStringLiteral("Ostraka"));

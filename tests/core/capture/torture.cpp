@@ -110,8 +110,14 @@ void inspect(const SideOptions& side, const TortureOptions& options, double stan
       }
       if (s == 0) zero = e.degrees;
       const double off = std::remainder(e.degrees - zero - 360.0 * s / kStops, 360);
-      count.misnamed += e.side != name || e.camera != c || std::abs(off) > 0.6;
-      count.doubled += !numbers.insert(e.number).second;
+      const bool misnamed = e.side != name || e.camera != c || std::abs(off) > 0.6;
+      const bool doubled = !numbers.insert(e.number).second;
+      count.misnamed += misnamed;
+      count.doubled += doubled;
+      if (misnamed || doubled)
+        std::fprintf(stderr, "%s %s holds %s camera %d at %.1f #%d, off by %.1f degrees\n",
+                     side.batch.filename().c_str(), file, e.side.c_str(), e.camera, e.degrees,
+                     e.number, off);
       if (s == kStops - 1 && c == 0)
         count.wrong_end +=
             std::abs(std::remainder(stands_at - zero - 360.0 * s / kStops, 360)) > 0.6;

@@ -5,155 +5,193 @@
     <name>Fields</name>
     <message>
       <source>number</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummer</translation>
     </message>
     <message>
       <source>identifier</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kennung</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zustand</translation>
     </message>
     <message>
       <source>void because</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ungültig, weil</translation>
     </message>
     <message>
       <source>site</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fundort</translation>
     </message>
     <message>
       <source>trench</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schnitt</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Befund</translation>
     </message>
     <message>
       <source>bag</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beutel</translation>
     </message>
     <message>
       <source>part</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Teil</translation>
     </message>
     <message>
       <source>ware</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ware</translation>
     </message>
     <message>
       <source>fabric</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbentyp</translation>
     </message>
     <message>
       <source>inclusions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Magerung</translation>
     </message>
     <message>
       <source>manufacture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Herstellung</translation>
     </message>
     <message>
       <source>firing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Brand</translation>
     </message>
     <message>
       <source>surface outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oberfläche außen</translation>
     </message>
     <message>
       <source>surface inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oberfläche innen</translation>
     </message>
     <message>
       <source>decoration</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verzierung</translation>
     </message>
     <message>
       <source>Munsell outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell außen</translation>
     </message>
     <message>
       <source>Munsell inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell innen</translation>
     </message>
     <message>
       <source>Munsell core</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell Kern</translation>
     </message>
     <message>
       <source>condition</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erhaltung</translation>
     </message>
     <message>
       <source>joins with</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>passt an</translation>
     </message>
     <message>
       <source>vessel</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gefäß</translation>
     </message>
     <message>
       <source>period</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeitstellung</translation>
     </message>
     <message>
       <source>date</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Datierung</translation>
     </message>
     <message>
       <source>length, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Länge, mm</translation>
     </message>
     <message>
       <source>width, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Breite, mm</translation>
     </message>
     <message>
       <source>thickness least, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wandstärke kleinste, mm</translation>
     </message>
     <message>
       <source>thickness, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wandstärke, mm</translation>
     </message>
     <message>
       <source>thickness most, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wandstärke größte, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fläche, mm²</translation>
     </message>
     <message>
       <source>volume, mm³</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Volumen, mm³</translation>
     </message>
     <message>
       <source>not seen, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nicht gesehen, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Randdurchmesser, mm</translation>
     </message>
     <message>
       <source>rim kept, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rand erhalten, %</translation>
     </message>
     <message>
       <source>weight, g</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gewicht, g</translation>
     </message>
     <message>
       <source>batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ladung</translation>
     </message>
     <message>
       <source>note</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bemerkung</translation>
     </message>
   </context>
   <context>
@@ -299,35 +337,43 @@
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nummeriert</translation>
     </message>
     <message>
       <source>void</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ungültig</translation>
     </message>
     <message>
       <source>draft</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entwurf</translation>
     </message>
     <message>
       <source>on a scale</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>auf der Waage</translation>
     </message>
     <message>
       <source>with a calliper</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mit der Schieblehre</translation>
     </message>
     <message>
       <source>estimated</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geschätzt</translation>
     </message>
     <message>
       <source>by the program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>vom Programm</translation>
     </message>
     <message>
       <source>aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>beiseite</translation>
     </message>
     <message>
       <source>again</source>
@@ -336,67 +382,83 @@
     </message>
     <message>
       <source>%1 or %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 oder %2</translation>
     </message>
     <message>
       <source>The photograph is not there any more.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Aufnahme ist nicht mehr da.</translation>
     </message>
     <message>
       <source>The printer or file cannot be written; choose another.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drucker oder die Datei lässt sich nicht beschreiben; bitte wählen Sie etwas anderes.</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite</translation>
     </message>
     <message>
       <source>The printer took no further page.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drucker nahm keine weitere Seite an.</translation>
     </message>
     <message>
       <source>The printer or file could not be finished; is the disk full?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Druck oder die Datei wurde nicht fertig; ist die Platte voll?</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 und %2 passen beide zu %3: ihre Ränder unterscheiden sich nur um %4.</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 und %2 passen beide zu %3.</translation>
     </message>
     <message>
       <source>%1 would fit %2 nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 würde fast ebenso gut zu %2 passen.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Partner passt fast ebenso gut.</translation>
     </message>
     <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihre Rückseite wurde einer anderen Vorderseite gegeben: Ist %1 jetzt die richtige?</translation>
     </message>
     <message>
       <source>%1 fits hardly better than a stranger's back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 passt kaum besser als die Rückseite einer fremden Scherbe.</translation>
     </message>
     <message>
       <source>The two sides fit nearly as well in another position.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die beiden Seiten passen in einer anderen Lage fast ebenso gut.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unter 1 %</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -405,79 +467,123 @@
     </message>
     <message>
       <source>The back lies upside down: both sides face the same way.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Rückseite liegt verkehrt herum: Beide Seiten schauen in dieselbe Richtung.</translation>
     </message>
     <message>
       <source>The faces cross: %1 of the front lies behind the back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Flächen durchdringen sich: %1 der Vorderseite liegen hinter der Rückseite.</translation>
     </message>
     <message>
       <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die beiden Scans haben fast keine gemeinsame Bruchkante; nur die Umrisse verbinden sie.</translation>
     </message>
     <message>
       <source>The broken edges do not fit: %1 apart.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Bruchkanten passen nicht: %1 Abstand.</translation>
     </message>
     <message>
       <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Rand legt die Lage kaum fest: auf %1 ungewiss.</translation>
     </message>
     <message>
       <source>A place %1 along the rim fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Stelle %1 weiter am Rand passt fast ebenso gut.</translation>
     </message>
     <message>
       <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ränder lassen sich nicht vergleichen; nur die Umrisse verbinden diese Seiten.</translation>
     </message>
     <message>
       <source>look</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ansehen</translation>
     </message>
     <message>
       <source>no back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>keine Rückseite</translation>
     </message>
     <message>
       <source>sure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sicher</translation>
     </message>
     <message>
       <source>decided</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>entschieden</translation>
     </message>
     <message>
       <source>set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>beiseitegelegt</translation>
     </message>
     <message>
       <source>shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>neu aufnehmen</translation>
     </message>
     <message>
       <source>%1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 – %2</translation>
     </message>
     <message>
       <source>No back was found for it. Choose one, or set it aside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Rückseite wurde gefunden. Wählen Sie eine, oder legen Sie die Scherbe beiseite.</translation>
     </message>
     <message>
       <source>The program is sure: %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm ist sicher: %1.</translation>
     </message>
     <message>
       <source>Decided by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entschieden von %1 am %2.</translation>
     </message>
     <message>
       <source>Set aside by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beiseitegelegt von %1 am %2.</translation>
     </message>
     <message>
       <source>To be shot again, says %1, %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neu aufzunehmen, sagt %1, %2.</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beutel %1</translation>
+    </message>
+    <message>
+      <source>no front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>keine Vorderseite</translation>
+    </message>
+    <message>
+      <source>This back is set aside. Drag it onto a front to use it after all.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Rückseite ist beiseitegelegt. Ziehen Sie sie auf eine Vorderseite, um sie doch zu verwenden.</translation>
+    </message>
+    <message>
+      <source>This back is to be shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Rückseite soll neu aufgenommen werden.</translation>
+    </message>
+    <message>
+      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Vorderseite hat diese Rückseite. Ziehen Sie sie auf ihre Vorderseite, fügen Sie sie an eine andere, oder legen Sie sie beiseite.</translation>
     </message>
   </context>
   <context>
@@ -498,14 +604,6 @@
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
-    <message numerus="yes">
-      <source>%n sherd(s): sure %1, ask %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>eine Scherbe: sicher %1, fraglich %2</numerusform>
-        <numerusform>%n Scherben: sicher %1, fraglich %2</numerusform>
-      </translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -610,6 +708,34 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>fertig</translation>
     </message>
+    <message>
+      <source>decided; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>entschieden; noch zu berechnen</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe</numerusform>
+        <numerusform>%n Scherben</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>sure %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sicher %1</translation>
+    </message>
+    <message>
+      <source>decided %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>entschieden %1</translation>
+    </message>
+    <message>
+      <source>ask %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fraglich %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -623,80 +749,98 @@
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feld, das geändert wird</translation>
     </message>
     <message>
       <source>New value for all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neuer Wert für alle</translation>
     </message>
     <message>
       <source>new value; empty deletes</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>neuer Wert; leer löscht</translation>
     </message>
     <message>
       <source>sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe</translation>
     </message>
     <message>
       <source>now</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>jetzt</translation>
     </message>
     <message>
       <source>then</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dann</translation>
     </message>
     <message>
       <source>What would change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was sich ändern würde</translation>
     </message>
     <message>
       <source>Change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ändern</translation>
     </message>
     <message>
       <source>Give numbers to the drafts</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den Entwürfen Nummern geben</translation>
     </message>
     <message>
       <source>Field</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feld</translation>
     </message>
     <message>
       <source>Value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wert</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) chosen</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe gewählt</numerusform>
+        <numerusform>%n Scherben gewählt</numerusform>
       </translation>
     </message>
     <message>
       <source>Type a value to see what would change.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geben Sie einen Wert ein, um zu sehen, was sich ändern würde.</translation>
     </message>
     <message>
       <source>Preview of a change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorschau einer Änderung</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>noch keine Nummer</translation>
     </message>
     <message>
       <source>refused: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgelehnt: %1</translation>
     </message>
     <message>
       <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ändern sich, %2 bleiben, wie sie sind, %3 werden abgelehnt.</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe ändern</numerusform>
+        <numerusform>%n Scherben ändern</numerusform>
       </translation>
     </message>
   </context>
@@ -704,36 +848,45 @@
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Andere Rückseite …</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unter 1 %</translation>
     </message>
     <message>
       <source>rim %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rand %1</translation>
     </message>
     <message>
       <source>no rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kein Rand</translation>
     </message>
     <message>
       <source>%1, now with %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, jetzt bei %2</translation>
     </message>
     <message>
       <source>%1   %2   %3
 %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1   %2   %3
+%4</translation>
     </message>
     <message>
       <source>Candidate %1: %2, %3, %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kandidat %1: %2, %3, %4</translation>
     </message>
     <message>
       <source>%1, nobody's</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, noch frei</translation>
     </message>
   </context>
   <context>
@@ -1076,129 +1229,156 @@
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 einer Scherbe ändern</numerusform>
+        <numerusform>%1 von %n Scherben ändern</numerusform>
       </translation>
     </message>
     <message>
       <source>Catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalog</translation>
     </message>
     <message>
       <source>Filter of the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Filter des Katalogs</translation>
     </message>
     <message>
       <source>rim T3 thickness&gt;6</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wörter werden überall gesucht; auch ware:grey, thickness&gt;6, -burnt, note:* gehen.</translation>
     </message>
     <message>
       <source>Export these</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese ausgeben</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihr Kürzel</translation>
     </message>
     <message>
       <source>Who is working? Your initials go into the history:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wer arbeitet? Ihr Kürzel kommt in die Geschichte:</translation>
     </message>
     <message>
       <source>Sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben</translation>
     </message>
     <message>
       <source>Search</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Suchen</translation>
     </message>
     <message>
       <source>Edit</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bearbeiten</translation>
     </message>
     <message>
       <source>Give numbers</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummern geben</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Bedingung %1 wegnehmen</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe</numerusform>
+        <numerusform>%n Scherben</numerusform>
       </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch keine Scherben. Sie kommen von selbst, wenn eine Ladung berechnet ist; beginnen Sie mit der Aufnahme.</translation>
     </message>
     <message>
       <source>No sherd fits. Take a condition away.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Scherbe passt. Nehmen Sie eine Bedingung weg.</translation>
     </message>
     <message>
       <source>change %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ändern</translation>
     </message>
     <message>
       <source>move to another context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>in einen anderen Befund verlegen</translation>
     </message>
     <message>
       <source>The sherds that are chosen have their numbers.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die gewählten Scherben haben ihre Nummern.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Umfang der Ausgabe</translation>
     </message>
     <message>
       <source>Counting …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird gezählt …</translation>
     </message>
     <message>
       <source>No sherd fits; choose others.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Scherbe passt; wählen Sie andere.</translation>
     </message>
     <message>
       <source>less than a minute</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>weniger als eine Minute</translation>
     </message>
     <message numerus="yes">
       <source>about %n minute(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>etwa eine Minute</numerusform>
+        <numerusform>etwa %n Minuten</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1 files, %2, %3</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe, %1 Dateien, %2, %3</numerusform>
+        <numerusform>%n Scherben, %1 Dateien, %2, %3</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n of them without a model</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>eine davon ohne Modell</numerusform>
+        <numerusform>%n davon ohne Modell</numerusform>
       </translation>
     </message>
     <message>
       <source>There is a folder of this name already; choose another name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Ordner dieses Namens gibt es schon; wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -1207,88 +1387,107 @@
     </message>
     <message numerus="yes">
       <source>%1, %n second(s) left</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1, noch eine Sekunde</numerusform>
+        <numerusform>%1, noch %n Sekunden</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe, %1, Verzeichnis geprüft</numerusform>
+        <numerusform>%n Scherben, %1, Verzeichnis geprüft</numerusform>
       </translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ausgabe</translation>
     </message>
     <message>
       <source>Stopped; nothing was left behind.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Angehalten; nichts blieb zurück.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ausgegeben: %1</translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ausgabe</translation>
     </message>
     <message>
       <source>What</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was</translation>
     </message>
     <message>
       <source>All sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alle Scherben</translation>
     </message>
     <message>
       <source>Those that fit this filter:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die, auf die dieser Filter passt:</translation>
     </message>
     <message>
       <source>Filter of what is exported</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Filter für die Ausgabe</translation>
     </message>
     <message>
       <source>context:0012</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>context:0012</translation>
     </message>
     <message>
       <source>Forms</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Formen</translation>
     </message>
     <message>
       <source>Tables (CSV), for spreadsheets</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabellen (CSV), für Tabellenprogramme</translation>
     </message>
     <message>
       <source>Records (JSON), to be read back whole</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Datensätze (JSON), die sich ganz zurücklesen lassen</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Bild jedes Modells (PNG)</translation>
     </message>
     <message>
       <source>Models as PLY, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelle als PLY, in mm</translation>
     </message>
     <message>
       <source>Models as GLB, for the web and for slides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelle als GLB, für das Netz und für Vorträge</translation>
     </message>
     <message>
       <source>Models as OBJ, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelle als OBJ, in mm</translation>
     </message>
     <message>
       <source>The photographs, unchanged</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Aufnahmen, unverändert</translation>
     </message>
     <message>
       <source>Where</source>
@@ -1297,37 +1496,45 @@
     </message>
     <message>
       <source>New folder for the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neuer Ordner für die Ausgabe</translation>
     </message>
     <message>
       <source>Choose …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen …</translation>
     </message>
     <message>
       <source>Progress of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fortschritt der Ausgabe</translation>
     </message>
     <message>
       <source>Stop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anhalten</translation>
     </message>
     <message>
       <source>Open folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner öffnen</translation>
     </message>
     <message>
       <source>Where shall the folder be?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wo soll der Ordner sein?</translation>
     </message>
     <message>
       <source>Those chosen in the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die im Katalog gewählten</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Die eine im Katalog gewählte</numerusform>
+        <numerusform>Die %n im Katalog gewählten</numerusform>
       </translation>
     </message>
   </context>
@@ -1434,6 +1641,19 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::JoinMode</name>
+    <message>
+      <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Welche Rückseite gehört zu der von %1? Wählen Sie ihre Karte (Pfeile und Eingabe).</translation>
+    </message>
+    <message>
+      <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Welche Vorderseite gehört zu der von %1? Wählen Sie ihre Karte (Pfeile und Eingabe); ein Klick auf das Bild einer Rückseite verbindet die Rückseiten.</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
@@ -1535,31 +1755,38 @@
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ladung</translation>
     </message>
     <message>
       <source>Print map and labels</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan und Etiketten drucken</translation>
     </message>
     <message>
       <source>Print map and labels   Ctrl+P</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan und Etiketten drucken   Strg+P</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1</translation>
     </message>
     <message>
       <source>No batch is computed yet; its map appears here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch keine Ladung ist berechnet; ihr Plan erscheint hier.</translation>
     </message>
     <message>
       <source>Map of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan von %1</translation>
     </message>
     <message>
       <source>%1-%2</source>
-      <translation type="unfinished">%1-%2</translation>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -1568,34 +1795,41 @@
     </message>
     <message>
       <source>Batch %1, %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ladung %1, %2</translation>
     </message>
     <message>
       <source>Map and labels are sent to the printer.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan und Etiketten gehen an den Drucker.</translation>
     </message>
     <message>
       <source>Map</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Teller, vorn und hinten</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite</translation>
     </message>
   </context>
   <context>
@@ -1648,137 +1882,179 @@
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Umrisse übereinandergelegt, und ihre Drehwinkel</translation>
     </message>
     <message>
       <source>The turning angles differ by %1 rad.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Drehwinkel unterscheiden sich um %1 rad.</translation>
     </message>
     <message>
       <source>outlines on each other</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Umrisse übereinander</translation>
     </message>
     <message>
       <source>turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Drehwinkel</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>differ by %1 rad</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unterschied %1 rad</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kleine Bilder der Scherben</translation>
     </message>
     <message>
       <source>%1, %2. %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
     </message>
     <message>
       <source>No back is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Rückseite ist gewählt.</translation>
     </message>
     <message>
       <source>The rims do not meet here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ränder treffen sich hier nicht.</translation>
     </message>
     <message>
       <source>Rims %1 apart, %2 of them meet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ränder %1 auseinander, %2 davon treffen sich.</translation>
     </message>
     <message>
       <source>Turned by hand; B lets the rims settle it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Hand gedreht; B lässt die Ränder einrasten.</translation>
     </message>
     <message>
       <source>Start point %1; B lets the rims settle it.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>No pair is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anfangspunkt %1; B lässt die Ränder einrasten.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen Sie zuerst eine Rückseite.</translation>
     </message>
     <message>
       <source>Enter your initials first: each decision keeps its name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geben Sie zuerst Ihr Kürzel ein: Jede Entscheidung behält ihren Namen.</translation>
     </message>
     <message>
       <source>choice of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wahl von %1</translation>
     </message>
     <message>
       <source>Comparing two sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Seiten werden verglichen</translation>
     </message>
     <message>
       <source>pair %1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paar %1 – %2</translation>
     </message>
     <message>
       <source>setting aside %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beiseitelegen von %1</translation>
     </message>
     <message>
       <source>shooting %1 again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neuaufnahme von %1</translation>
     </message>
     <message>
       <source>One of the two has no back to be joined.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine der beiden hat keine Rückseite, die sich anfügen ließe.</translation>
     </message>
     <message>
       <source>joining %1 and %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verbinden von %1 und %2</translation>
     </message>
     <message>
       <source>cutting %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zerschneiden von %1</translation>
     </message>
     <message>
       <source>start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anfangspunkt</translation>
     </message>
     <message>
       <source>settling by the rims</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einrasten der Ränder</translation>
     </message>
     <message>
       <source>turning by hand</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Drehen von Hand</translation>
     </message>
     <message>
       <source>Closed model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geschlossenes Modell</translation>
     </message>
     <message>
       <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Paar hat noch kein geschlossenes Modell; es entsteht, wenn die Ladung berechnet wird.</translation>
     </message>
     <message>
       <source>Picture of a pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild eines Paars</translation>
     </message>
     <message>
       <source>More candidates</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Weitere Kandidaten</translation>
+    </message>
+    <message>
+      <source>This back lies alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Rückseite liegt allein.</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Paar ist gewählt: Geben Sie diese Rückseite erst einer Vorderseite.</translation>
+    </message>
+    <message>
+      <source>A back alone has no closed model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Rückseite allein hat kein geschlossenes Modell.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aufnahmen beider Seiten</translation>
     </message>
     <message>
       <source>Front %1, back %2</source>
@@ -1787,27 +2063,33 @@
     </message>
     <message>
       <source>The photograph is not there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Aufnahme ist nicht da.</translation>
     </message>
     <message>
       <source>front %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite %1</translation>
     </message>
     <message>
       <source>back %1, mirrored</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite %1, gespiegelt</translation>
     </message>
     <message>
       <source>back %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite %1</translation>
     </message>
     <message>
       <source>Draw a line over the piece where it is to be cut.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ziehen Sie eine Linie über das Stück, wo es zerschnitten werden soll.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
   </context>
   <context>
@@ -1982,95 +2264,113 @@
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paare, die fraglichsten zuerst</translation>
     </message>
     <message>
       <source>This one</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses</translation>
     </message>
     <message>
       <source>Next pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nächstes Paar</translation>
     </message>
     <message>
       <source>Previous pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Voriges Paar</translation>
     </message>
     <message>
       <source>Candidate %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kandidat %1</translation>
     </message>
     <message>
       <source>Start point before</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anfangspunkt davor</translation>
     </message>
     <message>
       <source>Next start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nächster Anfangspunkt</translation>
     </message>
     <message>
       <source>One sample back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Stelle zurück</translation>
     </message>
     <message>
       <source>One sample on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Stelle weiter</translation>
     </message>
     <message>
       <source>Mirror back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Spiegeln</translation>
     </message>
     <message>
       <source>Apart</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Trennen</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schnitt</translation>
     </message>
     <message>
       <source>Measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Messen</translation>
     </message>
     <message>
       <source>Rim gap</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Randabstand</translation>
     </message>
     <message>
       <source>Model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modell</translation>
     </message>
     <message>
       <source>Settle</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einrasten</translation>
     </message>
     <message>
       <source>Let the rims settle the position (B)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ränder die Lage finden lassen (B)</translation>
     </message>
     <message>
       <source>Set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beiseite</translation>
     </message>
     <message>
       <source>Shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neu aufnehmen</translation>
     </message>
     <message>
       <source>Cut</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zerteilen</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Stück zerteilen, das in Wahrheit zwei Scherben ist: eine Linie über sein Bild ziehen (K)</translation>
     </message>
     <message>
       <source>Join</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Join two pieces of one sherd: then choose the other card (J)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verbinden</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -2079,85 +2379,119 @@
     </message>
     <message>
       <source>%1, key %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, Taste %2</translation>
     </message>
     <message>
       <source>This one   Enter</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Which piece belongs to %1? Choose its card.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses   Eingabe</translation>
     </message>
     <message>
       <source>The rims are compared …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ränder werden verglichen …</translation>
     </message>
     <message>
       <source>… and the other end</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>… und das andere Ende</translation>
+    </message>
+    <message>
+      <source>Pairs of the batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paare der Ladung</translation>
+    </message>
+    <message>
+      <source>Join nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nichts verbinden</translation>
+    </message>
+    <message>
+      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Stücke einer Scherbe verbinden: danach die andere Karte wählen (J Vorderseiten, Umschalt+J Rückseiten)</translation>
+    </message>
+    <message>
+      <source>Join backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseiten verbinden</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ladung</translation>
     </message>
     <message>
       <source>Your &amp;initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihr &amp;Kürzel</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihr Kürzel</translation>
     </message>
     <message>
       <source>Compute what changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geändertes berechnen</translation>
     </message>
     <message>
       <source>Makes the models of the pairs that were decided anew</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Macht die Modelle der neu entschiedenen Paare</translation>
     </message>
     <message>
       <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch keine Ladung ist berechnet. Nehmen Sie eine auf oder lesen Sie eine ein; ihre Paare erscheinen hier.</translation>
     </message>
     <message>
       <source>Opening %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird geöffnet</translation>
     </message>
     <message>
       <source>%1 waits to be computed; only what changed is done again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wartet auf die Berechnung; nur was sich geändert hat, wird neu gemacht.</translation>
     </message>
     <message>
       <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Die Paare der neuen Stücke kommen, wenn berechnet ist.</translation>
     </message>
     <message>
       <source>Taken back. Both are kept in the history.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zurückgenommen. Beides bleibt in der Geschichte.</translation>
     </message>
     <message>
       <source>Saved, with your name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert, mit Ihrem Namen.</translation>
     </message>
     <message>
       <source>No pair needs your eye</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Paar braucht Ihr Auge</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) need your eye</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Ein Paar braucht Ihr Auge</numerusform>
+        <numerusform>%n Paare brauchen Ihr Auge</numerusform>
       </translation>
     </message>
     <message>
       <source>Review</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durchsicht</translation>
     </message>
   </context>
   <context>
@@ -2330,103 +2664,128 @@
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fehlt</translation>
     </message>
     <message>
       <source>changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>verändert</translation>
     </message>
     <message>
       <source>present</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>vorhanden</translation>
     </message>
     <message>
       <source>Details of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einzelheiten der Scherbe</translation>
     </message>
     <message>
       <source>Picture of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild der Scherbe</translation>
     </message>
     <message>
       <source>Number of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummer der Scherbe</translation>
     </message>
     <message>
       <source>Picture of the sherd in the way</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild der Scherbe, die im Weg ist</translation>
     </message>
     <message>
       <source>measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maß</translation>
     </message>
     <message>
       <source>value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wert</translation>
     </message>
     <message>
       <source>from</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Herkunft</translation>
     </message>
     <message>
       <source>Measurements</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maße</translation>
     </message>
     <message>
       <source>when</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wann</translation>
     </message>
     <message>
       <source>who</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wer</translation>
     </message>
     <message>
       <source>what</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>was</translation>
     </message>
     <message>
       <source>History</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geschichte</translation>
     </message>
     <message>
       <source>file</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Datei</translation>
     </message>
     <message>
       <source>kind</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Art</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zustand</translation>
     </message>
     <message>
       <source>Files</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dateien</translation>
     </message>
     <message>
       <source>Measured</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gemessen</translation>
     </message>
     <message>
       <source>Context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Befund</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Befund</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>noch keine Nummer</translation>
     </message>
     <message>
       <source>Give the number %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummer %1 geben</translation>
     </message>
     <message>
       <source>added</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hinzugefügt</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2435,32 +2794,38 @@
     </message>
     <message>
       <source>%1: %2 → %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 → %3</translation>
     </message>
     <message>
       <source>nothing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nichts</translation>
     </message>
     <message>
       <source>program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Programm</translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen Sie eine Scherbe.</translation>
     </message>
     <message>
       <source>%1 It is %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Es ist %2.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe nummerieren</numerusform>
+        <numerusform>%n Scherben nummerieren</numerusform>
       </translation>
     </message>
   </context>
@@ -2468,7 +2833,8 @@
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild einer Scherbe</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2477,22 +2843,26 @@
     </message>
     <message>
       <source>not recorded</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nicht erfasst</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>noch keine Nummer</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe, räumlich</translation>
     </message>
     <message>
       <source>This screen has no OpenGL 3.2, so the sherd cannot be shown in three dimensions. Everything else works; photographs and outlines are beside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Bildschirm hat kein OpenGL 3.2; die Scherbe lässt sich nicht räumlich zeigen. Alles andere geht; Aufnahmen und Umrisse stehen daneben.</translation>
     </message>
   </context>
   <context>
@@ -2635,27 +3005,33 @@
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>front: blue rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite: blauer Rand</translation>
     </message>
     <message>
       <source>back: red rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite: roter Rand</translation>
     </message>
     <message>
       <source>%1 mm and more</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm und mehr</translation>
     </message>
     <message>
       <source>0 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>0 mm</translation>
     </message>
     <message>
       <source>gap between the sides along the rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abstand der Seiten am Rand entlang</translation>
     </message>
   </context>
 </TS>

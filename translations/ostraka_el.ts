@@ -5,166 +5,206 @@
     <name>Fields</name>
     <message>
       <source>number</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αριθμός</translation>
     </message>
     <message>
       <source>identifier</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ταυτότητα</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κατάσταση</translation>
     </message>
     <message>
       <source>void because</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άκυρο επειδή</translation>
     </message>
     <message>
       <source>site</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>θέση</translation>
     </message>
     <message>
       <source>trench</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τομή</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πλαίσιο</translation>
     </message>
     <message>
       <source>bag</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σακούλα</translation>
     </message>
     <message>
       <source>part</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μέρος</translation>
     </message>
     <message>
       <source>ware</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κεραμική κατηγορία</translation>
     </message>
     <message>
       <source>fabric</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πηλός</translation>
     </message>
     <message>
       <source>inclusions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προσμίξεις</translation>
     </message>
     <message>
       <source>manufacture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κατασκευή</translation>
     </message>
     <message>
       <source>firing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όπτηση</translation>
     </message>
     <message>
       <source>surface outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εξωτερική επιφάνεια</translation>
     </message>
     <message>
       <source>surface inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εσωτερική επιφάνεια</translation>
     </message>
     <message>
       <source>decoration</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διακόσμηση</translation>
     </message>
     <message>
       <source>Munsell outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell έξω</translation>
     </message>
     <message>
       <source>Munsell inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell μέσα</translation>
     </message>
     <message>
       <source>Munsell core</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell πυρήνας</translation>
     </message>
     <message>
       <source>condition</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διατήρηση</translation>
     </message>
     <message>
       <source>joins with</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>συνανήκει με</translation>
     </message>
     <message>
       <source>vessel</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αγγείο</translation>
     </message>
     <message>
       <source>period</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>περίοδος</translation>
     </message>
     <message>
       <source>date</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χρονολόγηση</translation>
     </message>
     <message>
       <source>length, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μήκος, mm</translation>
     </message>
     <message>
       <source>width, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πλάτος, mm</translation>
     </message>
     <message>
       <source>thickness least, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάχος ελάχιστο, mm</translation>
     </message>
     <message>
       <source>thickness, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάχος, mm</translation>
     </message>
     <message>
       <source>thickness most, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάχος μέγιστο, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εμβαδόν, mm²</translation>
     </message>
     <message>
       <source>volume, mm³</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όγκος, mm³</translation>
     </message>
     <message>
       <source>not seen, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αθέατο, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διάμετρος χείλους, mm</translation>
     </message>
     <message>
       <source>rim kept, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σωζόμενο χείλος, %</translation>
     </message>
     <message>
       <source>weight, g</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>βάρος, g</translation>
     </message>
     <message>
       <source>batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>παρτίδα</translation>
     </message>
     <message>
       <source>note</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σημείωση</translation>
     </message>
   </context>
   <context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μνήμη δεν φτάνει· κλείστε άλλα προγράμματα και δοκιμάστε ξανά.</translation>
     </message>
     <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι σφάλμα του προγράμματος· αναφέρετέ το μαζί με το ημερολόγιο (%1).</translation>
     </message>
   </context>
   <context>
@@ -297,103 +337,128 @@
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αριθμημένο</translation>
     </message>
     <message>
       <source>void</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άκυρο</translation>
     </message>
     <message>
       <source>draft</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πρόχειρο</translation>
     </message>
     <message>
       <source>on a scale</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>με ζυγαριά</translation>
     </message>
     <message>
       <source>with a calliper</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>με παχύμετρο</translation>
     </message>
     <message>
       <source>estimated</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κατ’ εκτίμηση</translation>
     </message>
     <message>
       <source>by the program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>από το πρόγραμμα</translation>
     </message>
     <message>
       <source>aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στην άκρη</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ξανά</translation>
     </message>
     <message>
       <source>%1 or %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ή %2</translation>
     </message>
     <message>
       <source>The photograph is not there any more.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η φωτογραφία δεν υπάρχει πια.</translation>
     </message>
     <message>
       <source>The printer or file cannot be written; choose another.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν γίνεται εγγραφή στον εκτυπωτή ή στο αρχείο· επιλέξτε άλλο.</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μπροστινή όψη</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πίσω όψη</translation>
     </message>
     <message>
       <source>The printer took no further page.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο εκτυπωτής δεν δέχτηκε άλλη σελίδα.</translation>
     </message>
     <message>
       <source>The printer or file could not be finished; is the disk full?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εκτύπωση ή το αρχείο δεν ολοκληρώθηκε· μήπως γέμισε ο δίσκος;</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 και το %2 ταιριάζουν και τα δύο στο %3: οι ακμές τους διαφέρουν μόνο κατά %4.</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 και το %2 ταιριάζουν και τα δύο στο %3.</translation>
     </message>
     <message>
       <source>%1 would fit %2 nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 θα ταίριαζε σχεδόν εξίσου καλά στο %2.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο ταίρι ταιριάζει σχεδόν εξίσου καλά.</translation>
     </message>
     <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη του δόθηκε σε άλλη μπροστινή: είναι τώρα το %1 το σωστό;</translation>
     </message>
     <message>
       <source>%1 fits hardly better than a stranger's back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 μόλις που ταιριάζει καλύτερα από την πίσω όψη ενός ξένου οστράκου.</translation>
     </message>
     <message>
       <source>The two sides fit nearly as well in another position.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δύο όψεις ταιριάζουν σχεδόν εξίσου καλά σε άλλη θέση.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάτω από 1 %</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -402,79 +467,123 @@
     </message>
     <message>
       <source>The back lies upside down: both sides face the same way.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη είναι ανάποδα: και οι δύο όψεις κοιτούν προς την ίδια πλευρά.</translation>
     </message>
     <message>
       <source>The faces cross: %1 of the front lies behind the back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι όψεις διασταυρώνονται: το %1 της μπροστινής βρίσκεται πίσω από την πίσω όψη.</translation>
     </message>
     <message>
       <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δύο σαρώσεις δεν έχουν σχεδόν καμία κοινή θραύση· μόνο τα περιγράμματα τις συνδέουν.</translation>
     </message>
     <message>
       <source>The broken edges do not fit: %1 apart.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι θραύσεις δεν ταιριάζουν: απόσταση %1.</translation>
     </message>
     <message>
       <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ακμή μόλις που ορίζει τη θέση: αβεβαιότητα %1.</translation>
     </message>
     <message>
       <source>A place %1 along the rim fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια θέση %1 πιο πέρα στην ακμή ταιριάζει σχεδόν εξίσου καλά.</translation>
     </message>
     <message>
       <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές δεν συγκρίνονται· μόνο τα περιγράμματα συνδέουν αυτές τις όψεις.</translation>
     </message>
     <message>
       <source>look</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>δείτε το</translation>
     </message>
     <message>
       <source>no back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς πίσω όψη</translation>
     </message>
     <message>
       <source>sure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>βέβαιο</translation>
     </message>
     <message>
       <source>decided</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αποφασισμένο</translation>
     </message>
     <message>
       <source>set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στην άκρη</translation>
     </message>
     <message>
       <source>shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>νέα λήψη</translation>
     </message>
     <message>
       <source>%1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 – %2</translation>
     </message>
     <message>
       <source>No back was found for it. Choose one, or set it aside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν βρέθηκε πίσω όψη. Επιλέξτε μία, ή βάλτε το στην άκρη.</translation>
     </message>
     <message>
       <source>The program is sure: %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα είναι βέβαιο: %1.</translation>
     </message>
     <message>
       <source>Decided by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποφασίστηκε από %1 στις %2.</translation>
     </message>
     <message>
       <source>Set aside by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπήκε στην άκρη από %1 στις %2.</translation>
     </message>
     <message>
       <source>To be shot again, says %1, %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Θέλει νέα λήψη, λέει ο/η %1, %2.</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σακούλα %1</translation>
+    </message>
+    <message>
+      <source>no front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς μπροστινή όψη</translation>
+    </message>
+    <message>
+      <source>This back is set aside. Drag it onto a front to use it after all.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η πίσω όψη είναι στην άκρη. Σύρετέ τη σε μια μπροστινή για να χρησιμοποιηθεί τελικά.</translation>
+    </message>
+    <message>
+      <source>This back is to be shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η πίσω όψη θέλει νέα λήψη.</translation>
+    </message>
+    <message>
+      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία μπροστινή όψη δεν έχει αυτή την πίσω. Σύρετέ τη στη μπροστινή της, ενώστε τη με άλλη, ή βάλτε τη στην άκρη.</translation>
     </message>
   </context>
   <context>
@@ -489,28 +598,24 @@
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή του %1</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
-      <source>%n sherd(s): sure %1, ask %2</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο, βέβαιο</numerusform>
+        <numerusform>%n όστρακα, όλα βέβαια</numerusform>
       </translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1· ένωση στα %2 mm</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -519,41 +624,49 @@
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδα %1</translation>
     </message>
     <message>
       <source>Warning: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Προσοχή: %1</translation>
     </message>
     <message numerus="yes">
       <source>%1 is computed: %n sherd(s).</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Η %1 υπολογίστηκε: %n όστρακο.</numerusform>
+        <numerusform>Η %1 υπολογίστηκε: %n όστρακα.</numerusform>
       </translation>
     </message>
     <message>
       <source>You stopped it. What was computed so far is kept.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τη σταματήσατε. Ό,τι υπολογίστηκε ως τώρα κρατιέται.</translation>
     </message>
     <message>
       <source>You took it out of the queue.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τη βγάλατε από την ουρά.</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ξανά</translation>
     </message>
     <message numerus="yes">
       <source>Paused; %n batch(es) wait.</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Σε παύση· περιμένει %n παρτίδα.</numerusform>
+        <numerusform>Σε παύση· περιμένουν %n παρτίδες.</numerusform>
       </translation>
     </message>
     <message>
       <source>%1: paused</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: σε παύση</translation>
     </message>
     <message>
       <source>%1: %2, %3 %</source>
@@ -595,92 +708,139 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>έτοιμη</translation>
     </message>
+    <message>
+      <source>decided; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αποφασισμένη· μένει ο υπολογισμός</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο</numerusform>
+        <numerusform>%n όστρακα</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>sure %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>βέβαια %1</translation>
+    </message>
+    <message>
+      <source>decided %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αποφασισμένα %1</translation>
+    </message>
+    <message>
+      <source>ask %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αμφίβολα %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πλήκτρο: %1</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πεδίο που αλλάζει</translation>
     </message>
     <message>
       <source>New value for all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέα τιμή για όλα</translation>
     </message>
     <message>
       <source>new value; empty deletes</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>νέα τιμή· το κενό διαγράφει</translation>
     </message>
     <message>
       <source>sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όστρακο</translation>
     </message>
     <message>
       <source>now</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τώρα</translation>
     </message>
     <message>
       <source>then</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μετά</translation>
     </message>
     <message>
       <source>What would change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τι θα άλλαζε</translation>
     </message>
     <message>
       <source>Change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αλλαγή</translation>
     </message>
     <message>
       <source>Give numbers to the drafts</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρίθμηση των πρόχειρων</translation>
     </message>
     <message>
       <source>Field</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πεδίο</translation>
     </message>
     <message>
       <source>Value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τιμή</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) chosen</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο επιλέχθηκε</numerusform>
+        <numerusform>%n όστρακα επιλέχθηκαν</numerusform>
       </translation>
     </message>
     <message>
       <source>Type a value to see what would change.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Γράψτε μια τιμή για να δείτε τι θα άλλαζε.</translation>
     </message>
     <message>
       <source>Preview of a change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Προεπισκόπηση αλλαγής</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς αριθμό ακόμη</translation>
     </message>
     <message>
       <source>refused: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>απορρίφθηκε: %1</translation>
     </message>
     <message>
       <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αλλάζουν %1, μένουν ως έχουν %2, απορρίπτονται %3.</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Αλλαγή %n οστράκου</numerusform>
+        <numerusform>Αλλαγή %n οστράκων</numerusform>
       </translation>
     </message>
   </context>
@@ -688,36 +848,45 @@
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλη πίσω όψη …</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάτω από 1 %</translation>
     </message>
     <message>
       <source>rim %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ακμή %1</translation>
     </message>
     <message>
       <source>no rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς ακμή</translation>
     </message>
     <message>
       <source>%1, now with %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, τώρα με το %2</translation>
     </message>
     <message>
       <source>%1   %2   %3
 %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1   %2   %3
+%4</translation>
     </message>
     <message>
       <source>Candidate %1: %2, %3, %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υποψήφιο %1: %2, %3, %4</translation>
     </message>
     <message>
       <source>%1, nobody's</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, ελεύθερο</translation>
     </message>
   </context>
   <context>
@@ -1060,129 +1229,156 @@
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>αλλαγή: %1, %n όστρακο</numerusform>
+        <numerusform>αλλαγή: %1, %n όστρακα</numerusform>
       </translation>
     </message>
     <message>
       <source>Catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κατάλογος</translation>
     </message>
     <message>
       <source>Filter of the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φίλτρο του καταλόγου</translation>
     </message>
     <message>
       <source>rim T3 thickness&gt;6</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις αναζητούνται παντού· ισχύουν και τα ware:grey, thickness&gt;6, -burnt, note:*.</translation>
     </message>
     <message>
       <source>Export these</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εξαγωγή αυτών</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αρχικά σας</translation>
     </message>
     <message>
       <source>Who is working? Your initials go into the history:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ποιος εργάζεται; Τα αρχικά σας μπαίνουν στο ιστορικό:</translation>
     </message>
     <message>
       <source>Sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα</translation>
     </message>
     <message>
       <source>Search</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναζήτηση</translation>
     </message>
     <message>
       <source>Edit</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επεξεργασία</translation>
     </message>
     <message>
       <source>Give numbers</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρίθμηση</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αφαίρεση του όρου %1</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο</numerusform>
+        <numerusform>%n όστρακα</numerusform>
       </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχουν ακόμη όστρακα. Έρχονται μόνα τους όταν υπολογιστεί μια παρτίδα· αρχίστε από τη Λήψη.</translation>
     </message>
     <message>
       <source>No sherd fits. Take a condition away.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα όστρακο δεν ταιριάζει. Αφαιρέστε έναν όρο.</translation>
     </message>
     <message>
       <source>change %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αλλαγή: %1</translation>
     </message>
     <message>
       <source>move to another context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μεταφορά σε άλλο πλαίσιο</translation>
     </message>
     <message>
       <source>The sherds that are chosen have their numbers.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα επιλεγμένα όστρακα έχουν τους αριθμούς τους.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μέγεθος της εξαγωγής</translation>
     </message>
     <message>
       <source>Counting …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μέτρηση …</translation>
     </message>
     <message>
       <source>No sherd fits; choose others.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα όστρακο δεν ταιριάζει· επιλέξτε άλλα.</translation>
     </message>
     <message>
       <source>less than a minute</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>λιγότερο από ένα λεπτό</translation>
     </message>
     <message numerus="yes">
       <source>about %n minute(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>περίπου %n λεπτό</numerusform>
+        <numerusform>περίπου %n λεπτά</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1 files, %2, %3</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο, %1 αρχεία, %2, %3</numerusform>
+        <numerusform>%n όστρακα, %1 αρχεία, %2, %3</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n of them without a model</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n από αυτά χωρίς μοντέλο</numerusform>
+        <numerusform>%n από αυτά χωρίς μοντέλο</numerusform>
       </translation>
     </message>
     <message>
       <source>There is a folder of this name already; choose another name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -1191,126 +1387,154 @@
     </message>
     <message numerus="yes">
       <source>%1, %n second(s) left</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1, μένει %n δευτερόλεπτο</numerusform>
+        <numerusform>%1, μένουν %n δευτερόλεπτα</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο, %1, ο κατάλογος αρχείων ελέγχθηκε</numerusform>
+        <numerusform>%n όστρακα, %1, ο κατάλογος αρχείων ελέγχθηκε</numerusform>
       </translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εξαγωγή</translation>
     </message>
     <message>
       <source>Stopped; nothing was left behind.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε· δεν έμεινε τίποτα πίσω.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εξαγωγή έγινε: %1</translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εξαγωγή</translation>
     </message>
     <message>
       <source>What</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τι</translation>
     </message>
     <message>
       <source>All sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλα τα όστρακα</translation>
     </message>
     <message>
       <source>Those that fit this filter:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όσα ταιριάζουν σε αυτό το φίλτρο:</translation>
     </message>
     <message>
       <source>Filter of what is exported</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φίλτρο της εξαγωγής</translation>
     </message>
     <message>
       <source>context:0012</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>context:0012</translation>
     </message>
     <message>
       <source>Forms</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μορφές</translation>
     </message>
     <message>
       <source>Tables (CSV), for spreadsheets</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίνακες (CSV), για λογιστικά φύλλα</translation>
     </message>
     <message>
       <source>Records (JSON), to be read back whole</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εγγραφές (JSON), που διαβάζονται πάλι ολόκληρες</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια εικόνα κάθε μοντέλου (PNG)</translation>
     </message>
     <message>
       <source>Models as PLY, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μοντέλα ως PLY, σε mm</translation>
     </message>
     <message>
       <source>Models as GLB, for the web and for slides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μοντέλα ως GLB, για τον ιστό και παρουσιάσεις</translation>
     </message>
     <message>
       <source>Models as OBJ, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μοντέλα ως OBJ, σε mm</translation>
     </message>
     <message>
       <source>The photographs, unchanged</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες, αμετάβλητες</translation>
     </message>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πού</translation>
     </message>
     <message>
       <source>New folder for the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέος φάκελος για την εξαγωγή</translation>
     </message>
     <message>
       <source>Choose …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή …</translation>
     </message>
     <message>
       <source>Progress of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόοδος της εξαγωγής</translation>
     </message>
     <message>
       <source>Stop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή</translation>
     </message>
     <message>
       <source>Open folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άνοιγμα φακέλου</translation>
     </message>
     <message>
       <source>Where shall the folder be?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πού να είναι ο φάκελος;</translation>
     </message>
     <message>
       <source>Those chosen in the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα επιλεγμένα στον κατάλογο</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Το επιλεγμένο στον κατάλογο</numerusform>
+        <numerusform>Τα %n επιλεγμένα στον κατάλογο</numerusform>
       </translation>
     </message>
   </context>
@@ -1318,15 +1542,18 @@
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τι κάνει ο υπολογιστής</translation>
     </message>
     <message>
       <source>What was done</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τι έγινε</translation>
     </message>
     <message>
       <source>Progress of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόοδος του υπολογισμού</translation>
     </message>
     <message>
       <source>Nothing to compute</source>
@@ -1338,15 +1565,18 @@
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πού</translation>
     </message>
     <message>
       <source>Rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διάταξη</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χώρος στον δίσκο</translation>
     </message>
     <message>
       <source>Rig: %1</source>
@@ -1366,19 +1596,23 @@
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εγχειρίδιο</translation>
     </message>
     <message>
       <source>&amp;Contents</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Περιεχόμενα</translation>
     </message>
     <message>
       <source>All &amp;keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλα τα π&amp;λήκτρα</translation>
     </message>
     <message>
       <source>&amp;About</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Σχετικά</translation>
     </message>
     <message>
       <source>Back to work (Esc)</source>
@@ -1387,19 +1621,36 @@
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλα τα πλήκτρα</translation>
     </message>
     <message>
       <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πλήρη, μετρημένα τρισδιάστατα μοντέλα οστράκων από φωτογραφίες και των δύο όψεών τους.</translation>
     </message>
     <message>
       <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άδεια Apache 2.0. Χρησιμοποιεί μεταξύ άλλων Qt (LGPL 3), VTK και OpenCV· το αρχείο LICENSE και το README τα αναφέρουν όλα.</translation>
     </message>
     <message>
       <source>Nothing leaves this computer: there is no network in it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: δεν έχει δίκτυο μέσα.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::JoinMode</name>
+    <message>
+      <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ποια πίσω όψη ανήκει σε εκείνη του %1; Επιλέξτε την κάρτα της (βέλη και Enter).</translation>
+    </message>
+    <message>
+      <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ποια μπροστινή όψη ανήκει σε εκείνη του %1; Επιλέξτε την κάρτα της (βέλη και Enter)· ένα κλικ στην εικόνα μιας πίσω όψης ενώνει τις πίσω.</translation>
     </message>
   </context>
   <context>
@@ -1411,11 +1662,13 @@
     </message>
     <message>
       <source>%1 is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 υπολογίστηκε.</translation>
     </message>
     <message>
       <source>%1 stopped: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 σταμάτησε: %2</translation>
     </message>
     <message>
       <source>Undo</source>
@@ -1429,15 +1682,18 @@
     </message>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εγχειρίδιο</translation>
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλα τα πλήκτρα</translation>
     </message>
     <message>
       <source>Other projects</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλα έργα</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -1456,11 +1712,13 @@
     </message>
     <message>
       <source>Back to work</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίσω στη δουλειά</translation>
     </message>
     <message>
       <source>This project is open in another window already: go on there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το έργο είναι ήδη ανοιχτό σε άλλο παράθυρο: συνεχίστε εκεί.</translation>
     </message>
     <message>
       <source>%1 - Ostraka</source>
@@ -1469,89 +1727,109 @@
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικονική διάταξη</translation>
     </message>
     <message>
       <source>Virtual rig %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικονική διάταξη %1</translation>
     </message>
     <message>
       <source>Everywhere</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παντού</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χώρος στον δίσκο</translation>
     </message>
     <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο υπολογισμός σταματά· συνεχίζει όταν ανοίξει ξανά το έργο. Το παράθυρο κλείνει σε λίγο.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδα</translation>
     </message>
     <message>
       <source>Print map and labels</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση χάρτη και ετικετών</translation>
     </message>
     <message>
       <source>Print map and labels   Ctrl+P</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση χάρτη και ετικετών   Ctrl+P</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακο %1</translation>
     </message>
     <message>
       <source>No batch is computed yet; its map appears here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπολογίστηκε ακόμη παρτίδα· ο χάρτης της εμφανίζεται εδώ.</translation>
     </message>
     <message>
       <source>Map of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χάρτης της %1</translation>
     </message>
     <message>
       <source>%1-%2</source>
-      <translation type="unfinished">%1-%2</translation>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδα %1</translation>
     </message>
     <message>
       <source>Batch %1, %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδα %1, %2</translation>
     </message>
     <message>
       <source>Map and labels are sent to the printer.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο χάρτης και οι ετικέτες στέλνονται στον εκτυπωτή.</translation>
     </message>
     <message>
       <source>Map</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χάρτης</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δίσκος, μπροστά και πίσω</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακο %1</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μπροστινή όψη</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πίσω όψη</translation>
     </message>
   </context>
   <context>
@@ -1576,160 +1854,207 @@
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κωδικός της θέσης έχει δύο έως οκτώ κεφαλαία και ψηφία, όπως ARM1.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλέξτε φάκελο για το έργο.</translation>
     </message>
     <message>
       <source>There is a project in this folder already: open it, or choose another folder.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη έργο σε αυτόν τον φάκελο: ανοίξτε το, ή επιλέξτε άλλον.</translation>
     </message>
     <message>
       <source>This folder holds other files: choose a new one.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος έχει άλλα αρχεία: επιλέξτε νέο.</translation>
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικονική διάταξη</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Περιγράμματα το ένα πάνω στο άλλο, και οι γωνίες στροφής τους</translation>
     </message>
     <message>
       <source>The turning angles differ by %1 rad.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι γωνίες στροφής διαφέρουν κατά %1 rad.</translation>
     </message>
     <message>
       <source>outlines on each other</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>περιγράμματα μαζί</translation>
     </message>
     <message>
       <source>turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γωνίες στροφής</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>differ by %1 rad</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διαφορά %1 rad</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μικρές εικόνες των οστράκων</translation>
     </message>
     <message>
       <source>%1, %2. %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
     </message>
     <message>
       <source>No back is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν επιλέχθηκε πίσω όψη.</translation>
     </message>
     <message>
       <source>The rims do not meet here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές δεν συναντιούνται εδώ.</translation>
     </message>
     <message>
       <source>Rims %1 apart, %2 of them meet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ακμές σε απόσταση %1, συναντιέται το %2.</translation>
     </message>
     <message>
       <source>Turned by hand; B lets the rims settle it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στράφηκε με το χέρι· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
     </message>
     <message>
       <source>Start point %1; B lets the rims settle it.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>No pair is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρχικό σημείο %1· το B αφήνει τις ακμές να το ρυθμίσουν.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλέξτε πρώτα πίσω όψη.</translation>
     </message>
     <message>
       <source>Enter your initials first: each decision keeps its name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Γράψτε πρώτα τα αρχικά σας: κάθε απόφαση κρατά το όνομά της.</translation>
     </message>
     <message>
       <source>choice of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>επιλογή του %1</translation>
     </message>
     <message>
       <source>Comparing two sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύγκριση δύο όψεων</translation>
     </message>
     <message>
       <source>pair %1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ζεύγος %1 – %2</translation>
     </message>
     <message>
       <source>setting aside %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το %1 στην άκρη</translation>
     </message>
     <message>
       <source>shooting %1 again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>νέα λήψη του %1</translation>
     </message>
     <message>
       <source>One of the two has no back to be joined.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το ένα από τα δύο δεν έχει πίσω όψη για ένωση.</translation>
     </message>
     <message>
       <source>joining %1 and %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ένωση των %1 και %2</translation>
     </message>
     <message>
       <source>cutting %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κόψιμο του %1</translation>
     </message>
     <message>
       <source>start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχικό σημείο</translation>
     </message>
     <message>
       <source>settling by the rims</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ρύθμιση από τις ακμές</translation>
     </message>
     <message>
       <source>turning by hand</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στροφή με το χέρι</translation>
     </message>
     <message>
       <source>Closed model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλειστό μοντέλο</translation>
     </message>
     <message>
       <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το ζεύγος δεν έχει ακόμη κλειστό μοντέλο· γίνεται όταν υπολογιστεί η παρτίδα.</translation>
     </message>
     <message>
       <source>Picture of a pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα ενός ζεύγους</translation>
     </message>
     <message>
       <source>More candidates</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Περισσότερα υποψήφια</translation>
+    </message>
+    <message>
+      <source>This back lies alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η πίσω όψη είναι μόνη.</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν επιλέχθηκε ζεύγος: δώστε πρώτα αυτή την πίσω όψη σε μια μπροστινή.</translation>
+    </message>
+    <message>
+      <source>A back alone has no closed model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια πίσω όψη μόνη δεν έχει κλειστό μοντέλο.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες και των δύο όψεων</translation>
     </message>
     <message>
       <source>Front %1, back %2</source>
@@ -1738,27 +2063,33 @@
     </message>
     <message>
       <source>The photograph is not there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η φωτογραφία λείπει.</translation>
     </message>
     <message>
       <source>front %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μπροστά %1</translation>
     </message>
     <message>
       <source>back %1, mirrored</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πίσω %1, κατοπτρικά</translation>
     </message>
     <message>
       <source>back %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πίσω %1</translation>
     </message>
     <message>
       <source>Draw a line over the piece where it is to be cut.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τραβήξτε μια γραμμή πάνω στο κομμάτι εκεί που θα κοπεί.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
   </context>
   <context>
@@ -1819,19 +2150,23 @@
     </message>
     <message>
       <source>Compute again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέος υπολογισμός</translation>
     </message>
     <message>
       <source>Stop this batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή αυτής της παρτίδας</translation>
     </message>
     <message>
       <source>Report</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναφορά</translation>
     </message>
     <message>
       <source>Review it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Έλεγχός της</translation>
     </message>
     <message>
       <source>Log</source>
@@ -1840,23 +2175,28 @@
     </message>
     <message>
       <source>Batches</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδες</translation>
     </message>
     <message>
       <source>Log of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ημερολόγιο υπολογισμού</translation>
     </message>
     <message>
       <source>No batch yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία παρτίδα ακόμη</translation>
     </message>
     <message>
       <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό,τι φωτογραφίζετε ή εισάγετε υπολογίζεται εδώ, η μία παρτίδα μετά την άλλη, ενώ συνεχίζετε.</translation>
     </message>
     <message>
       <source>Photograph the first batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογράφιση της πρώτης παρτίδας</translation>
     </message>
     <message>
       <source>Queue</source>
@@ -1865,9 +2205,10 @@
     </message>
     <message numerus="yes">
       <source>%n batch(es) stopped and need you</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n παρτίδα σταμάτησε και σας χρειάζεται</numerusform>
+        <numerusform>%n παρτίδες σταμάτησαν και σας χρειάζονται</numerusform>
       </translation>
     </message>
     <message>
@@ -1877,30 +2218,36 @@
     </message>
     <message>
       <source>%1 has no report yet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 δεν έχει ακόμη αναφορά.</translation>
     </message>
     <message>
       <source>Stop %1?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή της %1;</translation>
     </message>
     <message>
       <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπολογίζεται πάνω από μία ώρα. Τα ολοκληρωμένα στάδια κρατιούνται, το τωρινό χάνεται.</translation>
     </message>
     <message>
       <source>Stop it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή</translation>
     </message>
     <message>
       <source>Let it go on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Να συνεχίσει</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταθμοί</translation>
     </message>
     <message>
       <source>%1  %2</source>
@@ -1917,95 +2264,113 @@
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ζεύγη, τα πιο αμφίβολα πρώτα</translation>
     </message>
     <message>
       <source>This one</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό</translation>
     </message>
     <message>
       <source>Next pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επόμενο ζεύγος</translation>
     </message>
     <message>
       <source>Previous pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Προηγούμενο ζεύγος</translation>
     </message>
     <message>
       <source>Candidate %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υποψήφιο %1</translation>
     </message>
     <message>
       <source>Start point before</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Προηγούμενο αρχικό σημείο</translation>
     </message>
     <message>
       <source>Next start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επόμενο αρχικό σημείο</translation>
     </message>
     <message>
       <source>One sample back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα δείγμα πίσω</translation>
     </message>
     <message>
       <source>One sample on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα δείγμα μπροστά</translation>
     </message>
     <message>
       <source>Mirror back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κατοπτρικά</translation>
     </message>
     <message>
       <source>Apart</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωριστά</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τομή</translation>
     </message>
     <message>
       <source>Measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μέτρηση</translation>
     </message>
     <message>
       <source>Rim gap</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κενό ακμής</translation>
     </message>
     <message>
       <source>Model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μοντέλο</translation>
     </message>
     <message>
       <source>Settle</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρύθμιση</translation>
     </message>
     <message>
       <source>Let the rims settle the position (B)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές ρυθμίζουν τη θέση (B)</translation>
     </message>
     <message>
       <source>Set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στην άκρη</translation>
     </message>
     <message>
       <source>Shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέα λήψη</translation>
     </message>
     <message>
       <source>Cut</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κόψιμο</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κόψιμο ενός κομματιού που στην πραγματικότητα είναι δύο όστρακα: τραβήξτε γραμμή στην εικόνα του (K)</translation>
     </message>
     <message>
       <source>Join</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Join two pieces of one sherd: then choose the other card (J)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένωση</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -2014,85 +2379,119 @@
     </message>
     <message>
       <source>%1, key %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, πλήκτρο %2</translation>
     </message>
     <message>
       <source>This one   Enter</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Which piece belongs to %1? Choose its card.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό   Enter</translation>
     </message>
     <message>
       <source>The rims are compared …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύγκριση των ακμών …</translation>
     </message>
     <message>
       <source>… and the other end</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>… και το άλλο άκρο</translation>
+    </message>
+    <message>
+      <source>Pairs of the batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ζεύγη της παρτίδας</translation>
+    </message>
+    <message>
+      <source>Join nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία ένωση</translation>
+    </message>
+    <message>
+      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένωση δύο κομματιών ενός οστράκου: μετά επιλέξτε την άλλη κάρτα (J μπροστινές, Shift+J πίσω)</translation>
+    </message>
+    <message>
+      <source>Join backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένωση πίσω όψεων</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδα</translation>
     </message>
     <message>
       <source>Your &amp;initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα &amp;αρχικά σας</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αρχικά σας</translation>
     </message>
     <message>
       <source>Compute what changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπολογισμός των αλλαγών</translation>
     </message>
     <message>
       <source>Makes the models of the pairs that were decided anew</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φτιάχνει τα μοντέλα των ζευγών που αποφασίστηκαν ξανά</translation>
     </message>
     <message>
       <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπολογίστηκε ακόμη παρτίδα. Φωτογραφίστε ή εισαγάγετε μία· τα ζεύγη της εμφανίζονται εδώ.</translation>
     </message>
     <message>
       <source>Opening %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άνοιγμα της %1</translation>
     </message>
     <message>
       <source>%1 waits to be computed; only what changed is done again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 περιμένει υπολογισμό· ξαναγίνεται μόνο ό,τι άλλαξε.</translation>
     </message>
     <message>
       <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Τα ζεύγη των νέων κομματιών έρχονται με τον υπολογισμό.</translation>
     </message>
     <message>
       <source>Taken back. Both are kept in the history.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ανακλήθηκε. Και τα δύο μένουν στο ιστορικό.</translation>
     </message>
     <message>
       <source>Saved, with your name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε, με το όνομά σας.</translation>
     </message>
     <message>
       <source>No pair needs your eye</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα ζεύγος δεν χρειάζεται τη ματιά σας</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) need your eye</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n ζεύγος χρειάζεται τη ματιά σας</numerusform>
+        <numerusform>%n ζεύγη χρειάζονται τη ματιά σας</numerusform>
       </translation>
     </message>
     <message>
       <source>Review</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Έλεγχος</translation>
     </message>
   </context>
   <context>
@@ -2182,23 +2581,28 @@
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όπως η επιφάνεια εργασίας</translation>
     </message>
     <message>
       <source>Light</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτεινό</translation>
     </message>
     <message>
       <source>Dark, for the tent</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σκούρο, για τη σκηνή</translation>
     </message>
     <message>
       <source>Sunlight: black on white, thick lines</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ηλιόφως: μαύρο σε άσπρο, παχιές γραμμές</translation>
     </message>
     <message>
       <source>all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όλα</translation>
     </message>
     <message>
       <source>Settings</source>
@@ -2207,35 +2611,43 @@
     </message>
     <message>
       <source>&amp;Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα &amp;αρχικά σας</translation>
     </message>
     <message>
       <source>They stand in the history of each decision.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναγράφονται στο ιστορικό κάθε απόφασης.</translation>
     </message>
     <message>
       <source>&amp;Theme</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Θέμα</translation>
     </message>
     <message>
       <source>Te&amp;xt size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Μέγεθος κειμένου</translation>
     </message>
     <message>
       <source>Text size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μέγεθος κειμένου</translation>
     </message>
     <message>
       <source>&amp;Language</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Γλώσσα</translation>
     </message>
     <message>
       <source>Holds from the next start.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ισχύει από την επόμενη εκκίνηση.</translation>
     </message>
     <message>
       <source>&amp;Processors for computing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Επεξεργαστές για υπολογισμό</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -2252,103 +2664,128 @@
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>λείπει</translation>
     </message>
     <message>
       <source>changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άλλαξε</translation>
     </message>
     <message>
       <source>present</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>υπάρχει</translation>
     </message>
     <message>
       <source>Details of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στοιχεία του οστράκου</translation>
     </message>
     <message>
       <source>Picture of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα του οστράκου</translation>
     </message>
     <message>
       <source>Number of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αριθμός του οστράκου</translation>
     </message>
     <message>
       <source>Picture of the sherd in the way</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα του οστράκου που εμποδίζει</translation>
     </message>
     <message>
       <source>measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μέτρο</translation>
     </message>
     <message>
       <source>value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τιμή</translation>
     </message>
     <message>
       <source>from</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προέλευση</translation>
     </message>
     <message>
       <source>Measurements</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρήσεις</translation>
     </message>
     <message>
       <source>when</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πότε</translation>
     </message>
     <message>
       <source>who</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ποιος</translation>
     </message>
     <message>
       <source>what</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τι</translation>
     </message>
     <message>
       <source>History</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ιστορικό</translation>
     </message>
     <message>
       <source>file</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχείο</translation>
     </message>
     <message>
       <source>kind</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>είδος</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κατάσταση</translation>
     </message>
     <message>
       <source>Files</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρχεία</translation>
     </message>
     <message>
       <source>Measured</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρημένα</translation>
     </message>
     <message>
       <source>Context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πλαίσιο</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πλαίσιο</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς αριθμό ακόμη</translation>
     </message>
     <message>
       <source>Give the number %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Απόδοση του αριθμού %1</translation>
     </message>
     <message>
       <source>added</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προστέθηκε</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2357,32 +2794,38 @@
     </message>
     <message>
       <source>%1: %2 → %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 → %3</translation>
     </message>
     <message>
       <source>nothing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τίποτα</translation>
     </message>
     <message>
       <source>program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πρόγραμμα</translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλέξτε όστρακο.</translation>
     </message>
     <message>
       <source>%1 It is %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Είναι το %2.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>αρίθμηση %n οστράκου</numerusform>
+        <numerusform>αρίθμηση %n οστράκων</numerusform>
       </translation>
     </message>
   </context>
@@ -2390,7 +2833,8 @@
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα ενός οστράκου</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2399,22 +2843,26 @@
     </message>
     <message>
       <source>not recorded</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>δεν καταγράφηκε</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς αριθμό ακόμη</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακο σε τρεις διαστάσεις</translation>
     </message>
     <message>
       <source>This screen has no OpenGL 3.2, so the sherd cannot be shown in three dimensions. Everything else works; photographs and outlines are beside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η οθόνη δεν έχει OpenGL 3.2, οπότε το όστρακο δεν φαίνεται σε τρεις διαστάσεις. Όλα τα άλλα λειτουργούν· φωτογραφίες και περιγράμματα είναι δίπλα.</translation>
     </message>
   </context>
   <context>
@@ -2436,7 +2884,8 @@
     </message>
     <message>
       <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα έργο ακόμη. Φτιάξτε ένα, ή δοκιμάστε τα πάντα με την εικονική διάταξη: σπάει ένα αγγείο και φωτογραφίζει τα όστρακά του για εσάς.</translation>
     </message>
     <message>
       <source>&amp;Open a project…</source>
@@ -2460,11 +2909,13 @@
     </message>
     <message>
       <source>Choose…</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή…</translation>
     </message>
     <message>
       <source>Choose the folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή του φακέλου</translation>
     </message>
     <message>
       <source>Make the project</source>
@@ -2473,27 +2924,33 @@
     </message>
     <message>
       <source>&amp;Name</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό&amp;νομα</translation>
     </message>
     <message>
       <source>&amp;Site code</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κωδικός &amp;θέσης</translation>
     </message>
     <message>
       <source>&amp;Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Φάκελος</translation>
     </message>
     <message>
       <source>Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος</translation>
     </message>
     <message>
       <source>N&amp;umbering</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Α&amp;ρίθμηση</translation>
     </message>
     <message>
       <source>A sherd will be</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο θα είναι</translation>
     </message>
     <message>
       <source>%1
@@ -2509,11 +2966,13 @@
     </message>
     <message>
       <source>Folder of the new project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος του νέου έργου</translation>
     </message>
     <message>
       <source>Folder of a project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος ενός έργου</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -2538,34 +2997,41 @@
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>front: blue rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μπροστά: μπλε ακμή</translation>
     </message>
     <message>
       <source>back: red rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πίσω: κόκκινη ακμή</translation>
     </message>
     <message>
       <source>%1 mm and more</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm και πάνω</translation>
     </message>
     <message>
       <source>0 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>0 mm</translation>
     </message>
     <message>
       <source>gap between the sides along the rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κενό μεταξύ των όψεων κατά μήκος της ακμής</translation>
     </message>
   </context>
 </TS>

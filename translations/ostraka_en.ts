@@ -31,13 +31,6 @@
   <context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
-      <source>%n sherd(s): sure %1, ask %2</source>
-      <translation>
-        <numerusform>%n sherd: sure %1, ask %2</numerusform>
-        <numerusform>%n sherds: sure %1, ask %2</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
       <translation>
         <numerusform>%n sherd, all sure</numerusform>
@@ -56,6 +49,13 @@
       <translation>
         <numerusform>Paused; %n batch waits.</numerusform>
         <numerusform>Paused; %n batches wait.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translation>
+        <numerusform>%n sherd</numerusform>
+        <numerusform>%n sherds</numerusform>
       </translation>
     </message>
   </context>
@@ -217,7 +217,7 @@
     <message numerus="yes">
       <source>%n pair(s) need your eye</source>
       <translation>
-        <numerusform>%n pair need your eye</numerusform>
+        <numerusform>%n pair needs your eye</numerusform>
         <numerusform>%n pairs need your eye</numerusform>
       </translation>
     </message>

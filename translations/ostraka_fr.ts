@@ -5,166 +5,206 @@
     <name>Fields</name>
     <message>
       <source>number</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numéro</translation>
     </message>
     <message>
       <source>identifier</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>identifiant</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>état</translation>
     </message>
     <message>
       <source>void because</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>annulé parce que</translation>
     </message>
     <message>
       <source>site</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>site</translation>
     </message>
     <message>
       <source>trench</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tranchée</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contexte</translation>
     </message>
     <message>
       <source>bag</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sac</translation>
     </message>
     <message>
       <source>part</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>partie</translation>
     </message>
     <message>
       <source>ware</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>céramique (type)</translation>
     </message>
     <message>
       <source>fabric</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pâte</translation>
     </message>
     <message>
       <source>inclusions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dégraissant</translation>
     </message>
     <message>
       <source>manufacture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>façonnage</translation>
     </message>
     <message>
       <source>firing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cuisson</translation>
     </message>
     <message>
       <source>surface outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>surface externe</translation>
     </message>
     <message>
       <source>surface inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>surface interne</translation>
     </message>
     <message>
       <source>decoration</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>décor</translation>
     </message>
     <message>
       <source>Munsell outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell externe</translation>
     </message>
     <message>
       <source>Munsell inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell interne</translation>
     </message>
     <message>
       <source>Munsell core</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell cœur</translation>
     </message>
     <message>
       <source>condition</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>état de conservation</translation>
     </message>
     <message>
       <source>joins with</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>remonte avec</translation>
     </message>
     <message>
       <source>vessel</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>vase</translation>
     </message>
     <message>
       <source>period</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>période</translation>
     </message>
     <message>
       <source>date</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>datation</translation>
     </message>
     <message>
       <source>length, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>longueur, mm</translation>
     </message>
     <message>
       <source>width, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>largeur, mm</translation>
     </message>
     <message>
       <source>thickness least, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>épaisseur minimale, mm</translation>
     </message>
     <message>
       <source>thickness, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>épaisseur, mm</translation>
     </message>
     <message>
       <source>thickness most, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>épaisseur maximale, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>surface, mm²</translation>
     </message>
     <message>
       <source>volume, mm³</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>volume, mm³</translation>
     </message>
     <message>
       <source>not seen, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>non vu, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>diamètre du bord, mm</translation>
     </message>
     <message>
       <source>rim kept, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bord conservé, %</translation>
     </message>
     <message>
       <source>weight, g</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>poids, g</translation>
     </message>
     <message>
       <source>batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>lot</translation>
     </message>
     <message>
       <source>note</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>remarque</translation>
     </message>
   </context>
   <context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mémoire ne suffit pas ; fermez d’autres programmes et réessayez.</translation>
     </message>
     <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est un défaut du programme ; signalez-le avec le journal (%1).</translation>
     </message>
   </context>
   <context>
@@ -297,103 +337,128 @@
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numéroté</translation>
     </message>
     <message>
       <source>void</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>annulé</translation>
     </message>
     <message>
       <source>draft</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>brouillon</translation>
     </message>
     <message>
       <source>on a scale</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>à la balance</translation>
     </message>
     <message>
       <source>with a calliper</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>au pied à coulisse</translation>
     </message>
     <message>
       <source>estimated</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>estimé</translation>
     </message>
     <message>
       <source>by the program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>par le programme</translation>
     </message>
     <message>
       <source>aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>de côté</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>de nouveau</translation>
     </message>
     <message>
       <source>%1 or %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ou %2</translation>
     </message>
     <message>
       <source>The photograph is not there any more.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photographie n’est plus là.</translation>
     </message>
     <message>
       <source>The printer or file cannot be written; choose another.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Impossible d’écrire sur l’imprimante ou dans le fichier ; choisissez-en un autre.</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face avant</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face arrière</translation>
     </message>
     <message>
       <source>The printer took no further page.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’imprimante n’a plus pris de page.</translation>
     </message>
     <message>
       <source>The printer or file could not be finished; is the disk full?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’impression ou le fichier n’a pas pu être achevé ; le disque est-il plein ?</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 et %2 vont tous deux avec %3 : leurs bords ne diffèrent que de %4.</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 et %2 vont tous deux avec %3.</translation>
     </message>
     <message>
       <source>%1 would fit %2 nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 irait presque aussi bien avec %2.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre partenaire va presque aussi bien.</translation>
     </message>
     <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sa face arrière a été donnée à une autre face avant : %1 est-elle la bonne maintenant ?</translation>
     </message>
     <message>
       <source>%1 fits hardly better than a stranger's back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 va à peine mieux que la face arrière d’un autre tesson.</translation>
     </message>
     <message>
       <source>The two sides fit nearly as well in another position.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les deux faces vont presque aussi bien dans une autre position.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>moins de 1 %</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -402,79 +467,123 @@
     </message>
     <message>
       <source>The back lies upside down: both sides face the same way.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face arrière est à l’envers : les deux faces regardent du même côté.</translation>
     </message>
     <message>
       <source>The faces cross: %1 of the front lies behind the back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les faces se croisent : %1 de la face avant est derrière la face arrière.</translation>
     </message>
     <message>
       <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les deux numérisations n’ont presque pas de cassure commune ; seuls les contours les lient.</translation>
     </message>
     <message>
       <source>The broken edges do not fit: %1 apart.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les cassures ne vont pas ensemble : %1 d’écart.</translation>
     </message>
     <message>
       <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bord fixe à peine la position : incertaine de %1.</translation>
     </message>
     <message>
       <source>A place %1 along the rim fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un endroit %1 plus loin sur le bord va presque aussi bien.</translation>
     </message>
     <message>
       <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords ne peuvent pas être comparés ; seuls les contours lient ces faces.</translation>
     </message>
     <message>
       <source>look</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>à regarder</translation>
     </message>
     <message>
       <source>no back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sans face arrière</translation>
     </message>
     <message>
       <source>sure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sûr</translation>
     </message>
     <message>
       <source>decided</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>décidé</translation>
     </message>
     <message>
       <source>set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mis de côté</translation>
     </message>
     <message>
       <source>shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>à refaire</translation>
     </message>
     <message>
       <source>%1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 – %2</translation>
     </message>
     <message>
       <source>No back was found for it. Choose one, or set it aside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune face arrière n’a été trouvée. Choisissez-en une, ou mettez le tesson de côté.</translation>
     </message>
     <message>
       <source>The program is sure: %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme est sûr : %1.</translation>
     </message>
     <message>
       <source>Decided by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Décidé par %1 le %2.</translation>
     </message>
     <message>
       <source>Set aside by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mis de côté par %1 le %2.</translation>
     </message>
     <message>
       <source>To be shot again, says %1, %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>À photographier de nouveau, dit %1, %2.</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sac %1</translation>
+    </message>
+    <message>
+      <source>no front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sans face avant</translation>
+    </message>
+    <message>
+      <source>This back is set aside. Drag it onto a front to use it after all.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette face arrière est mise de côté. Glissez-la sur une face avant pour l’utiliser quand même.</translation>
+    </message>
+    <message>
+      <source>This back is to be shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette face arrière est à photographier de nouveau.</translation>
+    </message>
+    <message>
+      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune face avant n’a cette face arrière. Glissez-la sur sa face avant, joignez-la à une autre, ou mettez-la de côté.</translation>
     </message>
   </context>
   <context>
@@ -489,28 +598,24 @@
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importation de %1</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
-      <source>%n sherd(s): sure %1, ask %2</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson, sûr</numerusform>
+        <numerusform>%n tessons, tous sûrs</numerusform>
       </translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ; assemblés à %2 mm</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -519,41 +624,49 @@
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lot %1</translation>
     </message>
     <message>
       <source>Warning: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Attention : %1</translation>
     </message>
     <message numerus="yes">
       <source>%1 is computed: %n sherd(s).</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 est calculé : %n tesson.</numerusform>
+        <numerusform>%1 est calculé : %n tessons.</numerusform>
       </translation>
     </message>
     <message>
       <source>You stopped it. What was computed so far is kept.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous l’avez arrêté. Ce qui était calculé est gardé.</translation>
     </message>
     <message>
       <source>You took it out of the queue.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous l’avez retiré de la file.</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>de nouveau</translation>
     </message>
     <message numerus="yes">
       <source>Paused; %n batch(es) wait.</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>En pause ; %n lot attend.</numerusform>
+        <numerusform>En pause ; %n lots attendent.</numerusform>
       </translation>
     </message>
     <message>
       <source>%1: paused</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : en pause</translation>
     </message>
     <message>
       <source>%1: %2, %3 %</source>
@@ -595,92 +708,139 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>terminé</translation>
     </message>
+    <message>
+      <source>decided; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>décidé ; reste à calculer</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson</numerusform>
+        <numerusform>%n tessons</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>sure %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sûrs %1</translation>
+    </message>
+    <message>
+      <source>decided %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>décidés %1</translation>
+    </message>
+    <message>
+      <source>ask %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>douteux %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Touche : %1</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Champ à modifier</translation>
     </message>
     <message>
       <source>New value for all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouvelle valeur pour tous</translation>
     </message>
     <message>
       <source>new value; empty deletes</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nouvelle valeur ; vide efface</translation>
     </message>
     <message>
       <source>sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tesson</translation>
     </message>
     <message>
       <source>now</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>maintenant</translation>
     </message>
     <message>
       <source>then</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ensuite</translation>
     </message>
     <message>
       <source>What would change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui changerait</translation>
     </message>
     <message>
       <source>Change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modifier</translation>
     </message>
     <message>
       <source>Give numbers to the drafts</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numéroter les brouillons</translation>
     </message>
     <message>
       <source>Field</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Champ</translation>
     </message>
     <message>
       <source>Value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Valeur</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) chosen</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson choisi</numerusform>
+        <numerusform>%n tessons choisis</numerusform>
       </translation>
     </message>
     <message>
       <source>Type a value to see what would change.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entrez une valeur pour voir ce qui changerait.</translation>
     </message>
     <message>
       <source>Preview of a change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aperçu d’une modification</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pas encore de numéro</translation>
     </message>
     <message>
       <source>refused: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refusé : %1</translation>
     </message>
     <message>
       <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 changent, %2 restent tels quels, %3 sont refusés.</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Modifier %n tesson</numerusform>
+        <numerusform>Modifier %n tessons</numerusform>
       </translation>
     </message>
   </context>
@@ -688,36 +848,45 @@
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Autre face arrière …</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>moins de 1 %</translation>
     </message>
     <message>
       <source>rim %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bord %1</translation>
     </message>
     <message>
       <source>no rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sans bord</translation>
     </message>
     <message>
       <source>%1, now with %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, maintenant avec %2</translation>
     </message>
     <message>
       <source>%1   %2   %3
 %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1   %2   %3
+%4</translation>
     </message>
     <message>
       <source>Candidate %1: %2, %3, %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Candidat %1 : %2, %3, %4</translation>
     </message>
     <message>
       <source>%1, nobody's</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, libre</translation>
     </message>
   </context>
   <context>
@@ -1060,129 +1229,156 @@
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>modifier %1 de %n tesson</numerusform>
+        <numerusform>modifier %1 de %n tessons</numerusform>
       </translation>
     </message>
     <message>
       <source>Catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Catalogue</translation>
     </message>
     <message>
       <source>Filter of the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Filtre du catalogue</translation>
     </message>
     <message>
       <source>rim T3 thickness&gt;6</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots sont cherchés partout ; ware:grey, thickness&gt;6, -burnt, note:* fonctionnent aussi.</translation>
     </message>
     <message>
       <source>Export these</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Exporter ceux-ci</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vos initiales</translation>
     </message>
     <message>
       <source>Who is working? Your initials go into the history:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Qui travaille ? Vos initiales entrent dans l’historique :</translation>
     </message>
     <message>
       <source>Sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tessons</translation>
     </message>
     <message>
       <source>Search</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Chercher</translation>
     </message>
     <message>
       <source>Edit</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modifier</translation>
     </message>
     <message>
       <source>Give numbers</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numéroter</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enlever la condition %1</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson</numerusform>
+        <numerusform>%n tessons</numerusform>
       </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore de tessons. Ils viennent d’eux-mêmes quand un lot est calculé ; commencez par la prise de vue.</translation>
     </message>
     <message>
       <source>No sherd fits. Take a condition away.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson ne convient. Enlevez une condition.</translation>
     </message>
     <message>
       <source>change %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modifier %1</translation>
     </message>
     <message>
       <source>move to another context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>déplacer vers un autre contexte</translation>
     </message>
     <message>
       <source>The sherds that are chosen have their numbers.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons choisis ont leurs numéros.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Taille de l’exportation</translation>
     </message>
     <message>
       <source>Counting …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comptage …</translation>
     </message>
     <message>
       <source>No sherd fits; choose others.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson ne convient ; choisissez-en d’autres.</translation>
     </message>
     <message>
       <source>less than a minute</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>moins d’une minute</translation>
     </message>
     <message numerus="yes">
       <source>about %n minute(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>environ %n minute</numerusform>
+        <numerusform>environ %n minutes</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1 files, %2, %3</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson, %1 fichiers, %2, %3</numerusform>
+        <numerusform>%n tessons, %1 fichiers, %2, %3</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n of them without a model</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>dont %n sans modèle</numerusform>
+        <numerusform>dont %n sans modèle</numerusform>
       </translation>
     </message>
     <message>
       <source>There is a folder of this name already; choose another name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -1191,126 +1387,154 @@
     </message>
     <message numerus="yes">
       <source>%1, %n second(s) left</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1, encore %n seconde</numerusform>
+        <numerusform>%1, encore %n secondes</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson, %1, manifeste vérifié</numerusform>
+        <numerusform>%n tessons, %1, manifeste vérifié</numerusform>
       </translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Exportation</translation>
     </message>
     <message>
       <source>Stopped; nothing was left behind.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêté ; rien n’est resté.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Exporté : %1</translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Exportation</translation>
     </message>
     <message>
       <source>What</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quoi</translation>
     </message>
     <message>
       <source>All sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tous les tessons</translation>
     </message>
     <message>
       <source>Those that fit this filter:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ceux qui répondent à ce filtre :</translation>
     </message>
     <message>
       <source>Filter of what is exported</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Filtre de ce qui est exporté</translation>
     </message>
     <message>
       <source>context:0012</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>context:0012</translation>
     </message>
     <message>
       <source>Forms</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Formes</translation>
     </message>
     <message>
       <source>Tables (CSV), for spreadsheets</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tableaux (CSV), pour les tableurs</translation>
     </message>
     <message>
       <source>Records (JSON), to be read back whole</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fiches (JSON), relisibles en entier</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une image de chaque modèle (PNG)</translation>
     </message>
     <message>
       <source>Models as PLY, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modèles en PLY, en mm</translation>
     </message>
     <message>
       <source>Models as GLB, for the web and for slides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modèles en GLB, pour le web et les exposés</translation>
     </message>
     <message>
       <source>Models as OBJ, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modèles en OBJ, en mm</translation>
     </message>
     <message>
       <source>The photographs, unchanged</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photographies, inchangées</translation>
     </message>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Où</translation>
     </message>
     <message>
       <source>New folder for the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau dossier pour l’exportation</translation>
     </message>
     <message>
       <source>Choose …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir …</translation>
     </message>
     <message>
       <source>Progress of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Progression de l’exportation</translation>
     </message>
     <message>
       <source>Stop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter</translation>
     </message>
     <message>
       <source>Open folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouvrir le dossier</translation>
     </message>
     <message>
       <source>Where shall the folder be?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Où mettre le dossier ?</translation>
     </message>
     <message>
       <source>Those chosen in the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ceux choisis dans le catalogue</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Le tesson choisi dans le catalogue</numerusform>
+        <numerusform>Les %n choisis dans le catalogue</numerusform>
       </translation>
     </message>
   </context>
@@ -1318,15 +1542,18 @@
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce que fait l’ordinateur</translation>
     </message>
     <message>
       <source>What was done</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui a été fait</translation>
     </message>
     <message>
       <source>Progress of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Progression du calcul</translation>
     </message>
     <message>
       <source>Nothing to compute</source>
@@ -1338,15 +1565,18 @@
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Où</translation>
     </message>
     <message>
       <source>Rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Banc</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Place sur le disque</translation>
     </message>
     <message>
       <source>Rig: %1</source>
@@ -1366,19 +1596,23 @@
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Manuel</translation>
     </message>
     <message>
       <source>&amp;Contents</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Contenu</translation>
     </message>
     <message>
       <source>All &amp;keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Toutes les &amp;touches</translation>
     </message>
     <message>
       <source>&amp;About</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>À &amp;propos</translation>
     </message>
     <message>
       <source>Back to work (Esc)</source>
@@ -1387,19 +1621,36 @@
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Toutes les touches</translation>
     </message>
     <message>
       <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des modèles 3D complets et mesurés de tessons, à partir de photographies de leurs deux faces.</translation>
     </message>
     <message>
       <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Licence Apache 2.0. Il utilise entre autres Qt (LGPL 3), VTK et OpenCV ; le fichier LICENSE et le README les nomment tous.</translation>
     </message>
     <message>
       <source>Nothing leaves this computer: there is no network in it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rien ne quitte cet ordinateur : il n’y a pas de réseau dedans.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::JoinMode</name>
+    <message>
+      <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quelle face arrière va avec celle de %1 ? Choisissez sa carte (flèches et Entrée).</translation>
+    </message>
+    <message>
+      <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quelle face avant va avec celle de %1 ? Choisissez sa carte (flèches et Entrée) ; un clic sur l’image d’une face arrière joint les faces arrière.</translation>
     </message>
   </context>
   <context>
@@ -1411,11 +1662,13 @@
     </message>
     <message>
       <source>%1 is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est calculé.</translation>
     </message>
     <message>
       <source>%1 stopped: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 s’est arrêté : %2</translation>
     </message>
     <message>
       <source>Undo</source>
@@ -1429,15 +1682,18 @@
     </message>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Manuel</translation>
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Toutes les touches</translation>
     </message>
     <message>
       <source>Other projects</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Autres projets</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -1456,11 +1712,13 @@
     </message>
     <message>
       <source>Back to work</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Retour au travail</translation>
     </message>
     <message>
       <source>This project is open in another window already: go on there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet est déjà ouvert dans une autre fenêtre : continuez là.</translation>
     </message>
     <message>
       <source>%1 - Ostraka</source>
@@ -1469,89 +1727,109 @@
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Banc virtuel</translation>
     </message>
     <message>
       <source>Virtual rig %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Banc virtuel %1</translation>
     </message>
     <message>
       <source>Everywhere</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Partout</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Place sur le disque</translation>
     </message>
     <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le calcul s’arrête ; il reprendra à la réouverture du projet. La fenêtre se ferme dans un instant.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lot</translation>
     </message>
     <message>
       <source>Print map and labels</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimer plan et étiquettes</translation>
     </message>
     <message>
       <source>Print map and labels   Ctrl+P</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimer plan et étiquettes   Ctrl+P</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tesson %1</translation>
     </message>
     <message>
       <source>No batch is computed yet; its map appears here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun lot n’est encore calculé ; son plan apparaît ici.</translation>
     </message>
     <message>
       <source>Map of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan de %1</translation>
     </message>
     <message>
       <source>%1-%2</source>
-      <translation type="unfinished">%1-%2</translation>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lot %1</translation>
     </message>
     <message>
       <source>Batch %1, %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lot %1, %2</translation>
     </message>
     <message>
       <source>Map and labels are sent to the printer.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le plan et les étiquettes partent à l’imprimante.</translation>
     </message>
     <message>
       <source>Map</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plateau, avant et arrière</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tesson %1</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face avant</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face arrière</translation>
     </message>
   </context>
   <context>
@@ -1576,160 +1854,207 @@
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le code du site a de deux à huit majuscules et chiffres, comme ARM1.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisissez un dossier pour le projet.</translation>
     </message>
     <message>
       <source>There is a project in this folder already: open it, or choose another folder.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un projet dans ce dossier : ouvrez-le, ou choisissez un autre dossier.</translation>
     </message>
     <message>
       <source>This folder holds other files: choose a new one.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier contient d’autres fichiers : choisissez-en un nouveau.</translation>
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Banc virtuel</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Contours superposés, et leurs angles de rotation</translation>
     </message>
     <message>
       <source>The turning angles differ by %1 rad.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les angles de rotation diffèrent de %1 rad.</translation>
     </message>
     <message>
       <source>outlines on each other</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contours superposés</translation>
     </message>
     <message>
       <source>turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>angles de rotation</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>differ by %1 rad</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>diffèrent de %1 rad</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Petites images des tessons</translation>
     </message>
     <message>
       <source>%1, %2. %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
     </message>
     <message>
       <source>No back is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune face arrière n’est choisie.</translation>
     </message>
     <message>
       <source>The rims do not meet here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords ne se rencontrent pas ici.</translation>
     </message>
     <message>
       <source>Rims %1 apart, %2 of them meet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bords à %1, %2 d’entre eux se rencontrent.</translation>
     </message>
     <message>
       <source>Turned by hand; B lets the rims settle it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tourné à la main ; B laisse les bords s’ajuster.</translation>
     </message>
     <message>
       <source>Start point %1; B lets the rims settle it.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>No pair is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Point de départ %1 ; B laisse les bords s’ajuster.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisissez d’abord une face arrière.</translation>
     </message>
     <message>
       <source>Enter your initials first: each decision keeps its name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entrez d’abord vos initiales : chaque décision garde son nom.</translation>
     </message>
     <message>
       <source>choice of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>choix de %1</translation>
     </message>
     <message>
       <source>Comparing two sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparaison de deux faces</translation>
     </message>
     <message>
       <source>pair %1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>paire %1 – %2</translation>
     </message>
     <message>
       <source>setting aside %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mise de côté de %1</translation>
     </message>
     <message>
       <source>shooting %1 again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nouvelle prise de vue de %1</translation>
     </message>
     <message>
       <source>One of the two has no back to be joined.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’un des deux n’a pas de face arrière à joindre.</translation>
     </message>
     <message>
       <source>joining %1 and %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>jonction de %1 et %2</translation>
     </message>
     <message>
       <source>cutting %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>coupe de %1</translation>
     </message>
     <message>
       <source>start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>point de départ</translation>
     </message>
     <message>
       <source>settling by the rims</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajustement par les bords</translation>
     </message>
     <message>
       <source>turning by hand</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rotation à la main</translation>
     </message>
     <message>
       <source>Closed model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modèle fermé</translation>
     </message>
     <message>
       <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette paire n’a pas encore de modèle fermé ; il est fait au calcul du lot.</translation>
     </message>
     <message>
       <source>Picture of a pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image d’une paire</translation>
     </message>
     <message>
       <source>More candidates</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Autres candidats</translation>
+    </message>
+    <message>
+      <source>This back lies alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette face arrière est seule.</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune paire n’est choisie : donnez d’abord cette face arrière à une face avant.</translation>
+    </message>
+    <message>
+      <source>A back alone has no closed model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une face arrière seule n’a pas de modèle fermé.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographies des deux faces</translation>
     </message>
     <message>
       <source>Front %1, back %2</source>
@@ -1738,27 +2063,33 @@
     </message>
     <message>
       <source>The photograph is not there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photographie n’est pas là.</translation>
     </message>
     <message>
       <source>front %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face avant %1</translation>
     </message>
     <message>
       <source>back %1, mirrored</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face arrière %1, en miroir</translation>
     </message>
     <message>
       <source>back %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face arrière %1</translation>
     </message>
     <message>
       <source>Draw a line over the piece where it is to be cut.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tracez une ligne sur le morceau, là où il doit être coupé.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
   </context>
   <context>
@@ -1819,19 +2150,23 @@
     </message>
     <message>
       <source>Compute again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Recalculer</translation>
     </message>
     <message>
       <source>Stop this batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter ce lot</translation>
     </message>
     <message>
       <source>Report</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rapport</translation>
     </message>
     <message>
       <source>Review it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le vérifier</translation>
     </message>
     <message>
       <source>Log</source>
@@ -1840,23 +2175,28 @@
     </message>
     <message>
       <source>Batches</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lots</translation>
     </message>
     <message>
       <source>Log of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Journal du calcul</translation>
     </message>
     <message>
       <source>No batch yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore de lot</translation>
     </message>
     <message>
       <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce que vous photographiez ou importez est calculé ici, un lot après l’autre, pendant que vous continuez.</translation>
     </message>
     <message>
       <source>Photograph the first batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographier le premier lot</translation>
     </message>
     <message>
       <source>Queue</source>
@@ -1865,9 +2205,10 @@
     </message>
     <message numerus="yes">
       <source>%n batch(es) stopped and need you</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n lot s’est arrêté et a besoin de vous</numerusform>
+        <numerusform>%n lots se sont arrêtés et ont besoin de vous</numerusform>
       </translation>
     </message>
     <message>
@@ -1877,30 +2218,36 @@
     </message>
     <message>
       <source>%1 has no report yet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 n’a pas encore de rapport.</translation>
     </message>
     <message>
       <source>Stop %1?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter %1 ?</translation>
     </message>
     <message>
       <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le calcul dure depuis plus d’une heure. Les étapes achevées sont gardées, celle en cours est perdue.</translation>
     </message>
     <message>
       <source>Stop it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’arrêter</translation>
     </message>
     <message>
       <source>Let it go on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le laisser continuer</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Postes</translation>
     </message>
     <message>
       <source>%1  %2</source>
@@ -1917,95 +2264,113 @@
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paires, les plus douteuses d’abord</translation>
     </message>
     <message>
       <source>This one</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Celle-ci</translation>
     </message>
     <message>
       <source>Next pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paire suivante</translation>
     </message>
     <message>
       <source>Previous pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paire précédente</translation>
     </message>
     <message>
       <source>Candidate %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Candidat %1</translation>
     </message>
     <message>
       <source>Start point before</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Point de départ précédent</translation>
     </message>
     <message>
       <source>Next start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Point de départ suivant</translation>
     </message>
     <message>
       <source>One sample back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un échantillon en arrière</translation>
     </message>
     <message>
       <source>One sample on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un échantillon en avant</translation>
     </message>
     <message>
       <source>Mirror back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Miroir</translation>
     </message>
     <message>
       <source>Apart</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Écarter</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Coupe</translation>
     </message>
     <message>
       <source>Measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mesurer</translation>
     </message>
     <message>
       <source>Rim gap</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Écart des bords</translation>
     </message>
     <message>
       <source>Model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modèle</translation>
     </message>
     <message>
       <source>Settle</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajuster</translation>
     </message>
     <message>
       <source>Let the rims settle the position (B)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Laisser les bords trouver la position (B)</translation>
     </message>
     <message>
       <source>Set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mettre de côté</translation>
     </message>
     <message>
       <source>Shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rephotographier</translation>
     </message>
     <message>
       <source>Cut</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Couper</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Couper un morceau qui est en vérité deux tessons : tracez une ligne sur son image (K)</translation>
     </message>
     <message>
       <source>Join</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Join two pieces of one sherd: then choose the other card (J)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Joindre</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -2014,85 +2379,119 @@
     </message>
     <message>
       <source>%1, key %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, touche %2</translation>
     </message>
     <message>
       <source>This one   Enter</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Which piece belongs to %1? Choose its card.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Celle-ci   Entrée</translation>
     </message>
     <message>
       <source>The rims are compared …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparaison des bords …</translation>
     </message>
     <message>
       <source>… and the other end</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>… et l’autre bout</translation>
+    </message>
+    <message>
+      <source>Pairs of the batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paires du lot</translation>
+    </message>
+    <message>
+      <source>Join nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne rien joindre</translation>
+    </message>
+    <message>
+      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Joindre deux morceaux d’un tesson : choisissez ensuite l’autre carte (J faces avant, Maj+J faces arrière)</translation>
+    </message>
+    <message>
+      <source>Join backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Joindre les faces arrière</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lot</translation>
     </message>
     <message>
       <source>Your &amp;initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vos &amp;initiales</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vos initiales</translation>
     </message>
     <message>
       <source>Compute what changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calculer ce qui a changé</translation>
     </message>
     <message>
       <source>Makes the models of the pairs that were decided anew</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fait les modèles des paires décidées de nouveau</translation>
     </message>
     <message>
       <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun lot n’est encore calculé. Photographiez-en ou importez-en un ; ses paires apparaissent ici.</translation>
     </message>
     <message>
       <source>Opening %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouverture de %1</translation>
     </message>
     <message>
       <source>%1 waits to be computed; only what changed is done again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 attend d’être calculé ; seul ce qui a changé est refait.</translation>
     </message>
     <message>
       <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Les paires des nouveaux morceaux viennent avec le calcul.</translation>
     </message>
     <message>
       <source>Taken back. Both are kept in the history.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Repris. Les deux restent dans l’historique.</translation>
     </message>
     <message>
       <source>Saved, with your name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré, avec votre nom.</translation>
     </message>
     <message>
       <source>No pair needs your eye</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune paire n’a besoin de votre œil</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) need your eye</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n paire a besoin de votre œil</numerusform>
+        <numerusform>%n paires ont besoin de votre œil</numerusform>
       </translation>
     </message>
     <message>
       <source>Review</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérification</translation>
     </message>
   </context>
   <context>
@@ -2182,23 +2581,28 @@
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comme le bureau</translation>
     </message>
     <message>
       <source>Light</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Clair</translation>
     </message>
     <message>
       <source>Dark, for the tent</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sombre, pour la tente</translation>
     </message>
     <message>
       <source>Sunlight: black on white, thick lines</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plein soleil : noir sur blanc, traits épais</translation>
     </message>
     <message>
       <source>all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tous</translation>
     </message>
     <message>
       <source>Settings</source>
@@ -2207,35 +2611,43 @@
     </message>
     <message>
       <source>&amp;Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vos &amp;initiales</translation>
     </message>
     <message>
       <source>They stand in the history of each decision.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elles figurent dans l’historique de chaque décision.</translation>
     </message>
     <message>
       <source>&amp;Theme</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Thème</translation>
     </message>
     <message>
       <source>Te&amp;xt size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Taille du te&amp;xte</translation>
     </message>
     <message>
       <source>Text size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Taille du texte</translation>
     </message>
     <message>
       <source>&amp;Language</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Langue</translation>
     </message>
     <message>
       <source>Holds from the next start.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vaut au prochain démarrage.</translation>
     </message>
     <message>
       <source>&amp;Processors for computing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Processeurs pour le calcul</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -2252,103 +2664,128 @@
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>manquant</translation>
     </message>
     <message>
       <source>changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modifié</translation>
     </message>
     <message>
       <source>present</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>présent</translation>
     </message>
     <message>
       <source>Details of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Détails du tesson</translation>
     </message>
     <message>
       <source>Picture of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image du tesson</translation>
     </message>
     <message>
       <source>Number of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numéro du tesson</translation>
     </message>
     <message>
       <source>Picture of the sherd in the way</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image du tesson qui gêne</translation>
     </message>
     <message>
       <source>measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mesure</translation>
     </message>
     <message>
       <source>value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>valeur</translation>
     </message>
     <message>
       <source>from</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>origine</translation>
     </message>
     <message>
       <source>Measurements</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mesures</translation>
     </message>
     <message>
       <source>when</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>quand</translation>
     </message>
     <message>
       <source>who</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>qui</translation>
     </message>
     <message>
       <source>what</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>quoi</translation>
     </message>
     <message>
       <source>History</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Historique</translation>
     </message>
     <message>
       <source>file</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fichier</translation>
     </message>
     <message>
       <source>kind</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>genre</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>état</translation>
     </message>
     <message>
       <source>Files</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fichiers</translation>
     </message>
     <message>
       <source>Measured</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mesuré</translation>
     </message>
     <message>
       <source>Context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Contexte</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contexte</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pas encore de numéro</translation>
     </message>
     <message>
       <source>Give the number %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Donner le numéro %1</translation>
     </message>
     <message>
       <source>added</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajouté</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2357,32 +2794,38 @@
     </message>
     <message>
       <source>%1: %2 → %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : %2 → %3</translation>
     </message>
     <message>
       <source>nothing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rien</translation>
     </message>
     <message>
       <source>program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>programme</translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisissez un tesson.</translation>
     </message>
     <message>
       <source>%1 It is %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 C’est %2.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>numéroter %n tesson</numerusform>
+        <numerusform>numéroter %n tessons</numerusform>
       </translation>
     </message>
   </context>
@@ -2390,7 +2833,8 @@
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image d’un tesson</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2399,22 +2843,26 @@
     </message>
     <message>
       <source>not recorded</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>non relevé</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pas encore de numéro</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tesson en trois dimensions</translation>
     </message>
     <message>
       <source>This screen has no OpenGL 3.2, so the sherd cannot be shown in three dimensions. Everything else works; photographs and outlines are beside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cet écran n’a pas OpenGL 3.2 : le tesson ne peut pas être montré en trois dimensions. Tout le reste fonctionne ; photographies et contours sont à côté.</translation>
     </message>
   </context>
   <context>
@@ -2436,7 +2884,8 @@
     </message>
     <message>
       <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore de projet. Créez-en un, ou essayez tout avec le banc virtuel : il casse un vase et photographie ses tessons pour vous.</translation>
     </message>
     <message>
       <source>&amp;Open a project…</source>
@@ -2460,11 +2909,13 @@
     </message>
     <message>
       <source>Choose…</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir…</translation>
     </message>
     <message>
       <source>Choose the folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir le dossier</translation>
     </message>
     <message>
       <source>Make the project</source>
@@ -2473,27 +2924,33 @@
     </message>
     <message>
       <source>&amp;Name</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Nom</translation>
     </message>
     <message>
       <source>&amp;Site code</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Code du &amp;site</translation>
     </message>
     <message>
       <source>&amp;Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Dossier</translation>
     </message>
     <message>
       <source>Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier</translation>
     </message>
     <message>
       <source>N&amp;umbering</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>N&amp;umérotation</translation>
     </message>
     <message>
       <source>A sherd will be</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson sera</translation>
     </message>
     <message>
       <source>%1
@@ -2509,11 +2966,13 @@
     </message>
     <message>
       <source>Folder of the new project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier du nouveau projet</translation>
     </message>
     <message>
       <source>Folder of a project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier d’un projet</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -2538,34 +2997,41 @@
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Image</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>front: blue rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>avant : bord bleu</translation>
     </message>
     <message>
       <source>back: red rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arrière : bord rouge</translation>
     </message>
     <message>
       <source>%1 mm and more</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm et plus</translation>
     </message>
     <message>
       <source>0 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>0 mm</translation>
     </message>
     <message>
       <source>gap between the sides along the rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>écart entre les faces le long du bord</translation>
     </message>
   </context>
 </TS>

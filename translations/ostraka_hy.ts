@@ -5,166 +5,206 @@
     <name>Fields</name>
     <message>
       <source>number</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>համար</translation>
     </message>
     <message>
       <source>identifier</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նույնացուցիչ</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վիճակ</translation>
     </message>
     <message>
       <source>void because</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անվավեր է, քանի որ</translation>
     </message>
     <message>
       <source>site</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հուշարձան</translation>
     </message>
     <message>
       <source>trench</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>խրամատ</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>համատեքստ</translation>
     </message>
     <message>
       <source>bag</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տոպրակ</translation>
     </message>
     <message>
       <source>part</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մաս</translation>
     </message>
     <message>
       <source>ware</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>խեցեղենի տեսակ</translation>
     </message>
     <message>
       <source>fabric</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կավազանգված</translation>
     </message>
     <message>
       <source>inclusions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>խառնուրդներ</translation>
     </message>
     <message>
       <source>manufacture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատրաստում</translation>
     </message>
     <message>
       <source>firing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>թրծում</translation>
     </message>
     <message>
       <source>surface outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>արտաքին մակերես</translation>
     </message>
     <message>
       <source>surface inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ներքին մակերես</translation>
     </message>
     <message>
       <source>decoration</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զարդ</translation>
     </message>
     <message>
       <source>Munsell outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell՝ դրսից</translation>
     </message>
     <message>
       <source>Munsell inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell՝ ներսից</translation>
     </message>
     <message>
       <source>Munsell core</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell՝ միջուկ</translation>
     </message>
     <message>
       <source>condition</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պահպանվածություն</translation>
     </message>
     <message>
       <source>joins with</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կցվում է</translation>
     </message>
     <message>
       <source>vessel</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անոթ</translation>
     </message>
     <message>
       <source>period</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>շրջան</translation>
     </message>
     <message>
       <source>date</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>թվագրում</translation>
     </message>
     <message>
       <source>length, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>երկարություն, mm</translation>
     </message>
     <message>
       <source>width, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>լայնություն, mm</translation>
     </message>
     <message>
       <source>thickness least, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նվազագույն հաստություն, mm</translation>
     </message>
     <message>
       <source>thickness, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հաստություն, mm</translation>
     </message>
     <message>
       <source>thickness most, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առավելագույն հաստություն, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մակերես, mm²</translation>
     </message>
     <message>
       <source>volume, mm³</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ծավալ, mm³</translation>
     </message>
     <message>
       <source>not seen, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>չերևացած, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>շուրթի տրամագիծ, mm</translation>
     </message>
     <message>
       <source>rim kept, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>շուրթի պահպանված մաս, %</translation>
     </message>
     <message>
       <source>weight, g</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>քաշ, g</translation>
     </message>
     <message>
       <source>batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>խմբաքանակ</translation>
     </message>
     <message>
       <source>note</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նշում</translation>
     </message>
   </context>
   <context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հիշողությունը չի բավականացնում. փակեք այլ ծրագրեր և փորձեք կրկին։</translation>
     </message>
     <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա ծրագրի սխալ է. խնդրում ենք հայտնել մատյանի հետ (%1)։</translation>
     </message>
   </context>
   <context>
@@ -297,103 +337,128 @@
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>համարակալված</translation>
     </message>
     <message>
       <source>void</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անվավեր</translation>
     </message>
     <message>
       <source>draft</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սևագիր</translation>
     </message>
     <message>
       <source>on a scale</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կշեռքով</translation>
     </message>
     <message>
       <source>with a calliper</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ձողկարկինով</translation>
     </message>
     <message>
       <source>estimated</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գնահատված</translation>
     </message>
     <message>
       <source>by the program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ծրագրի կողմից</translation>
     </message>
     <message>
       <source>aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մի կողմ</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կրկին</translation>
     </message>
     <message>
       <source>%1 or %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 կամ %2</translation>
     </message>
     <message>
       <source>The photograph is not there any more.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարն այլևս չկա։</translation>
     </message>
     <message>
       <source>The printer or file cannot be written; choose another.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հնարավոր չէ գրել տպիչին կամ ֆայլի մեջ. ընտրեք ուրիշը։</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջևի երես</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետևի երես</translation>
     </message>
     <message>
       <source>The printer took no further page.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպիչն այլ էջ չընդունեց։</translation>
     </message>
     <message>
       <source>The printer or file could not be finished; is the disk full?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպումը կամ ֆայլը չավարտվեց. գուցե սկավառակը լի՞ է։</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը և %2-ը երկուսն էլ հարմար են %3-ին. նրանց եզրերը տարբերվում են միայն %4-ով։</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը և %2-ը երկուսն էլ հարմար են %3-ին։</translation>
     </message>
     <message>
       <source>%1 would fit %2 nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը գրեթե նույնքան լավ կհարմարեր %2-ին։</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ զույգ գրեթե նույնքան լավ է հարմարվում։</translation>
     </message>
     <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նրա հետևի երեսը տրվել է ուրիշ առջևի երեսի. հիմա ճիշտը %1-ն է՞։</translation>
     </message>
     <message>
       <source>%1 fits hardly better than a stranger's back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հազիվ է ավելի լավ հարմարվում, քան օտար բեկորի հետևի երեսը։</translation>
     </message>
     <message>
       <source>The two sides fit nearly as well in another position.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու երեսները գրեթե նույնքան լավ են հարմարվում այլ դիրքում։</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 %-ից պակաս</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -402,79 +467,123 @@
     </message>
     <message>
       <source>The back lies upside down: both sides face the same way.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսը շրջված է. երկու երեսներն էլ նույն կողմն են նայում։</translation>
     </message>
     <message>
       <source>The faces cross: %1 of the front lies behind the back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երեսները հատվում են. առջևի երեսի %1-ը հետևի երեսից այն կողմ է։</translation>
     </message>
     <message>
       <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու սկանները գրեթե չունեն ընդհանուր կոտրվածք. նրանց կապում են միայն ուրվագծերը։</translation>
     </message>
     <message>
       <source>The broken edges do not fit: %1 apart.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոտրվածքները չեն համընկնում. հեռավորությունը %1 է։</translation>
     </message>
     <message>
       <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրը հազիվ է որոշում դիրքը. անորոշությունը %1 է։</translation>
     </message>
     <message>
       <source>A place %1 along the rim fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրով %1 հեռու մի տեղ գրեթե նույնքան լավ է հարմարվում։</translation>
     </message>
     <message>
       <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերը համեմատել հնարավոր չէ. այս երեսները կապում են միայն ուրվագծերը։</translation>
     </message>
     <message>
       <source>look</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նայել</translation>
     </message>
     <message>
       <source>no back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետևի երես չկա</translation>
     </message>
     <message>
       <source>sure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վստահ</translation>
     </message>
     <message>
       <source>decided</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>որոշված</translation>
     </message>
     <message>
       <source>set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մի կողմ դրված</translation>
     </message>
     <message>
       <source>shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կրկին նկարել</translation>
     </message>
     <message>
       <source>%1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 – %2</translation>
     </message>
     <message>
       <source>No back was found for it. Choose one, or set it aside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երես չգտնվեց։ Ընտրեք մեկը կամ բեկորը մի կողմ դրեք։</translation>
     </message>
     <message>
       <source>The program is sure: %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ծրագիրը վստահ է՝ %1։</translation>
     </message>
     <message>
       <source>Decided by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոշել է %1-ը, %2։</translation>
     </message>
     <message>
       <source>Set aside by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի կողմ է դրել %1-ը, %2։</translation>
     </message>
     <message>
       <source>To be shot again, says %1, %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պետք է կրկին նկարել, ասում է %1-ը, %2։</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տոպրակ %1</translation>
+    </message>
+    <message>
+      <source>no front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջևի երես չկա</translation>
+    </message>
+    <message>
+      <source>This back is set aside. Drag it onto a front to use it after all.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս հետևի երեսը մի կողմ է դրված։ Այնուամենայնիվ օգտագործելու համար քաշեք այն առջևի երեսի վրա։</translation>
+    </message>
+    <message>
+      <source>This back is to be shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս հետևի երեսը պետք է կրկին նկարել։</translation>
+    </message>
+    <message>
+      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի առջևի երես այս հետևի երեսը չունի։ Քաշեք այն իր առջևի երեսի վրա, միացրեք մյուսին կամ մի կողմ դրեք։</translation>
     </message>
   </context>
   <context>
@@ -489,28 +598,24 @@
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի ներմուծում</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
-      <source>%n sherd(s): sure %1, ask %2</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր, վստահ</numerusform>
+        <numerusform>%n բեկոր, բոլորը վստահ</numerusform>
       </translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. միացված են %2 mm ճշտությամբ</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -519,41 +624,49 @@
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակ %1</translation>
     </message>
     <message>
       <source>Warning: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զգուշացում՝ %1</translation>
     </message>
     <message numerus="yes">
       <source>%1 is computed: %n sherd(s).</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
+        <numerusform>%1-ը հաշվարկված է՝ %n բեկոր։</numerusform>
       </translation>
     </message>
     <message>
       <source>You stopped it. What was computed so far is kept.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք կանգնեցրիք։ Մինչև հիմա հաշվարկվածը պահվում է։</translation>
     </message>
     <message>
       <source>You took it out of the queue.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք հանեցիք հերթից։</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կրկին</translation>
     </message>
     <message numerus="yes">
       <source>Paused; %n batch(es) wait.</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Դադար. սպասում է %n խմբաքանակ։</numerusform>
+        <numerusform>Դադար. սպասում է %n խմբաքանակ։</numerusform>
       </translation>
     </message>
     <message>
       <source>%1: paused</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1՝ դադար</translation>
     </message>
     <message>
       <source>%1: %2, %3 %</source>
@@ -595,92 +708,139 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ավարտված է</translation>
     </message>
+    <message>
+      <source>decided; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>որոշված է. մնում է հաշվարկել</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր</numerusform>
+        <numerusform>%n բեկոր</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>sure %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վստահ %1</translation>
+    </message>
+    <message>
+      <source>decided %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>որոշված %1</translation>
+    </message>
+    <message>
+      <source>ask %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կասկածելի %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստեղն՝ %1</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոփոխվող դաշտ</translation>
     </message>
     <message>
       <source>New value for all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր արժեք բոլորի համար</translation>
     </message>
     <message>
       <source>new value; empty deletes</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նոր արժեք. դատարկը ջնջում է</translation>
     </message>
     <message>
       <source>sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկոր</translation>
     </message>
     <message>
       <source>now</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հիմա</translation>
     </message>
     <message>
       <source>then</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետո</translation>
     </message>
     <message>
       <source>What would change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ կփոխվեր</translation>
     </message>
     <message>
       <source>Change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոխել</translation>
     </message>
     <message>
       <source>Give numbers to the drafts</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալել սևագրերը</translation>
     </message>
     <message>
       <source>Field</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դաշտ</translation>
     </message>
     <message>
       <source>Value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արժեք</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) chosen</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Ընտրված է %n բեկոր</numerusform>
+        <numerusform>Ընտրված է %n բեկոր</numerusform>
       </translation>
     </message>
     <message>
       <source>Type a value to see what would change.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրեք արժեք՝ տեսնելու, թե ինչ կփոխվի։</translation>
     </message>
     <message>
       <source>Preview of a change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոփոխության նախադիտում</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դեռ համար չկա</translation>
     </message>
     <message>
       <source>refused: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մերժված է՝ %1</translation>
     </message>
     <message>
       <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը փոխվում է, %2-ը մնում է, %3-ը մերժվում է։</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Փոխել %n բեկոր</numerusform>
+        <numerusform>Փոխել %n բեկոր</numerusform>
       </translation>
     </message>
   </context>
@@ -688,36 +848,45 @@
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ հետևի երես …</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 %-ից պակաս</translation>
     </message>
     <message>
       <source>rim %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>եզր %1</translation>
     </message>
     <message>
       <source>no rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>եզր չկա</translation>
     </message>
     <message>
       <source>%1, now with %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, հիմա %2-ի հետ</translation>
     </message>
     <message>
       <source>%1   %2   %3
 %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1   %2   %3
+%4</translation>
     </message>
     <message>
       <source>Candidate %1: %2, %3, %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թեկնածու %1՝ %2, %3, %4</translation>
     </message>
     <message>
       <source>%1, nobody's</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, ազատ</translation>
     </message>
   </context>
   <context>
@@ -1060,129 +1229,156 @@
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկորում փոխել՝ %1</numerusform>
+        <numerusform>%n բեկորում փոխել՝ %1</numerusform>
       </translation>
     </message>
     <message>
       <source>Catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգ</translation>
     </message>
     <message>
       <source>Filter of the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգի զտիչ</translation>
     </message>
     <message>
       <source>rim T3 thickness&gt;6</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բառերը փնտրվում են ամենուր. գործում են նաև ware:grey, thickness&gt;6, -burnt, note:*։</translation>
     </message>
     <message>
       <source>Export these</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանել սրանք</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեր սկզբնատառերը</translation>
     </message>
     <message>
       <source>Who is working? Your initials go into the history:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ո՞վ է աշխատում։ Ձեր սկզբնատառերը մտնում են պատմության մեջ.</translation>
     </message>
     <message>
       <source>Sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորներ</translation>
     </message>
     <message>
       <source>Search</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փնտրել</translation>
     </message>
     <message>
       <source>Edit</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբագրել</translation>
     </message>
     <message>
       <source>Give numbers</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալել</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հանել %1 պայմանը</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր</numerusform>
+        <numerusform>%n բեկոր</numerusform>
       </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ բեկորներ չկան։ Նրանք ինքնըստինքյան գալիս են, երբ խմբաքանակը հաշվարկվում է. սկսեք նկարահանումից։</translation>
     </message>
     <message>
       <source>No sherd fits. Take a condition away.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի բեկոր չի համապատասխանում։ Հանեք մի պայման։</translation>
     </message>
     <message>
       <source>change %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխել՝ %1</translation>
     </message>
     <message>
       <source>move to another context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեղափոխել այլ համատեքստ</translation>
     </message>
     <message>
       <source>The sherds that are chosen have their numbers.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրված բեկորներն ունեն իրենց համարները։</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանման չափը</translation>
     </message>
     <message>
       <source>Counting …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվում է …</translation>
     </message>
     <message>
       <source>No sherd fits; choose others.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի բեկոր չի համապատասխանում. ընտրեք ուրիշները։</translation>
     </message>
     <message>
       <source>less than a minute</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մեկ րոպեից պակաս</translation>
     </message>
     <message numerus="yes">
       <source>about %n minute(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>մոտ %n րոպե</numerusform>
+        <numerusform>մոտ %n րոպե</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1 files, %2, %3</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր, %1 ֆայլ, %2, %3</numerusform>
+        <numerusform>%n բեկոր, %1 ֆայլ, %2, %3</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n of them without a model</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>որից %n-ն առանց մոդելի</numerusform>
+        <numerusform>որից %n-ն առանց մոդելի</numerusform>
       </translation>
     </message>
     <message>
       <source>There is a folder of this name already; choose another name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -1191,126 +1387,154 @@
     </message>
     <message numerus="yes">
       <source>%1, %n second(s) left</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1, մնաց %n վայրկյան</numerusform>
+        <numerusform>%1, մնաց %n վայրկյան</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր, %1, ցուցակը ստուգված է</numerusform>
+        <numerusform>%n բեկոր, %1, ցուցակը ստուգված է</numerusform>
       </translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանում</translation>
     </message>
     <message>
       <source>Stopped; nothing was left behind.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. ոչինչ չի մնացել։</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանված է՝ %1</translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանում</translation>
     </message>
     <message>
       <source>What</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ</translation>
     </message>
     <message>
       <source>All sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բոլոր բեկորները</translation>
     </message>
     <message>
       <source>Those that fit this filter:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս զտիչին համապատասխանողները.</translation>
     </message>
     <message>
       <source>Filter of what is exported</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանվողի զտիչ</translation>
     </message>
     <message>
       <source>context:0012</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>context:0012</translation>
     </message>
     <message>
       <source>Forms</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևեր</translation>
     </message>
     <message>
       <source>Tables (CSV), for spreadsheets</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակներ (CSV)՝ էլեկտրոնային աղյուսակների համար</translation>
     </message>
     <message>
       <source>Records (JSON), to be read back whole</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրառումներ (JSON)՝ ամբողջությամբ հետ կարդացվող</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ամեն մոդելի մի պատկեր (PNG)</translation>
     </message>
     <message>
       <source>Models as PLY, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելներ PLY ձևով, mm</translation>
     </message>
     <message>
       <source>Models as GLB, for the web and for slides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելներ GLB ձևով՝ համացանցի և ցուցադրությունների համար</translation>
     </message>
     <message>
       <source>Models as OBJ, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելներ OBJ ձևով, mm</translation>
     </message>
     <message>
       <source>The photographs, unchanged</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարները՝ անփոփոխ</translation>
     </message>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որտեղ</translation>
     </message>
     <message>
       <source>New folder for the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր պանակ արտահանման համար</translation>
     </message>
     <message>
       <source>Choose …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել …</translation>
     </message>
     <message>
       <source>Progress of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանման ընթացքը</translation>
     </message>
     <message>
       <source>Stop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել</translation>
     </message>
     <message>
       <source>Open folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացել պանակը</translation>
     </message>
     <message>
       <source>Where shall the folder be?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որտե՞ղ լինի պանակը։</translation>
     </message>
     <message>
       <source>Those chosen in the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգում ընտրվածները</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Կատալոգում ընտրված %n-ը</numerusform>
+        <numerusform>Կատալոգում ընտրված %n-ը</numerusform>
       </translation>
     </message>
   </context>
@@ -1318,15 +1542,18 @@
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ է անում համակարգիչը</translation>
     </message>
     <message>
       <source>What was done</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ արվեց</translation>
     </message>
     <message>
       <source>Progress of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկի ընթացքը</translation>
     </message>
     <message>
       <source>Nothing to compute</source>
@@ -1338,15 +1565,18 @@
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որտեղ</translation>
     </message>
     <message>
       <source>Rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմ</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեղ սկավառակի վրա</translation>
     </message>
     <message>
       <source>Rig: %1</source>
@@ -1366,19 +1596,23 @@
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեռնարկ</translation>
     </message>
     <message>
       <source>&amp;Contents</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Բովանդակություն</translation>
     </message>
     <message>
       <source>All &amp;keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բոլոր &amp;ստեղները</translation>
     </message>
     <message>
       <source>&amp;About</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Ծրագրի մասին</translation>
     </message>
     <message>
       <source>Back to work (Esc)</source>
@@ -1387,19 +1621,36 @@
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բոլոր ստեղները</translation>
     </message>
     <message>
       <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խեցաբեկորների ամբողջական, չափված եռաչափ մոդելներ՝ երկու երեսների լուսանկարներից։</translation>
     </message>
     <message>
       <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Apache License 2.0։ Օգտագործում է, ի թիվս այլոց, Qt (LGPL 3), VTK և OpenCV. LICENSE ֆայլը և README-ն թվարկում են բոլորը։</translation>
     </message>
     <message>
       <source>Nothing leaves this computer: there is no network in it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ դուրս չի գալիս այս համակարգչից. այն ցանց չունի։</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::JoinMode</name>
+    <message>
+      <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ո՞ր հետևի երեսն է %1-ի հետևի երեսինը։ Ընտրեք նրա քարտը (սլաքներ և Enter)։</translation>
+    </message>
+    <message>
+      <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ո՞ր առջևի երեսն է %1-ի առջևի երեսինը։ Ընտրեք նրա քարտը (սլաքներ և Enter). սեղմումը հետևի երեսի պատկերին միացնում է հետևի երեսները։</translation>
     </message>
   </context>
   <context>
@@ -1411,11 +1662,13 @@
     </message>
     <message>
       <source>%1 is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հաշվարկված է։</translation>
     </message>
     <message>
       <source>%1 stopped: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը կանգնեց՝ %2</translation>
     </message>
     <message>
       <source>Undo</source>
@@ -1429,15 +1682,18 @@
     </message>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեռնարկ</translation>
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բոլոր ստեղները</translation>
     </message>
     <message>
       <source>Other projects</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ նախագծեր</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -1456,11 +1712,13 @@
     </message>
     <message>
       <source>Back to work</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերադառնալ գործին</translation>
     </message>
     <message>
       <source>This project is open in another window already: go on there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծն արդեն բաց է մեկ այլ պատուհանում. շարունակեք այնտեղ։</translation>
     </message>
     <message>
       <source>%1 - Ostraka</source>
@@ -1469,89 +1727,109 @@
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիրտուալ սարքակազմ</translation>
     </message>
     <message>
       <source>Virtual rig %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիրտուալ սարքակազմ %1</translation>
     </message>
     <message>
       <source>Everywhere</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ամենուր</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեղ սկավառակի վրա</translation>
     </message>
     <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկը կանգնեցվում է. կշարունակվի, երբ նախագիծը նորից բացվի։ Պատուհանը շուտով կփակվի։</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակ</translation>
     </message>
     <message>
       <source>Print map and labels</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել քարտեզն ու պիտակները</translation>
     </message>
     <message>
       <source>Print map and labels   Ctrl+P</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել քարտեզն ու պիտակները   Ctrl+P</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկոր %1</translation>
     </message>
     <message>
       <source>No batch is computed yet; its map appears here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ ոչ մի խմբաքանակ հաշվարկված չէ. նրա քարտեզը կերևա այստեղ։</translation>
     </message>
     <message>
       <source>Map of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի քարտեզ</translation>
     </message>
     <message>
       <source>%1-%2</source>
-      <translation type="unfinished">%1-%2</translation>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակ %1</translation>
     </message>
     <message>
       <source>Batch %1, %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակ %1, %2</translation>
     </message>
     <message>
       <source>Map and labels are sent to the printer.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Քարտեզն ու պիտակներն ուղարկվում են տպիչին։</translation>
     </message>
     <message>
       <source>Map</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Քարտեզ</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակը՝ առջևից և հետևից</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկոր %1</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջևի երես</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետևի երես</translation>
     </message>
   </context>
   <context>
@@ -1576,160 +1854,207 @@
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հուշարձանի ծածկագիրը երկուսից ութ մեծատառ և թվանշան ունի, ինչպես ARM1։</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրեք պանակ նախագծի համար։</translation>
     </message>
     <message>
       <source>There is a project in this folder already: open it, or choose another folder.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում արդեն նախագիծ կա. բացեք այն կամ ընտրեք այլ պանակ։</translation>
     </message>
     <message>
       <source>This folder holds other files: choose a new one.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում այլ ֆայլեր կան. ընտրեք նորը։</translation>
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիրտուալ սարքակազմ</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Իրար վրա դրված ուրվագծեր և նրանց շրջադարձի անկյունները</translation>
     </message>
     <message>
       <source>The turning angles differ by %1 rad.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շրջադարձի անկյունները տարբերվում են %1 rad։</translation>
     </message>
     <message>
       <source>outlines on each other</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ուրվագծերն իրար վրա</translation>
     </message>
     <message>
       <source>turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>շրջադարձի անկյուններ</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>differ by %1 rad</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տարբերություն՝ %1 rad</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորների փոքր պատկերներ</translation>
     </message>
     <message>
       <source>%1, %2. %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
     </message>
     <message>
       <source>No back is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երես ընտրված չէ։</translation>
     </message>
     <message>
       <source>The rims do not meet here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերն այստեղ չեն հանդիպում։</translation>
     </message>
     <message>
       <source>Rims %1 apart, %2 of them meet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերի հեռավորությունը %1, հանդիպում է %2-ը։</translation>
     </message>
     <message>
       <source>Turned by hand; B lets the rims settle it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շրջված է ձեռքով. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
     </message>
     <message>
       <source>Start point %1; B lets the rims settle it.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>No pair is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկզբնակետ %1. B-ն թողնում է, որ եզրերը հարմարեցնեն։</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախ ընտրեք հետևի երես։</translation>
     </message>
     <message>
       <source>Enter your initials first: each decision keeps its name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախ գրեք ձեր սկզբնատառերը. ամեն որոշում պահում է իր անունը։</translation>
     </message>
     <message>
       <source>choice of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի ընտրություն</translation>
     </message>
     <message>
       <source>Comparing two sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու երես համեմատվում են</translation>
     </message>
     <message>
       <source>pair %1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զույգ %1 – %2</translation>
     </message>
     <message>
       <source>setting aside %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը մի կողմ դնել</translation>
     </message>
     <message>
       <source>shooting %1 again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի կրկին նկարում</translation>
     </message>
     <message>
       <source>One of the two has no back to be joined.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկուսից մեկը միացնելու հետևի երես չունի։</translation>
     </message>
     <message>
       <source>joining %1 and %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի և %2-ի միացում</translation>
     </message>
     <message>
       <source>cutting %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի կտրում</translation>
     </message>
     <message>
       <source>start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկզբնակետ</translation>
     </message>
     <message>
       <source>settling by the rims</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հարմարեցում եզրերով</translation>
     </message>
     <message>
       <source>turning by hand</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ձեռքով շրջում</translation>
     </message>
     <message>
       <source>Closed model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փակ մոդել</translation>
     </message>
     <message>
       <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս զույգը դեռ փակ մոդել չունի. այն ստեղծվում է խմբաքանակը հաշվարկելիս։</translation>
     </message>
     <message>
       <source>Picture of a pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգի պատկեր</translation>
     </message>
     <message>
       <source>More candidates</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ թեկնածուներ</translation>
+    </message>
+    <message>
+      <source>This back lies alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս հետևի երեսը մենակ է։</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգ ընտրված չէ. նախ այս հետևի երեսը տվեք առջևի երեսի։</translation>
+    </message>
+    <message>
+      <source>A back alone has no closed model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միայնակ հետևի երեսը փակ մոդել չունի։</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու երեսների լուսանկարները</translation>
     </message>
     <message>
       <source>Front %1, back %2</source>
@@ -1738,27 +2063,33 @@
     </message>
     <message>
       <source>The photograph is not there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարը չկա։</translation>
     </message>
     <message>
       <source>front %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջև %1</translation>
     </message>
     <message>
       <source>back %1, mirrored</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետև %1, հայելային</translation>
     </message>
     <message>
       <source>back %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետև %1</translation>
     </message>
     <message>
       <source>Draw a line over the piece where it is to be cut.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գիծ քաշեք կտորի վրա այնտեղ, որտեղ պետք է կտրել։</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
   </context>
   <context>
@@ -1819,19 +2150,23 @@
     </message>
     <message>
       <source>Compute again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկել կրկին</translation>
     </message>
     <message>
       <source>Stop this batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել այս խմբաքանակը</translation>
     </message>
     <message>
       <source>Report</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվետվություն</translation>
     </message>
     <message>
       <source>Review it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգել այն</translation>
     </message>
     <message>
       <source>Log</source>
@@ -1840,23 +2175,28 @@
     </message>
     <message>
       <source>Batches</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակներ</translation>
     </message>
     <message>
       <source>Log of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկի մատյան</translation>
     </message>
     <message>
       <source>No batch yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ խմբաքանակ չկա</translation>
     </message>
     <message>
       <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ լուսանկարում կամ ներմուծում եք, հաշվարկվում է այստեղ՝ խմբաքանակ առ խմբաքանակ, մինչ դուք շարունակում եք։</translation>
     </message>
     <message>
       <source>Photograph the first batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարել առաջին խմբաքանակը</translation>
     </message>
     <message>
       <source>Queue</source>
@@ -1865,9 +2205,10 @@
     </message>
     <message numerus="yes">
       <source>%n batch(es) stopped and need you</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n խմբաքանակ կանգնել է և սպասում է ձեզ</numerusform>
+        <numerusform>%n խմբաքանակ կանգնել է և սպասում է ձեզ</numerusform>
       </translation>
     </message>
     <message>
@@ -1877,30 +2218,36 @@
     </message>
     <message>
       <source>%1 has no report yet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը դեռ հաշվետվություն չունի։</translation>
     </message>
     <message>
       <source>Stop %1?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնե՞լ %1-ը։</translation>
     </message>
     <message>
       <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկվում է ավելի քան մեկ ժամ։ Ավարտված փուլերը պահվում են, ընթացիկը կորչում է։</translation>
     </message>
     <message>
       <source>Stop it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել</translation>
     </message>
     <message>
       <source>Let it go on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թող շարունակի</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կայաններ</translation>
     </message>
     <message>
       <source>%1  %2</source>
@@ -1917,95 +2264,113 @@
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգեր, նախ ամենակասկածելիները</translation>
     </message>
     <message>
       <source>This one</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մեկը</translation>
     </message>
     <message>
       <source>Next pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդ զույգը</translation>
     </message>
     <message>
       <source>Previous pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ զույգը</translation>
     </message>
     <message>
       <source>Candidate %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թեկնածու %1</translation>
     </message>
     <message>
       <source>Start point before</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ սկզբնակետը</translation>
     </message>
     <message>
       <source>Next start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդ սկզբնակետը</translation>
     </message>
     <message>
       <source>One sample back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ նմուշ հետ</translation>
     </message>
     <message>
       <source>One sample on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ նմուշ առաջ</translation>
     </message>
     <message>
       <source>Mirror back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հայելի</translation>
     </message>
     <message>
       <source>Apart</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հեռու</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրվածք</translation>
     </message>
     <message>
       <source>Measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չափել</translation>
     </message>
     <message>
       <source>Rim gap</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրի բացվածք</translation>
     </message>
     <message>
       <source>Model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդել</translation>
     </message>
     <message>
       <source>Settle</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հարմարեցնել</translation>
     </message>
     <message>
       <source>Let the rims settle the position (B)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թող եզրերը գտնեն դիրքը (B)</translation>
     </message>
     <message>
       <source>Set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի կողմ</translation>
     </message>
     <message>
       <source>Shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կրկին նկարել</translation>
     </message>
     <message>
       <source>Cut</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրել</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրել մի կտոր, որն իրականում երկու բեկոր է. գիծ քաշեք պատկերի վրա (K)</translation>
     </message>
     <message>
       <source>Join</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Join two pieces of one sherd: then choose the other card (J)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միացնել</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -2014,85 +2379,119 @@
     </message>
     <message>
       <source>%1, key %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, ստեղն %2</translation>
     </message>
     <message>
       <source>This one   Enter</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Which piece belongs to %1? Choose its card.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մեկը   Enter</translation>
     </message>
     <message>
       <source>The rims are compared …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերը համեմատվում են …</translation>
     </message>
     <message>
       <source>… and the other end</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>… և մյուս ծայրը</translation>
+    </message>
+    <message>
+      <source>Pairs of the batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի զույգերը</translation>
+    </message>
+    <message>
+      <source>Join nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չմիացնել</translation>
+    </message>
+    <message>
+      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միացնել մեկ բեկորի երկու կտոր. հետո ընտրեք մյուս քարտը (J՝ առջև, Shift+J՝ հետև)</translation>
+    </message>
+    <message>
+      <source>Join backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միացնել հետևի երեսները</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակ</translation>
     </message>
     <message>
       <source>Your &amp;initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեր &amp;սկզբնատառերը</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեր սկզբնատառերը</translation>
     </message>
     <message>
       <source>Compute what changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկել փոխվածը</translation>
     </message>
     <message>
       <source>Makes the models of the pairs that were decided anew</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստեղծում է նորից որոշված զույգերի մոդելները</translation>
     </message>
     <message>
       <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ ոչ մի խմբաքանակ հաշվարկված չէ։ Լուսանկարեք կամ ներմուծեք մեկը. նրա զույգերը կերևան այստեղ։</translation>
     </message>
     <message>
       <source>Opening %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացվում է %1-ը</translation>
     </message>
     <message>
       <source>%1 waits to be computed; only what changed is done again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը սպասում է հաշվարկի. կրկնվում է միայն փոխվածը։</translation>
     </message>
     <message>
       <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Նոր կտորների զույգերը կգան հաշվարկից հետո։</translation>
     </message>
     <message>
       <source>Taken back. Both are kept in the history.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետ է վերցված։ Երկուսն էլ մնում են պատմության մեջ։</translation>
     </message>
     <message>
       <source>Saved, with your name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է ձեր անունով։</translation>
     </message>
     <message>
       <source>No pair needs your eye</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի զույգի նայել պետք չէ</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) need your eye</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n զույգի պետք է նայել</numerusform>
+        <numerusform>%n զույգի պետք է նայել</numerusform>
       </translation>
     </message>
     <message>
       <source>Review</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգում</translation>
     </message>
   </context>
   <context>
@@ -2182,23 +2581,28 @@
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչպես աշխատասեղանը</translation>
     </message>
     <message>
       <source>Light</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց</translation>
     </message>
     <message>
       <source>Dark, for the tent</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մուգ՝ վրանի համար</translation>
     </message>
     <message>
       <source>Sunlight: black on white, thick lines</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արևի լույս՝ սև սպիտակի վրա, հաստ գծեր</translation>
     </message>
     <message>
       <source>all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բոլորը</translation>
     </message>
     <message>
       <source>Settings</source>
@@ -2207,35 +2611,43 @@
     </message>
     <message>
       <source>&amp;Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեր &amp;սկզբնատառերը</translation>
     </message>
     <message>
       <source>They stand in the history of each decision.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նրանք նշվում են ամեն որոշման պատմության մեջ։</translation>
     </message>
     <message>
       <source>&amp;Theme</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Տեսք</translation>
     </message>
     <message>
       <source>Te&amp;xt size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տե&amp;քստի չափը</translation>
     </message>
     <message>
       <source>Text size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեքստի չափը</translation>
     </message>
     <message>
       <source>&amp;Language</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Լեզու</translation>
     </message>
     <message>
       <source>Holds from the next start.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գործում է հաջորդ մեկնարկից։</translation>
     </message>
     <message>
       <source>&amp;Processors for computing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Պրոցեսորներ հաշվարկի համար</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -2252,103 +2664,128 @@
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բացակայում է</translation>
     </message>
     <message>
       <source>changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխված է</translation>
     </message>
     <message>
       <source>present</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կա</translation>
     </message>
     <message>
       <source>Details of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի մանրամասները</translation>
     </message>
     <message>
       <source>Picture of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի պատկերը</translation>
     </message>
     <message>
       <source>Number of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի համարը</translation>
     </message>
     <message>
       <source>Picture of the sherd in the way</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խանգարող բեկորի պատկերը</translation>
     </message>
     <message>
       <source>measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>չափ</translation>
     </message>
     <message>
       <source>value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>արժեք</translation>
     </message>
     <message>
       <source>from</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>աղբյուր</translation>
     </message>
     <message>
       <source>Measurements</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չափումներ</translation>
     </message>
     <message>
       <source>when</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>երբ</translation>
     </message>
     <message>
       <source>who</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ով</translation>
     </message>
     <message>
       <source>what</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչ</translation>
     </message>
     <message>
       <source>History</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատմություն</translation>
     </message>
     <message>
       <source>file</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ֆայլ</translation>
     </message>
     <message>
       <source>kind</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեսակ</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վիճակ</translation>
     </message>
     <message>
       <source>Files</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլեր</translation>
     </message>
     <message>
       <source>Measured</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չափված</translation>
     </message>
     <message>
       <source>Context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համատեքստ</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>համատեքստ</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դեռ համար չկա</translation>
     </message>
     <message>
       <source>Give the number %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տալ %1 համարը</translation>
     </message>
     <message>
       <source>added</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ավելացված է</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2357,32 +2794,38 @@
     </message>
     <message>
       <source>%1: %2 → %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 → %3</translation>
     </message>
     <message>
       <source>nothing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ոչինչ</translation>
     </message>
     <message>
       <source>program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ծրագիր</translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրեք բեկոր։</translation>
     </message>
     <message>
       <source>%1 It is %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Դա %2-ն է։</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>համարակալել %n բեկոր</numerusform>
+        <numerusform>համարակալել %n բեկոր</numerusform>
       </translation>
     </message>
   </context>
@@ -2390,7 +2833,8 @@
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի պատկեր</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2399,22 +2843,26 @@
     </message>
     <message>
       <source>not recorded</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գրանցված չէ</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դեռ համար չկա</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորը եռաչափ</translation>
     </message>
     <message>
       <source>This screen has no OpenGL 3.2, so the sherd cannot be shown in three dimensions. Everything else works; photographs and outlines are beside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս էկրանը OpenGL 3.2 չունի, ուստի բեկորը եռաչափ ցույց տալ հնարավոր չէ։ Մնացած ամեն ինչ աշխատում է. լուսանկարներն ու ուրվագծերը կողքին են։</translation>
     </message>
   </context>
   <context>
@@ -2436,7 +2884,8 @@
     </message>
     <message>
       <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ նախագիծ չկա։ Ստեղծեք մեկը կամ փորձեք ամեն ինչ վիրտուալ սարքակազմով. այն ձեզ համար կոտրում է անոթ և լուսանկարում բեկորները։</translation>
     </message>
     <message>
       <source>&amp;Open a project…</source>
@@ -2460,11 +2909,13 @@
     </message>
     <message>
       <source>Choose…</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել…</translation>
     </message>
     <message>
       <source>Choose the folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել պանակը</translation>
     </message>
     <message>
       <source>Make the project</source>
@@ -2473,27 +2924,33 @@
     </message>
     <message>
       <source>&amp;Name</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Անուն</translation>
     </message>
     <message>
       <source>&amp;Site code</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հուշարձանի &amp;ծածկագիր</translation>
     </message>
     <message>
       <source>&amp;Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Պանակ</translation>
     </message>
     <message>
       <source>Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակ</translation>
     </message>
     <message>
       <source>N&amp;umbering</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Համարակալում</translation>
     </message>
     <message>
       <source>A sherd will be</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորը կլինի</translation>
     </message>
     <message>
       <source>%1
@@ -2509,11 +2966,13 @@
     </message>
     <message>
       <source>Folder of the new project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր նախագծի պանակը</translation>
     </message>
     <message>
       <source>Folder of a project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծի պանակը</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -2538,34 +2997,41 @@
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկեր</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>front: blue rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջև՝ կապույտ եզր</translation>
     </message>
     <message>
       <source>back: red rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետև՝ կարմիր եզր</translation>
     </message>
     <message>
       <source>%1 mm and more</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm և ավելի</translation>
     </message>
     <message>
       <source>0 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>0 mm</translation>
     </message>
     <message>
       <source>gap between the sides along the rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>երեսների միջև բացվածքը եզրի երկայնքով</translation>
     </message>
   </context>
 </TS>

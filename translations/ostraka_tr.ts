@@ -5,166 +5,206 @@
     <name>Fields</name>
     <message>
       <source>number</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numara</translation>
     </message>
     <message>
       <source>identifier</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kimlik</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>durum</translation>
     </message>
     <message>
       <source>void because</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geçersiz, çünkü</translation>
     </message>
     <message>
       <source>site</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>alan</translation>
     </message>
     <message>
       <source>trench</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>açma</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kontekst</translation>
     </message>
     <message>
       <source>bag</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>torba</translation>
     </message>
     <message>
       <source>part</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bölüm</translation>
     </message>
     <message>
       <source>ware</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mal grubu</translation>
     </message>
     <message>
       <source>fabric</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hamur</translation>
     </message>
     <message>
       <source>inclusions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>katkı</translation>
     </message>
     <message>
       <source>manufacture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yapım</translation>
     </message>
     <message>
       <source>firing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pişirim</translation>
     </message>
     <message>
       <source>surface outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dış yüzey</translation>
     </message>
     <message>
       <source>surface inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>iç yüzey</translation>
     </message>
     <message>
       <source>decoration</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bezeme</translation>
     </message>
     <message>
       <source>Munsell outside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell dış</translation>
     </message>
     <message>
       <source>Munsell inside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell iç</translation>
     </message>
     <message>
       <source>Munsell core</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell öz</translation>
     </message>
     <message>
       <source>condition</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>korunma durumu</translation>
     </message>
     <message>
       <source>joins with</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>birleştiği</translation>
     </message>
     <message>
       <source>vessel</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kap</translation>
     </message>
     <message>
       <source>period</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dönem</translation>
     </message>
     <message>
       <source>date</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tarih</translation>
     </message>
     <message>
       <source>length, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>uzunluk, mm</translation>
     </message>
     <message>
       <source>width, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>genişlik, mm</translation>
     </message>
     <message>
       <source>thickness least, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en az kalınlık, mm</translation>
     </message>
     <message>
       <source>thickness, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kalınlık, mm</translation>
     </message>
     <message>
       <source>thickness most, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en çok kalınlık, mm</translation>
     </message>
     <message>
       <source>area, mm²</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>alan, mm²</translation>
     </message>
     <message>
       <source>volume, mm³</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hacim, mm³</translation>
     </message>
     <message>
       <source>not seen, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>görülmeyen, %</translation>
     </message>
     <message>
       <source>rim diameter, mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ağız çapı, mm</translation>
     </message>
     <message>
       <source>rim kept, %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>korunan ağız, %</translation>
     </message>
     <message>
       <source>weight, g</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ağırlık, g</translation>
     </message>
     <message>
       <source>batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>parti</translation>
     </message>
     <message>
       <source>note</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>not</translation>
     </message>
   </context>
   <context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bellek yetmiyor; başka programları kapatıp yeniden deneyin.</translation>
     </message>
     <message>
       <source>This is a defect of the program; please report it with the log (%1).</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu programın bir hatasıdır; lütfen günlükle (%1) birlikte bildirin.</translation>
     </message>
   </context>
   <context>
@@ -294,103 +334,128 @@
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numaralı</translation>
     </message>
     <message>
       <source>void</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geçersiz</translation>
     </message>
     <message>
       <source>draft</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>taslak</translation>
     </message>
     <message>
       <source>on a scale</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tartıyla</translation>
     </message>
     <message>
       <source>with a calliper</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kumpasla</translation>
     </message>
     <message>
       <source>estimated</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tahminî</translation>
     </message>
     <message>
       <source>by the program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>programca</translation>
     </message>
     <message>
       <source>aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kenara</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yeniden</translation>
     </message>
     <message>
       <source>%1 or %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ya da %2</translation>
     </message>
     <message>
       <source>The photograph is not there any more.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraf artık yok.</translation>
     </message>
     <message>
       <source>The printer or file cannot be written; choose another.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazıcıya ya da dosyaya yazılamıyor; başka birini seçin.</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön yüz</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka yüz</translation>
     </message>
     <message>
       <source>The printer took no further page.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazıcı başka sayfa almadı.</translation>
     </message>
     <message>
       <source>The printer or file could not be finished; is the disk full?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazdırma ya da dosya tamamlanamadı; disk dolu mu?</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3: their rims differ by %4 only.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ve %2 ikisi de %3 ile uyuyor: kenarları yalnız %4 farklı.</translation>
     </message>
     <message>
       <source>%1 and %2 both fit %3.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ve %2 ikisi de %3 ile uyuyor.</translation>
     </message>
     <message>
       <source>%1 would fit %2 nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2 ile neredeyse aynı ölçüde uyardı.</translation>
     </message>
     <message>
       <source>Another partner fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir eş neredeyse aynı ölçüde uyuyor.</translation>
     </message>
     <message>
       <source>Its back was given to another front: is %1 the right one now?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzü başka bir ön yüze verildi: şimdi doğrusu %1 mi?</translation>
     </message>
     <message>
       <source>%1 fits hardly better than a stranger's back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, yabancı bir parçanın arka yüzünden pek de iyi uymuyor.</translation>
     </message>
     <message>
       <source>The two sides fit nearly as well in another position.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki yüz başka bir konumda neredeyse aynı ölçüde uyuyor.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 % altında</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -399,79 +464,123 @@
     </message>
     <message>
       <source>The back lies upside down: both sides face the same way.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz ters duruyor: iki yüz de aynı yöne bakıyor.</translation>
     </message>
     <message>
       <source>The faces cross: %1 of the front lies behind the back.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yüzler kesişiyor: ön yüzün %1 kadarı arka yüzün gerisinde.</translation>
     </message>
     <message>
       <source>The two scans share almost no broken edge; outlines alone tie them.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki taramanın neredeyse hiç ortak kırığı yok; onları yalnız dış çizgiler bağlıyor.</translation>
     </message>
     <message>
       <source>The broken edges do not fit: %1 apart.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kırıklar uymuyor: arada %1.</translation>
     </message>
     <message>
       <source>The rim hardly fixes the position: uncertain by %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenar konumu pek belirlemiyor: belirsizlik %1.</translation>
     </message>
     <message>
       <source>A place %1 along the rim fits nearly as well.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenar boyunca %1 ötedeki bir yer neredeyse aynı ölçüde uyuyor.</translation>
     </message>
     <message>
       <source>The rims cannot be compared; outlines alone tie these sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar karşılaştırılamıyor; bu yüzleri yalnız dış çizgiler bağlıyor.</translation>
     </message>
     <message>
       <source>look</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bakın</translation>
     </message>
     <message>
       <source>no back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka yüz yok</translation>
     </message>
     <message>
       <source>sure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kesin</translation>
     </message>
     <message>
       <source>decided</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>karar verildi</translation>
     </message>
     <message>
       <source>set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kenara ayrıldı</translation>
     </message>
     <message>
       <source>shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yeniden çekin</translation>
     </message>
     <message>
       <source>%1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 – %2</translation>
     </message>
     <message>
       <source>No back was found for it. Choose one, or set it aside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz bulunamadı. Birini seçin ya da parçayı kenara ayırın.</translation>
     </message>
     <message>
       <source>The program is sure: %1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Program emin: %1.</translation>
     </message>
     <message>
       <source>Decided by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kararı veren %1, %2.</translation>
     </message>
     <message>
       <source>Set aside by %1 on %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenara ayıran %1, %2.</translation>
     </message>
     <message>
       <source>To be shot again, says %1, %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeniden çekilsin diyen %1, %2.</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>torba %1</translation>
+    </message>
+    <message>
+      <source>no front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön yüz yok</translation>
+    </message>
+    <message>
+      <source>This back is set aside. Drag it onto a front to use it after all.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu arka yüz kenara ayrıldı. Yine de kullanmak için bir ön yüzün üzerine sürükleyin.</translation>
+    </message>
+    <message>
+      <source>This back is to be shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu arka yüz yeniden çekilecek.</translation>
+    </message>
+    <message>
+      <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu arka yüz hiçbir ön yüzde değil. Ön yüzünün üzerine sürükleyin, başka birine ekleyin ya da kenara ayırın.</translation>
     </message>
   </context>
   <context>
@@ -486,26 +595,23 @@
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 alınıyor</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
-      <source>%n sherd(s): sure %1, ask %2</source>
-      <translation type="unfinished">
-        <numerusform />
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), all sure</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça, hepsi kesin</numerusform>
       </translation>
     </message>
     <message>
       <source>%1; joined to %2 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; %2 mm ile birleşti</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -514,39 +620,47 @@
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti %1</translation>
     </message>
     <message>
       <source>Warning: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Uyarı: %1</translation>
     </message>
     <message numerus="yes">
       <source>%1 is computed: %n sherd(s).</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 hesaplandı: %n parça.</numerusform>
       </translation>
     </message>
     <message>
       <source>You stopped it. What was computed so far is kept.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Siz durdurdunuz. Şimdiye kadar hesaplanan duruyor.</translation>
     </message>
     <message>
       <source>You took it out of the queue.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sıradan siz çıkardınız.</translation>
     </message>
     <message>
       <source>again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yeniden</translation>
     </message>
     <message numerus="yes">
       <source>Paused; %n batch(es) wait.</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Duraklatıldı; %n parti bekliyor.</numerusform>
       </translation>
     </message>
     <message>
       <source>%1: paused</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: duraklatıldı</translation>
     </message>
     <message>
       <source>%1: %2, %3 %</source>
@@ -588,90 +702,136 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bitti</translation>
     </message>
+    <message>
+      <source>decided; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>karar verildi; hesaplanacak</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>sure %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kesin %1</translation>
+    </message>
+    <message>
+      <source>decided %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kararlı %1</translation>
+    </message>
+    <message>
+      <source>ask %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kuşkulu %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tuş: %1</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değişecek alan</translation>
     </message>
     <message>
       <source>New value for all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hepsi için yeni değer</translation>
     </message>
     <message>
       <source>new value; empty deletes</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yeni değer; boş siler</translation>
     </message>
     <message>
       <source>sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>parça</translation>
     </message>
     <message>
       <source>now</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>şimdi</translation>
     </message>
     <message>
       <source>then</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sonra</translation>
     </message>
     <message>
       <source>What would change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neler değişirdi</translation>
     </message>
     <message>
       <source>Change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değiştir</translation>
     </message>
     <message>
       <source>Give numbers to the drafts</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Taslaklara numara ver</translation>
     </message>
     <message>
       <source>Field</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alan</translation>
     </message>
     <message>
       <source>Value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değer</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s) chosen</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça seçildi</numerusform>
       </translation>
     </message>
     <message>
       <source>Type a value to see what would change.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neyin değişeceğini görmek için bir değer yazın.</translation>
     </message>
     <message>
       <source>Preview of a change</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değişikliğin önizlemesi</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>henüz numara yok</translation>
     </message>
     <message>
       <source>refused: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geri çevrildi: %1</translation>
     </message>
     <message>
       <source>%1 change, %2 stay as they are, %3 are refused.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 değişiyor, %2 olduğu gibi kalıyor, %3 geri çevriliyor.</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parçayı değiştir</numerusform>
       </translation>
     </message>
   </context>
@@ -679,36 +839,45 @@
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka arka yüz …</translation>
     </message>
     <message>
       <source>under 1 %</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 % altında</translation>
     </message>
     <message>
       <source>rim %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kenar %1</translation>
     </message>
     <message>
       <source>no rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kenar yok</translation>
     </message>
     <message>
       <source>%1, now with %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, şimdi %2 ile</translation>
     </message>
     <message>
       <source>%1   %2   %3
 %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1   %2   %3
+%4</translation>
     </message>
     <message>
       <source>Candidate %1: %2, %3, %4</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aday %1: %2, %3, %4</translation>
     </message>
     <message>
       <source>%1, nobody's</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, boşta</translation>
     </message>
   </context>
   <context>
@@ -1046,124 +1215,151 @@
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parçada %1 değiştir</numerusform>
       </translation>
     </message>
     <message>
       <source>Catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalog</translation>
     </message>
     <message>
       <source>Filter of the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalog süzgeci</translation>
     </message>
     <message>
       <source>rim T3 thickness&gt;6</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sözcükler her yerde aranır; ware:grey, thickness&gt;6, -burnt, note:* da olur.</translation>
     </message>
     <message>
       <source>Export these</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bunları dışa aktar</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Adınızın baş harfleri</translation>
     </message>
     <message>
       <source>Who is working? Your initials go into the history:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kim çalışıyor? Baş harfleriniz geçmişe yazılır:</translation>
     </message>
     <message>
       <source>Sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar</translation>
     </message>
     <message>
       <source>Search</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ara</translation>
     </message>
     <message>
       <source>Edit</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düzenle</translation>
     </message>
     <message>
       <source>Give numbers</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numara ver</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 koşulunu kaldır</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça</numerusform>
       </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz parça yok. Bir parti hesaplanınca kendiliğinden gelirler; Çekim ile başlayın.</translation>
     </message>
     <message>
       <source>No sherd fits. Take a condition away.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir parça uymuyor. Bir koşulu kaldırın.</translation>
     </message>
     <message>
       <source>change %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 değiştir</translation>
     </message>
     <message>
       <source>move to another context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>başka kontekste taşı</translation>
     </message>
     <message>
       <source>The sherds that are chosen have their numbers.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seçilen parçaların numaraları var.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarmanın boyutu</translation>
     </message>
     <message>
       <source>Counting …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sayılıyor …</translation>
     </message>
     <message>
       <source>No sherd fits; choose others.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir parça uymuyor; başkalarını seçin.</translation>
     </message>
     <message>
       <source>less than a minute</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bir dakikadan az</translation>
     </message>
     <message numerus="yes">
       <source>about %n minute(s)</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>yaklaşık %n dakika</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1 files, %2, %3</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça, %1 dosya, %2, %3</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n of them without a model</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tanesinin modeli yok</numerusform>
       </translation>
     </message>
     <message>
       <source>There is a folder of this name already; choose another name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -1172,123 +1368,151 @@
     </message>
     <message numerus="yes">
       <source>%1, %n second(s) left</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1, %n saniye kaldı</numerusform>
       </translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça, %1, döküm denetlendi</numerusform>
       </translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarma</translation>
     </message>
     <message>
       <source>Stopped; nothing was left behind.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; geride bir şey kalmadı.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarıldı: %1</translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarma</translation>
     </message>
     <message>
       <source>What</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne</translation>
     </message>
     <message>
       <source>All sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bütün parçalar</translation>
     </message>
     <message>
       <source>Those that fit this filter:</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu süzgece uyanlar:</translation>
     </message>
     <message>
       <source>Filter of what is exported</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarılanların süzgeci</translation>
     </message>
     <message>
       <source>context:0012</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>context:0012</translation>
     </message>
     <message>
       <source>Forms</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Biçimler</translation>
     </message>
     <message>
       <source>Tables (CSV), for spreadsheets</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablolar (CSV), hesap çizelgeleri için</translation>
     </message>
     <message>
       <source>Records (JSON), to be read back whole</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kayıtlar (JSON), bütünüyle geri okunabilir</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her modelin bir resmi (PNG)</translation>
     </message>
     <message>
       <source>Models as PLY, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY olarak modeller, mm</translation>
     </message>
     <message>
       <source>Models as GLB, for the web and for slides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>GLB olarak modeller, ağ ve sunumlar için</translation>
     </message>
     <message>
       <source>Models as OBJ, in mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>OBJ olarak modeller, mm</translation>
     </message>
     <message>
       <source>The photographs, unchanged</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflar, değişmeden</translation>
     </message>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nerede</translation>
     </message>
     <message>
       <source>New folder for the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarma için yeni klasör</translation>
     </message>
     <message>
       <source>Choose …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seç …</translation>
     </message>
     <message>
       <source>Progress of the export</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarmanın ilerlemesi</translation>
     </message>
     <message>
       <source>Stop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durdur</translation>
     </message>
     <message>
       <source>Open folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klasörü aç</translation>
     </message>
     <message>
       <source>Where shall the folder be?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klasör nerede olsun?</translation>
     </message>
     <message>
       <source>Those chosen in the catalogue</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalogda seçilenler</translation>
     </message>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Katalogda seçilen %n parça</numerusform>
       </translation>
     </message>
   </context>
@@ -1296,15 +1520,18 @@
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bilgisayarın yaptığı iş</translation>
     </message>
     <message>
       <source>What was done</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne yapıldı</translation>
     </message>
     <message>
       <source>Progress of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hesabın ilerlemesi</translation>
     </message>
     <message>
       <source>Nothing to compute</source>
@@ -1316,15 +1543,18 @@
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nerede</translation>
     </message>
     <message>
       <source>Rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düzenek</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diskteki yer</translation>
     </message>
     <message>
       <source>Rig: %1</source>
@@ -1343,19 +1573,23 @@
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El kitabı</translation>
     </message>
     <message>
       <source>&amp;Contents</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İ&amp;çindekiler</translation>
     </message>
     <message>
       <source>All &amp;keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bütün &amp;tuşlar</translation>
     </message>
     <message>
       <source>&amp;About</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Hakkında</translation>
     </message>
     <message>
       <source>Back to work (Esc)</source>
@@ -1364,19 +1598,36 @@
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bütün tuşlar</translation>
     </message>
     <message>
       <source>Complete, measured 3D models of potsherds from photographs of both their sides.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çanak parçalarının iki yüzünün fotoğraflarından eksiksiz, ölçülmüş 3B modeller.</translation>
     </message>
     <message>
       <source>Apache License 2.0. It uses Qt (LGPL 3), VTK and OpenCV among others; the file LICENSE and the README name them all.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Apache Lisansı 2.0. Başkalarının yanında Qt (LGPL 3), VTK ve OpenCV kullanır; LICENSE dosyası ve README hepsini adlandırır.</translation>
     </message>
     <message>
       <source>Nothing leaves this computer: there is no network in it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bilgisayardan hiçbir şey çıkmaz: içinde ağ yoktur.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::JoinMode</name>
+    <message>
+      <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 arka yüzüne hangi arka yüz ait? Kartını seçin (oklar ve Enter).</translation>
+    </message>
+    <message>
+      <source>Which front belongs to the one of %1? Choose its card (arrows and Enter); a click on a back's picture joins the backs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ön yüzüne hangi ön yüz ait? Kartını seçin (oklar ve Enter); bir arka yüz resmine tıklamak arka yüzleri birleştirir.</translation>
     </message>
   </context>
   <context>
@@ -1388,11 +1639,13 @@
     </message>
     <message>
       <source>%1 is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hesaplandı.</translation>
     </message>
     <message>
       <source>%1 stopped: %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 durdu: %2</translation>
     </message>
     <message>
       <source>Undo</source>
@@ -1406,15 +1659,18 @@
     </message>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El kitabı</translation>
     </message>
     <message>
       <source>All keys</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bütün tuşlar</translation>
     </message>
     <message>
       <source>Other projects</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka projeler</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -1433,11 +1689,13 @@
     </message>
     <message>
       <source>Back to work</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İşe dön</translation>
     </message>
     <message>
       <source>This project is open in another window already: go on there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje başka bir pencerede zaten açık: orada sürdürün.</translation>
     </message>
     <message>
       <source>%1 - Ostraka</source>
@@ -1446,89 +1704,109 @@
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sanal düzenek</translation>
     </message>
     <message>
       <source>Virtual rig %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sanal düzenek %1</translation>
     </message>
     <message>
       <source>Everywhere</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her yerde</translation>
     </message>
     <message>
       <source>Room on the disk</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diskteki yer</translation>
     </message>
     <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hesap durduruluyor; proje yeniden açılınca sürer. Pencere birazdan kapanır.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti</translation>
     </message>
     <message>
       <source>Print map and labels</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan ve etiket yazdır</translation>
     </message>
     <message>
       <source>Print map and labels   Ctrl+P</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan ve etiket yazdır   Ctrl+P</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça %1</translation>
     </message>
     <message>
       <source>No batch is computed yet; its map appears here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz hesaplanmış parti yok; planı burada görünür.</translation>
     </message>
     <message>
       <source>Map of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 planı</translation>
     </message>
     <message>
       <source>%1-%2</source>
-      <translation type="unfinished">%1-%2</translation>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-%2</translation>
     </message>
     <message>
       <source>Batch %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti %1</translation>
     </message>
     <message>
       <source>Batch %1, %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti %1, %2</translation>
     </message>
     <message>
       <source>Map and labels are sent to the printer.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan ve etiketler yazıcıya gönderiliyor.</translation>
     </message>
     <message>
       <source>Map</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plan</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabla, ön ve arka</translation>
     </message>
     <message>
       <source>Sherd %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça %1</translation>
     </message>
     <message>
       <source>front</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön yüz</translation>
     </message>
     <message>
       <source>back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka yüz</translation>
     </message>
   </context>
   <context>
@@ -1553,160 +1831,207 @@
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alan kodu ARM1 gibi iki ile sekiz büyük harf ve rakamdan oluşur.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Proje için bir klasör seçin.</translation>
     </message>
     <message>
       <source>There is a project in this folder already: open it, or choose another folder.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörde zaten bir proje var: onu açın ya da başka klasör seçin.</translation>
     </message>
     <message>
       <source>This folder holds other files: choose a new one.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörde başka dosyalar var: yeni bir klasör seçin.</translation>
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sanal düzenek</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Üst üste konmuş dış çizgiler ve dönüş açıları</translation>
     </message>
     <message>
       <source>The turning angles differ by %1 rad.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dönüş açıları %1 rad farklı.</translation>
     </message>
     <message>
       <source>outlines on each other</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>üst üste dış çizgiler</translation>
     </message>
     <message>
       <source>turning angles</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dönüş açıları</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>differ by %1 rad</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fark %1 rad</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaların küçük resimleri</translation>
     </message>
     <message>
       <source>%1, %2. %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
     </message>
     <message>
       <source>No back is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz seçilmedi.</translation>
     </message>
     <message>
       <source>The rims do not meet here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar burada buluşmuyor.</translation>
     </message>
     <message>
       <source>Rims %1 apart, %2 of them meet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenar aralığı %1, buluşan pay %2.</translation>
     </message>
     <message>
       <source>Turned by hand; B lets the rims settle it.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle döndürüldü; B kenarların oturtmasını sağlar.</translation>
     </message>
     <message>
       <source>Start point %1; B lets the rims settle it.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>No pair is chosen.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başlangıç noktası %1; B kenarların oturtmasını sağlar.</translation>
     </message>
     <message>
       <source>Choose a back first.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önce bir arka yüz seçin.</translation>
     </message>
     <message>
       <source>Enter your initials first: each decision keeps its name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önce baş harflerinizi girin: her karar adını taşır.</translation>
     </message>
     <message>
       <source>choice of %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 seçimi</translation>
     </message>
     <message>
       <source>Comparing two sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki yüz karşılaştırılıyor</translation>
     </message>
     <message>
       <source>pair %1 – %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eş %1 – %2</translation>
     </message>
     <message>
       <source>setting aside %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 kenara ayırma</translation>
     </message>
     <message>
       <source>shooting %1 again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 yeniden çekimi</translation>
     </message>
     <message>
       <source>One of the two has no back to be joined.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İkisinden birinin birleştirilecek arka yüzü yok.</translation>
     </message>
     <message>
       <source>joining %1 and %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ve %2 birleştirme</translation>
     </message>
     <message>
       <source>cutting %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 kesme</translation>
     </message>
     <message>
       <source>start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>başlangıç noktası</translation>
     </message>
     <message>
       <source>settling by the rims</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kenarlarla oturtma</translation>
     </message>
     <message>
       <source>turning by hand</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>elle döndürme</translation>
     </message>
     <message>
       <source>Closed model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kapalı model</translation>
     </message>
     <message>
       <source>This pair has no closed model yet; it is made when the batch is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu eşin henüz kapalı modeli yok; parti hesaplanınca yapılır.</translation>
     </message>
     <message>
       <source>Picture of a pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir eşin resmi</translation>
     </message>
     <message>
       <source>More candidates</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka adaylar</translation>
+    </message>
+    <message>
+      <source>This back lies alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu arka yüz tek başına.</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eş seçilmedi: önce bu arka yüzü bir ön yüze verin.</translation>
+    </message>
+    <message>
+      <source>A back alone has no closed model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tek başına bir arka yüzün kapalı modeli olmaz.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki yüzün fotoğrafları</translation>
     </message>
     <message>
       <source>Front %1, back %2</source>
@@ -1715,27 +2040,33 @@
     </message>
     <message>
       <source>The photograph is not there.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraf yok.</translation>
     </message>
     <message>
       <source>front %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön %1</translation>
     </message>
     <message>
       <source>back %1, mirrored</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka %1, aynalı</translation>
     </message>
     <message>
       <source>back %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka %1</translation>
     </message>
     <message>
       <source>Draw a line over the piece where it is to be cut.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçanın kesileceği yere bir çizgi çizin.</translation>
     </message>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
   </context>
   <context>
@@ -1795,19 +2126,23 @@
     </message>
     <message>
       <source>Compute again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeniden hesapla</translation>
     </message>
     <message>
       <source>Stop this batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partiyi durdur</translation>
     </message>
     <message>
       <source>Report</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rapor</translation>
     </message>
     <message>
       <source>Review it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İncele</translation>
     </message>
     <message>
       <source>Log</source>
@@ -1816,23 +2151,28 @@
     </message>
     <message>
       <source>Batches</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Partiler</translation>
     </message>
     <message>
       <source>Log of the computation</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hesap günlüğü</translation>
     </message>
     <message>
       <source>No batch yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz parti yok</translation>
     </message>
     <message>
       <source>What you photograph or import is computed here, one batch after the other, while you go on working.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çektiğiniz ya da aldığınız her şey, siz çalışırken parti parti burada hesaplanır.</translation>
     </message>
     <message>
       <source>Photograph the first batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İlk partiyi çek</translation>
     </message>
     <message>
       <source>Queue</source>
@@ -1841,8 +2181,9 @@
     </message>
     <message numerus="yes">
       <source>%n batch(es) stopped and need you</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parti durdu ve size gerek var</numerusform>
       </translation>
     </message>
     <message>
@@ -1852,30 +2193,36 @@
     </message>
     <message>
       <source>%1 has no report yet.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 için henüz rapor yok.</translation>
     </message>
     <message>
       <source>Stop %1?</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 durdurulsun mu?</translation>
     </message>
     <message>
       <source>It has been computed for more than an hour. Whole stages are kept, the present one is lost.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir saatten uzun süredir hesaplanıyor. Biten aşamalar kalır, şimdiki yitirilir.</translation>
     </message>
     <message>
       <source>Stop it</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durdur</translation>
     </message>
     <message>
       <source>Let it go on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sürsün</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İstasyonlar</translation>
     </message>
     <message>
       <source>%1  %2</source>
@@ -1892,95 +2239,113 @@
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eşler, en kuşkulular önce</translation>
     </message>
     <message>
       <source>This one</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu</translation>
     </message>
     <message>
       <source>Next pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonraki eş</translation>
     </message>
     <message>
       <source>Previous pair</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önceki eş</translation>
     </message>
     <message>
       <source>Candidate %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aday %1</translation>
     </message>
     <message>
       <source>Start point before</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önceki başlangıç noktası</translation>
     </message>
     <message>
       <source>Next start point</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonraki başlangıç noktası</translation>
     </message>
     <message>
       <source>One sample back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir örnek geri</translation>
     </message>
     <message>
       <source>One sample on</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir örnek ileri</translation>
     </message>
     <message>
       <source>Mirror back</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aynala</translation>
     </message>
     <message>
       <source>Apart</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayır</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kesit</translation>
     </message>
     <message>
       <source>Measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölç</translation>
     </message>
     <message>
       <source>Rim gap</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenar aralığı</translation>
     </message>
     <message>
       <source>Model</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Model</translation>
     </message>
     <message>
       <source>Settle</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oturt</translation>
     </message>
     <message>
       <source>Let the rims settle the position (B)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Konumu kenarlar bulsun (B)</translation>
     </message>
     <message>
       <source>Set aside</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenara ayır</translation>
     </message>
     <message>
       <source>Shoot again</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeniden çek</translation>
     </message>
     <message>
       <source>Cut</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kes</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gerçekte iki parça olanı kesin: resminin üzerine bir çizgi çizin (K)</translation>
     </message>
     <message>
       <source>Join</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Join two pieces of one sherd: then choose the other card (J)</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birleştir</translation>
     </message>
     <message>
       <source>%1 %2</source>
@@ -1989,84 +2354,118 @@
     </message>
     <message>
       <source>%1, key %2</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, tuş %2</translation>
     </message>
     <message>
       <source>This one   Enter</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Which piece belongs to %1? Choose its card.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu   Enter</translation>
     </message>
     <message>
       <source>The rims are compared …</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar karşılaştırılıyor …</translation>
     </message>
     <message>
       <source>… and the other end</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>… ve öteki uç</translation>
+    </message>
+    <message>
+      <source>Pairs of the batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Partinin eşleri</translation>
+    </message>
+    <message>
+      <source>Join nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir şey birleştirme</translation>
+    </message>
+    <message>
+      <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parçanın iki kırığını birleştirin: sonra öteki kartı seçin (J ön yüzler, Shift+J arka yüzler)</translation>
+    </message>
+    <message>
+      <source>Join backs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzleri birleştir</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti</translation>
     </message>
     <message>
       <source>Your &amp;initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Baş harfleriniz</translation>
     </message>
     <message>
       <source>Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Adınızın baş harfleri</translation>
     </message>
     <message>
       <source>Compute what changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değişenleri hesapla</translation>
     </message>
     <message>
       <source>Makes the models of the pairs that were decided anew</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeniden karar verilen eşlerin modellerini yapar</translation>
     </message>
     <message>
       <source>No batch is computed yet. Shoot or import one; its pairs appear here.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz hesaplanmış parti yok. Bir tane çekin ya da alın; eşleri burada görünür.</translation>
     </message>
     <message>
       <source>Opening %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 açılıyor</translation>
     </message>
     <message>
       <source>%1 waits to be computed; only what changed is done again.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hesaplanmayı bekliyor; yalnız değişenler yeniden yapılır.</translation>
     </message>
     <message>
       <source>Saved. The pairs of the new pieces come when it is computed.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Yeni kırıkların eşleri hesaplanınca gelir.</translation>
     </message>
     <message>
       <source>Taken back. Both are kept in the history.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri alındı. İkisi de geçmişte durur.</translation>
     </message>
     <message>
       <source>Saved, with your name.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Adınızla kaydedildi.</translation>
     </message>
     <message>
       <source>No pair needs your eye</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir eşe bakmanız gerekmiyor</translation>
     </message>
     <message numerus="yes">
       <source>%n pair(s) need your eye</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n eşe bakmanız gerekiyor</numerusform>
       </translation>
     </message>
     <message>
       <source>Review</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İnceleme</translation>
     </message>
   </context>
   <context>
@@ -2156,23 +2555,28 @@
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masaüstü gibi</translation>
     </message>
     <message>
       <source>Light</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Açık</translation>
     </message>
     <message>
       <source>Dark, for the tent</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Koyu, çadır için</translation>
     </message>
     <message>
       <source>Sunlight: black on white, thick lines</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Güneş ışığı: beyaz üstüne siyah, kalın çizgiler</translation>
     </message>
     <message>
       <source>all</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hepsi</translation>
     </message>
     <message>
       <source>Settings</source>
@@ -2181,35 +2585,43 @@
     </message>
     <message>
       <source>&amp;Your initials</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Baş harfleriniz</translation>
     </message>
     <message>
       <source>They stand in the history of each decision.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her kararın geçmişinde yer alırlar.</translation>
     </message>
     <message>
       <source>&amp;Theme</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Tema</translation>
     </message>
     <message>
       <source>Te&amp;xt size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Yazı boyutu</translation>
     </message>
     <message>
       <source>Text size</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazı boyutu</translation>
     </message>
     <message>
       <source>&amp;Language</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Dil</translation>
     </message>
     <message>
       <source>Holds from the next start.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonraki açılışta geçerli olur.</translation>
     </message>
     <message>
       <source>&amp;Processors for computing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hesap için &amp;işlemciler</translation>
     </message>
     <message>
       <source>%1 %</source>
@@ -2226,103 +2638,128 @@
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eksik</translation>
     </message>
     <message>
       <source>changed</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>değişmiş</translation>
     </message>
     <message>
       <source>present</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>var</translation>
     </message>
     <message>
       <source>Details of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçanın ayrıntıları</translation>
     </message>
     <message>
       <source>Picture of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçanın resmi</translation>
     </message>
     <message>
       <source>Number of the sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçanın numarası</translation>
     </message>
     <message>
       <source>Picture of the sherd in the way</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Engel olan parçanın resmi</translation>
     </message>
     <message>
       <source>measure</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ölçü</translation>
     </message>
     <message>
       <source>value</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>değer</translation>
     </message>
     <message>
       <source>from</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kaynak</translation>
     </message>
     <message>
       <source>Measurements</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçüler</translation>
     </message>
     <message>
       <source>when</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ne zaman</translation>
     </message>
     <message>
       <source>who</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kim</translation>
     </message>
     <message>
       <source>what</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ne</translation>
     </message>
     <message>
       <source>History</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geçmiş</translation>
     </message>
     <message>
       <source>file</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dosya</translation>
     </message>
     <message>
       <source>kind</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tür</translation>
     </message>
     <message>
       <source>state</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>durum</translation>
     </message>
     <message>
       <source>Files</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dosyalar</translation>
     </message>
     <message>
       <source>Measured</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçülen</translation>
     </message>
     <message>
       <source>Context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kontekst</translation>
     </message>
     <message>
       <source>context</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kontekst</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>henüz numara yok</translation>
     </message>
     <message>
       <source>Give the number %1</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarasını ver</translation>
     </message>
     <message>
       <source>added</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eklendi</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2331,31 +2768,37 @@
     </message>
     <message>
       <source>%1: %2 → %3</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 → %3</translation>
     </message>
     <message>
       <source>nothing</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hiçbir şey</translation>
     </message>
     <message>
       <source>program</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>program</translation>
     </message>
     <message>
       <source>Choose a sherd.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parça seçin.</translation>
     </message>
     <message>
       <source>%1 It is %2.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 O, %2.</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
-      <translation type="unfinished">
-        <numerusform />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parçaya numara ver</numerusform>
       </translation>
     </message>
   </context>
@@ -2363,7 +2806,8 @@
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parçanın resmi</translation>
     </message>
     <message>
       <source>%1: %2</source>
@@ -2372,22 +2816,26 @@
     </message>
     <message>
       <source>not recorded</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kaydedilmedi</translation>
     </message>
     <message>
       <source>no number yet</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>henüz numara yok</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Üç boyutlu parça</translation>
     </message>
     <message>
       <source>This screen has no OpenGL 3.2, so the sherd cannot be shown in three dimensions. Everything else works; photographs and outlines are beside.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu ekranda OpenGL 3.2 yok, bu yüzden parça üç boyutlu gösterilemiyor. Geri kalan her şey çalışır; fotoğraflar ve dış çizgiler yanda.</translation>
     </message>
   </context>
   <context>
@@ -2409,7 +2857,8 @@
     </message>
     <message>
       <source>No project yet. Make one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz proje yok. Bir tane yapın ya da her şeyi sanal düzenekle deneyin: sizin için bir kap kırar ve parçalarını fotoğraflar.</translation>
     </message>
     <message>
       <source>&amp;Open a project…</source>
@@ -2433,11 +2882,13 @@
     </message>
     <message>
       <source>Choose…</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seç…</translation>
     </message>
     <message>
       <source>Choose the folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klasörü seç</translation>
     </message>
     <message>
       <source>Make the project</source>
@@ -2446,27 +2897,33 @@
     </message>
     <message>
       <source>&amp;Name</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A&amp;d</translation>
     </message>
     <message>
       <source>&amp;Site code</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alan &amp;kodu</translation>
     </message>
     <message>
       <source>&amp;Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>K&amp;lasör</translation>
     </message>
     <message>
       <source>Folder</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klasör</translation>
     </message>
     <message>
       <source>N&amp;umbering</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>N&amp;umaralama</translation>
     </message>
     <message>
       <source>A sherd will be</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parça şöyle olur:</translation>
     </message>
     <message>
       <source>%1
@@ -2482,11 +2939,13 @@
     </message>
     <message>
       <source>Folder of the new project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni projenin klasörü</translation>
     </message>
     <message>
       <source>Folder of a project</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir projenin klasörü</translation>
     </message>
     <message>
       <source>Projects</source>
@@ -2511,34 +2970,41 @@
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Resim</translation>
     </message>
   </context>
   <context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm</translation>
     </message>
     <message>
       <source>front: blue rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön: mavi kenar</translation>
     </message>
     <message>
       <source>back: red rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka: kırmızı kenar</translation>
     </message>
     <message>
       <source>%1 mm and more</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mm ve üstü</translation>
     </message>
     <message>
       <source>0 mm</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>0 mm</translation>
     </message>
     <message>
       <source>gap between the sides along the rim</source>
-      <translation type="unfinished" />
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yüzler arasında kenar boyunca aralık</translation>
     </message>
   </context>
 </TS>

@@ -11,7 +11,7 @@ namespace ostraka::ui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Fields", text);
+  return QCoreApplication::translate("ostraka::ui", text);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ QString fieldLabel(const std::string& field) {
       {"batch", QT_TRANSLATE_NOOP("Fields", "batch")},
       {"note", QT_TRANSLATE_NOOP("Fields", "note")}};
   const char* label = labels.value(QString::fromStdString(field), nullptr);
-  return label ? tr(label) : QString::fromStdString(field);
+  return label ? QCoreApplication::translate("Fields", label) : QString::fromStdString(field);
 }
 
 QString stateLabel(catalogue::SherdState state) {

@@ -265,9 +265,15 @@ void MainWindow::showSettings() {
 }
 
 void MainWindow::showManual() {
-  const bool at_work = all_->currentIndex() == 1;
-  const auto* station = at_work ? static_cast<const Station*>(pages_->currentWidget()) : nullptr;
-  help_->showManual(station == nullptr ? QStringLiteral("index") : station->manualPage());
+  const QWidget* shown = all_->currentWidget();
+  QString page = QStringLiteral("index");
+  if (shown == start_)
+    page = QStringLiteral("start");
+  else if (shown == settings_page_)
+    page = QStringLiteral("settings");
+  else if (shown != help_)
+    page = static_cast<const Station*>(pages_->currentWidget())->manualPage();
+  help_->showManual(page);
   all_->setCurrentWidget(help_);
 }
 

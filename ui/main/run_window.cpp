@@ -45,7 +45,10 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   const QLocale locale =
       settings.language.isEmpty() ? QLocale::system() : QLocale(settings.language);
   QLocale::setDefault(locale);
-  QTranslator ours, qts;
+  // English forms of one and many are under every language: a text that none has is still right.
+  QTranslator plurals, ours, qts;
+  if (plurals.load(QStringLiteral(":/i18n/ostraka_en")))
+    QApplication::installTranslator(&plurals);
   if (qts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QApplication::installTranslator(&qts);

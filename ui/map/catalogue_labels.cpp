@@ -16,7 +16,7 @@ QString placeOf(const catalogue::SherdRecord& sherd) {
   QString place = parts.join(QStringLiteral(" / "));
   if (!sherd.bag_number.empty()) {
     if (!place.isEmpty()) place += QStringLiteral(", ");
-    place += QCoreApplication::translate("ostraka::ui::Map", "bag %1")
+    place += QCoreApplication::translate("ostraka::ui", "bag %1")
                  .arg(QString::fromStdString(sherd.bag_number));
   }
   return place;

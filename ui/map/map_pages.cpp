@@ -21,7 +21,7 @@ constexpr double kLabelWide_mm = 85, kLabelHigh_mm = 32, kModule_mm = 0.5;
 constexpr int kQuietModules = 4;
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("ostraka::ui::Map", text);
+  return QCoreApplication::translate("ostraka::ui", text);
 }
 
 QString wordsOf(const MapMark& mark) {

@@ -38,17 +38,6 @@ Mark markOf(QueueState state) {
   return {State::Waiting, "clock"};
 }
 
-QString figuresWords(const BatchFigures& figures) {
-  const QString pairs =
-      figures.ask > 0 ? BatchQueue::tr("%n sherd(s): sure %1, ask %2", nullptr, figures.sherds)
-                            .arg(figures.sure)
-                            .arg(figures.ask)
-                      : BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds);
-  if (figures.uncertainty_mm <= 0) return pairs;
-  return BatchQueue::tr("%1; joined to %2 mm")
-      .arg(pairs, QLocale().toString(figures.uncertainty_mm, 'f', 2));
-}
-
 QRect band(const QRect& row, int line, int height) {
   return {row.left(), row.top() + line * height, row.width(), height};
 }
@@ -112,7 +101,7 @@ void BatchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
              selected ? QIcon::Selected : QIcon::Normal);
   painter->setPen(selected ? ink : colours.of(mark.colour));
   painter->drawText(state.adjusted(line * 3 / 2, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                    queueStateWords(row.state));
+                    stateWords(row));
 
   const QRect lower(text.left(), text.top() + line * 5 / 4, text.width(), line * 7 / 4);
   if (row.state == QueueState::Busy || row.state == QueueState::Paused) {

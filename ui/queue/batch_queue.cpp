@@ -10,6 +10,7 @@
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "ui/queue/batch_figures.h"
 
 namespace ostraka::ui {
 namespace {
@@ -21,9 +22,6 @@ constexpr const char* kPausedKey = "queue.paused";
 
 std::string failureKey(const QString& number) {
   return "queue.failure." + number.toStdString();
-}
-std::string figuresKey(const QString& number) {
-  return "queue.figures." + number.toStdString();
 }
 
 QueueState stateOf(BatchState state) {
@@ -71,13 +69,7 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
     row.failure = failure[QStringLiteral("sentence")].toString();
     row.cancelled = failure[QStringLiteral("cancelled")].toBool();
   }
-  const QJsonObject figures = jsonSetting(project.catalogue(), figuresKey(row.number));
-  if (!figures.isEmpty())
-    row.figures = BatchFigures{figures[QStringLiteral("sherds")].toInt(),
-                               figures[QStringLiteral("sure")].toInt(),
-                               figures[QStringLiteral("ask")].toInt(),
-                               figures[QStringLiteral("uncertainty_mm")].toDouble(),
-                               figures[QStringLiteral("seconds")].toDouble()};
+  row.figures = keptFigures(project.catalogue(), row.number);
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
 }
 
@@ -141,8 +133,9 @@ void BatchQueue::refresh() {
       if (before != nullptr && before->state == row.state) {
         row.failure = before->failure;
         row.cancelled = before->cancelled;
-        row.figures = before->figures;
         row.picture = before->picture;
+        // A person's decisions change them while the state stays.
+        row.figures = keptFigures(project.catalogue(), row.number);
       } else {
         readDetails(project, row);
       }
@@ -184,7 +177,8 @@ QVariant BatchQueue::data(const QModelIndex& index, int role) const {
     case PictureRole:
       return shown.picture;
     case Qt::AccessibleTextRole: {
-      QString words = tr("%1: %2").arg(shown.number, queueStateWords(shown.state));
+      QString words = tr("%1: %2").arg(shown.number, stateWords(shown));
+      if (shown.figures) words += QStringLiteral(". ") + figuresWords(*shown.figures);
       if (!shown.failure.isEmpty()) words += QStringLiteral(". ") + shown.failure;
       return words;
     }
@@ -254,14 +248,7 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   busy_number_.clear();
   const Result<BatchFigures> figures = outcomeAs<BatchFigures>(outcome);
   if (figures) {
-    QJsonObject kept;
-    kept[QStringLiteral("sherds")] = figures->sherds;
-    kept[QStringLiteral("sure")] = figures->sure;
-    kept[QStringLiteral("ask")] = figures->ask;
-    kept[QStringLiteral("uncertainty_mm")] = figures->uncertainty_mm;
-    kept[QStringLiteral("seconds")] = figures->seconds;
-    (void)session_->project().catalogue().setSetting(figuresKey(number),
-                                                     jsonText(kept).toStdString());
+    (void)keepFigures(session_->project().catalogue(), number, *figures);
     log(tr("%1 is computed: %n sherd(s).", nullptr, figures->sherds).arg(number));
   } else if (figures.error().code == ErrorCode::CannotWrite) {
     // A full disk is a pause: the batch stays in the queue and goes on from its last whole stage.
@@ -399,6 +386,27 @@ QString queueStateWords(QueueState state) {
       return BatchQueue::tr("done");
   }
   return {};
+}
+
+QString stateWords(const QueueRow& row) {
+  if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
+    return BatchQueue::tr("decided; to be computed");
+  return queueStateWords(row.state);
+}
+
+QString figuresWords(const BatchFigures& figures) {
+  const QString sherds = BatchQueue::tr("%n sherd(s)", nullptr, figures.sherds);
+  QStringList parts;
+  if (figures.sure > 0) parts << BatchQueue::tr("sure %1").arg(figures.sure);
+  if (figures.decided > 0) parts << BatchQueue::tr("decided %1").arg(figures.decided);
+  if (figures.ask > 0) parts << BatchQueue::tr("ask %1").arg(figures.ask);
+  const QString pairs =
+      figures.ask == 0 && figures.decided == 0
+          ? BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds)
+          : BatchQueue::tr("%1: %2").arg(sherds, parts.join(QStringLiteral(", ")));
+  if (figures.uncertainty_mm <= 0) return pairs;
+  return BatchQueue::tr("%1; joined to %2 mm")
+      .arg(pairs, QLocale().toString(figures.uncertainty_mm, 'f', 2));
 }
 
 QString stageWords(const QString& stage) {

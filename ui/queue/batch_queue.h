@@ -114,6 +114,8 @@ class BatchQueue final : public QAbstractListModel {
 
 /// What a person reads for a state and for a stage of the chain.
 QString queueStateWords(QueueState state);
+QString stateWords(const QueueRow& row);  ///< with what a review left to be done
+QString figuresWords(const BatchFigures& figures);
 QString stageWords(const QString& stage);
 
 }  // namespace ostraka::ui

@@ -53,7 +53,9 @@ Result<BatchFigures> fromPhotographs(const ComputeOptions& options, const fs::pa
   BatchFigures figures;
   figures.sherds = static_cast<int>(done->sherds.size());
   figures.ask = done->ambiguous();
-  figures.sure = figures.sherds - figures.ask;
+  for (const pipeline::SherdSummary& sherd : done->sherds)
+    figures.decided += sherd.decided_by.empty() ? 0 : 1;
+  figures.sure = figures.sherds - figures.ask - figures.decided;
   figures.seconds = done->seconds;
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);

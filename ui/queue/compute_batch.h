@@ -21,6 +21,7 @@ struct BatchFigures {
   int sure = 0, ask = 0;
   double uncertainty_mm = 0;  ///< the largest of its sherds; 0: none has one
   double seconds = 0;         ///< of this run
+  int decided = 0;            ///< by a person; besides sure and ask
 };
 
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the

@@ -1,11 +1,11 @@
 #include "ui/review/candidate_bar.h"
 
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
 
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
+#include "ui/review/flow_row.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_words.h"
 
@@ -13,8 +13,10 @@ namespace ostraka::ui {
 
 CandidateBar::CandidateBar(PairReviewModel& model, QWidget* parent)
     : QWidget(parent), model_(model) {
-  row_ = new QHBoxLayout(this);
-  row_->setContentsMargins(0, 0, 0, 0);
+  row_ = new FlowRow(this);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
   others_ = new QToolButton(this);
   others_->setObjectName("otherBacks");
   others_->setText(tr("Another back …"));

@@ -1,11 +1,11 @@
 #pragma once
 #include <QWidget>
 
-class QHBoxLayout;
 class QToolButton;
 
 namespace ostraka::ui {
 
+class FlowRow;
 class PairReviewModel;
 
 /// One large button for each candidate, numbered as the keys, and any other back in a menu.
@@ -21,7 +21,7 @@ class CandidateBar final : public QWidget {
   void fillOthers();
 
   PairReviewModel& model_;
-  QHBoxLayout* row_ = nullptr;
+  FlowRow* row_ = nullptr;
   QList<QToolButton*> buttons_;
   QToolButton* others_ = nullptr;
 };

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
@@ -10,6 +11,8 @@
 
 namespace ostraka::ui {
 namespace {
+
+constexpr int kReasonLines = 3;
 
 int pictureSize(const QFontMetrics& metrics) {
   return metrics.height() * 3;
@@ -25,6 +28,17 @@ void drawPicture(QPainter& painter, const QRect& where, const QImage& picture, b
   painter.drawImage(target, shown);
 }
 
+// What does not fit ends in dots; the whole sentence stands above the pictures and in the tip.
+void drawReason(QPainter& painter, const QRect& where, const QFontMetrics& metrics, QString words) {
+  const int flags = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
+  QString shown = words;
+  while (metrics.boundingRect(where, flags, shown).height() > where.height() && words.size() > 1) {
+    words.truncate(std::max<qsizetype>(1, words.lastIndexOf(QLatin1Char(' '), -2)));
+    shown = words + QStringLiteral(" …");
+  }
+  painter.drawText(where, flags, shown);
+}
+
 }  // namespace
 
 QRect CardDelegate::backPicture(const QRect& card, const QFontMetrics& metrics) {
@@ -35,7 +49,7 @@ QRect CardDelegate::backPicture(const QRect& card, const QFontMetrics& metrics) 
 QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
   const QFontMetrics metrics(option.font);
   return {metrics.height() * 13,
-          pictureSize(metrics) + 2 * (metrics.height() / 3) + 2 * metrics.height()};
+          pictureSize(metrics) + 2 * (metrics.height() / 3) + kReasonLines * metrics.height()};
 }
 
 void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -76,19 +90,20 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   QFont bold = option.font;
   bold.setBold(true);
   painter->setFont(bold);
-  painter->drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-                    index.data(Qt::DisplayRole).toString());
+  painter->drawText(
+      words, Qt::AlignLeft | Qt::AlignTop,
+      metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, words.width()));
   painter->setPen(colours.of(colour));
   const QString mark = colour == State::Sure  ? QStringLiteral("✓ ")
                        : colour == State::Ask ? QStringLiteral("? ")
                                               : QString();
-  painter->drawText(words, Qt::AlignLeft | Qt::AlignBottom,
+  painter->drawText(words, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap,
                     mark + index.data(PairReviewModel::StateWordRole).toString());
   painter->setFont(option.font);
   painter->setPen(option.palette.color(QPalette::Text));
-  const QRect reason(card.left() + 10, back.bottom() + 2, card.width() - 14, 2 * metrics.height());
-  painter->drawText(reason, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-                    index.data(PairReviewModel::WordsRole).toString());
+  const QRect reason(card.left() + 10, back.bottom() + 2, card.width() - 14,
+                     kReasonLines * metrics.height());
+  drawReason(*painter, reason, metrics, index.data(PairReviewModel::WordsRole).toString());
   painter->restore();
 }
 

@@ -24,13 +24,13 @@ CardList::CardList(QWidget* parent) : QListView(parent) {
 }
 
 void CardList::mousePressEvent(QMouseEvent* event) {
-  QListView::mousePressEvent(event);
+  const QPersistentModelIndex pressed(indexAt(event->pos()));
+  const QRect picture = CardDelegate::backPicture(visualRect(pressed), fontMetrics());
+  on_back_ = pressed.isValid() && picture.contains(event->pos());
   dragged_back_ = -1;
-  if (event->button() != Qt::LeftButton) return;
-  const QModelIndex card = indexAt(event->pos());
-  if (!card.isValid()) return;
-  const QRect picture = CardDelegate::backPicture(visualRect(card), fontMetrics());
-  if (!picture.contains(event->pos())) return;
+  QListView::mousePressEvent(event);
+  const QModelIndex card = pressed;  // the cards may have moved
+  if (event->button() != Qt::LeftButton || !on_back_ || !card.isValid()) return;
   pressed_ = event->pos();
   dragged_back_ = card.data(PairReviewModel::BackRole).toInt();
   const QImage image = card.data(PairReviewModel::BackPictureRole).value<QImage>();
@@ -61,8 +61,9 @@ void CardList::mouseReleaseEvent(QMouseEvent* event) {
   QListView::mouseReleaseEvent(event);
   if (!dropped || back < 0) return;
   const QModelIndex card = indexAt(event->pos());
-  if (card.isValid() && card.data(PairReviewModel::BackRole).toInt() != back)
-    emit backDropped(card.data(PairReviewModel::FrontRole).toInt(), back);
+  const int front = card.isValid() ? card.data(PairReviewModel::FrontRole).toInt() : -1;
+  if (front >= 0 && card.data(PairReviewModel::BackRole).toInt() != back)
+    emit backDropped(front, back);
 }
 
 void CardList::endDrag() {

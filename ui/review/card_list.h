@@ -12,6 +12,7 @@ class CardList final : public QListView {
 
  public:
   explicit CardList(QWidget* parent = nullptr);
+  bool pressedOnBack() const { return on_back_; }  ///< by the mouse, last
 
  signals:
   void backDropped(int front, int back);  ///< onto this front
@@ -26,6 +27,7 @@ class CardList final : public QListView {
 
   QPoint pressed_;
   int dragged_back_ = -1;
+  bool on_back_ = false;
   QLabel* ghost_ = nullptr;  ///< the picture that goes along with the mouse
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/piece_decisions.h"
 
 namespace ostraka::ui {
 namespace {
@@ -45,14 +46,40 @@ Result<void> withdraw(Catalogue& catalogue, catalogue::BatchRow batch,
     back.note = marked(decision.number, decision.note);
     if (const auto row = catalogue.decide(back, act); !row) return row.error();
   }
+  const auto pieces = catalogue::pieceDecisions(catalogue, batch);
+  if (!pieces) return pieces.error();
+  for (const catalogue::PieceDecision& earlier : *pieces) {
+    const bool meant = std::any_of(decision.replaces.begin(), decision.replaces.end(),
+                                   [&](int number) { return isMarked(earlier.note, number); });
+    if (!meant || earlier.verdict == catalogue::PieceVerdict::Withdraw) continue;
+    catalogue::PieceDecision back = earlier;
+    back.verdict = catalogue::PieceVerdict::Withdraw;
+    back.replaces = earlier.row;
+    back.note = marked(decision.number, decision.note);
+    if (const auto row = catalogue::decidePieces(catalogue, back, act); !row) return row.error();
+  }
   return {};
+}
+
+// Pieces are kept by name and place: their scans come and go with each computation.
+Result<void> enterPieces(Catalogue& catalogue, catalogue::BatchRow batch,
+                         const pipeline::PairDecision& decision, const catalogue::Act& act) {
+  catalogue::PieceDecision row;
+  row.batch = batch;
+  row.side = decision.scans.empty() ? batch::Side::Front : decision.scans.front().side;
+  row.verdict = decision.kind == DecisionKind::Join ? catalogue::PieceVerdict::Join
+                                                    : catalogue::PieceVerdict::Cut;
+  for (const pipeline::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
+  row.cut_mm = decision.cut_mm;
+  row.note = marked(decision.number, decision.note);
+  const auto entered = catalogue::decidePieces(catalogue, row, act);
+  return entered ? Result<void>() : Result<void>(entered.error());
 }
 
 }  // namespace
 
 Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
                            const pipeline::PairDecision& decision) {
-  if (decision.kind == DecisionKind::Join || decision.kind == DecisionKind::Split) return {};
   return catalogue.together([&]() -> Result<void> {
     const auto batch = catalogue.batchByNumber(batch_number);
     if (!batch) return batch.error();
@@ -61,6 +88,8 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
     const catalogue::Act act{*person, "window", decision.note};
     if (decision.kind == DecisionKind::Withdraw)
       return withdraw(catalogue, batch->row, decision, act);
+    if (decision.kind == DecisionKind::Join || decision.kind == DecisionKind::Split)
+      return enterPieces(catalogue, batch->row, decision, act);
     const auto scans = catalogue.scans(batch->row);
     if (!scans) return scans.error();
     catalogue::PairDecision row;
@@ -88,6 +117,19 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
     const auto entered = catalogue.decide(row, act);
     return entered ? Result<void>() : Result<void>(entered.error());
   });
+}
+
+Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
+                         const std::string& person, bool nothing_to_do) {
+  using catalogue::BatchState;
+  const auto batch = catalogue.batchByNumber(batch_number);
+  if (!batch) return batch.error();
+  if (batch->state != BatchState::Review && batch->state != BatchState::Done) return {};
+  const BatchState state = nothing_to_do ? BatchState::Done : BatchState::Review;
+  if (state == batch->state) return {};
+  const auto row = personOf(catalogue, person);
+  if (!row) return row.error();
+  return catalogue.setBatchState(batch->row, state, {*row, "window", {}});
 }
 
 Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,

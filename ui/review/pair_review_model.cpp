@@ -33,11 +33,13 @@ void PairReviewModel::open(OpenedBatch batch) {
   asked_.clear();
   trial_ = {};
   review_ = {};
+  rows_.clear();
   if (const Result<pipeline::Review> review =
           pipeline::reviewOf(live_->table(), pipeline::standing(decisions_)))
     review_ = *review;
   else
     emit failed(sentenceOf(review.error()));
+  rows_ = rowsOf(review_);
   endResetModel();
   emit waitingChanged();
   thumbnails_job_ = runner_.start(
@@ -50,7 +52,7 @@ void PairReviewModel::open(OpenedBatch batch) {
     thumbnails_ = *pictures;
     if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));
   });
-  if (!review_.cards.empty()) select(review_.cards.front().front);
+  selectRow(0);
 }
 
 void PairReviewModel::close() {
@@ -61,6 +63,7 @@ void PairReviewModel::close() {
   scene_job_ = fit_job_ = more_job_ = thumbnails_job_ = model_job_ = nullptr;
   live_.reset();
   review_ = {};
+  rows_.clear();
   decisions_.clear();
   candidates_.clear();
   trial_ = {};
@@ -77,38 +80,40 @@ void PairReviewModel::setPerson(const QString& initials) {
 }
 
 int PairReviewModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(review_.cards.size());
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
 QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount() || !live_) return {};
-  const pipeline::ReviewCard& card = review_.cards[static_cast<std::size_t>(index.row())];
+  const ReviewRow& row = at(index.row());
+  const auto words = [&] {
+    const pipeline::ReviewCard* of_front = review_.ofFront(row.front);
+    return of_front == nullptr ? loneBackSentence(row) : doubtSentence(*of_front, live_->table());
+  };
   const auto picture = [this](Side side, int scan) {
     const auto found = thumbnails_.find({side, scan});
     return found == thumbnails_.end() ? QImage() : found->second;
   };
   switch (role) {
     case Qt::DisplayRole:
-      return pairName(card, live_->table());
+      return rowName(row, live_->table());
     case Qt::ToolTipRole:
     case WordsRole:
-      return doubtSentence(card, live_->table());
+      return words();
     case Qt::AccessibleTextRole:
-      return tr("%1, %2. %3")
-          .arg(pairName(card, live_->table()), stateWord(card.state),
-               doubtSentence(card, live_->table()));
+      return tr("%1, %2. %3").arg(rowName(row, live_->table()), rowWord(row), words());
     case FrontRole:
-      return card.front;
+      return row.front;
     case BackRole:
-      return card.back;
+      return row.back;
     case StateRole:
-      return static_cast<int>(card.state);
+      return static_cast<int>(row.state);
     case StateWordRole:
-      return stateWord(card.state);
+      return rowWord(row);
     case FrontPictureRole:
-      return picture(Side::Front, card.front);
+      return picture(Side::Front, row.front);
     case BackPictureRole:
-      return picture(Side::Back, card.back);
+      return picture(Side::Back, row.back);
     default:
       return {};
   }
@@ -116,8 +121,18 @@ QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
 
 int PairReviewModel::rowOf(int front) const {
   for (int row = 0; row < rowCount(); ++row)
-    if (review_.cards[static_cast<std::size_t>(row)].front == front) return row;
+    if (front >= 0 && at(row).front == front) return row;
   return -1;
+}
+
+int PairReviewModel::rowOfLoneBack(int back) const {
+  for (int row = 0; row < rowCount(); ++row)
+    if (at(row).isLoneBack() && at(row).back == back) return row;
+  return -1;
+}
+
+int PairReviewModel::rowInHand() const {
+  return trial_.front >= 0 ? rowOf(trial_.front) : rowOfLoneBack(trial_.back);
 }
 
 const pipeline::ReviewCard* PairReviewModel::card() const {
@@ -131,11 +146,13 @@ int PairReviewModel::chosen() const {
 }
 
 QString PairReviewModel::reason() const {
-  return card() == nullptr ? QString() : doubtSentence(*card(), live_->table());
+  const int row = rowInHand();
+  return row < 0 ? QString() : index(row).data(WordsRole).toString();
 }
 
 QString PairReviewModel::figuresText() const {
   if (trial_.back < 0) return tr("No back is chosen.");
+  if (trial_.front < 0) return tr("This back lies alone.");
   if (!(fit_.rim_rms_mm > 0)) return tr("The rims do not meet here.");
   QString text =
       tr("Rims %1 apart, %2 of them meet.").arg(mm(fit_.rim_rms_mm), percent(fit_.rim_overlap));
@@ -153,7 +170,7 @@ bool PairReviewModel::canAccept() const {
 }
 
 QString PairReviewModel::whyNotAccept() const {
-  if (!live_ || trial_.front < 0) return tr("No pair is chosen.");
+  if (!live_ || trial_.front < 0) return tr("No pair is chosen: give this back to a front first.");
   if (trial_.back < 0) return tr("Choose a back first.");
   if (person_.isEmpty()) return tr("Enter your initials first: each decision keeps its name.");
   return {};
@@ -164,30 +181,50 @@ int PairReviewModel::holderOf(int back) const {
   return holder == nullptr ? -1 : holder->front;
 }
 
+bool PairReviewModel::wantsComputing() const {
+  return live_ && !onlyConfirm(live_->table(), pipeline::standing(decisions_));
+}
+
 void PairReviewModel::selectRow(int row) {
-  if (row >= 0 && row < rowCount()) select(review_.cards[static_cast<std::size_t>(row)].front);
+  if (row < 0 || row >= rowCount()) return;
+  if (!at(row).isLoneBack()) return select(at(row).front);
+  Trial trial;
+  trial.back = at(row).back;
+  hold(trial);
 }
 
 void PairReviewModel::next() {
-  selectRow(std::min(rowOf(trial_.front) + 1, rowCount() - 1));
+  selectRow(std::min(rowInHand() + 1, rowCount() - 1));
 }
 
 void PairReviewModel::previous() {
-  selectRow(std::max(rowOf(trial_.front) - 1, 0));
+  selectRow(std::max(rowInHand() - 1, 0));
 }
 
 void PairReviewModel::select(int front) {
   const pipeline::ReviewCard* chosen_card = review_.ofFront(front);
   if (chosen_card == nullptr) return;
-  trial_ = {};
-  trial_.front = front;
+  Trial trial;
+  trial.front = front;
   if (chosen_card->back >= 0) {
-    trial_.back = chosen_card->back;
-    trial_.front_from_back = chosen_card->front_from_back;
+    trial.back = chosen_card->back;
+    trial.front_from_back = chosen_card->front_from_back;
   } else if (!chosen_card->candidates.empty() && chosen_card->state == CardState::Alone) {
-    trial_.back = chosen_card->candidates.front().back;
-    trial_.front_from_back = chosen_card->candidates.front().front_from_back;
+    trial.back = chosen_card->candidates.front().back;
+    trial.front_from_back = chosen_card->candidates.front().front_from_back;
   }
+  hold(trial);
+}
+
+void PairReviewModel::show(const pipeline::ScanRef& scan) {
+  const bool front = scan.side == Side::Front;
+  const int at = pipeline::resolved(scan, front ? live_->table().fronts : live_->table().backs);
+  selectRow(front ? rowOf(at) : std::max(rowOfLoneBack(at), rowOf(holderOf(at))));
+}
+
+void PairReviewModel::hold(const Trial& trial) {
+  trial_ = trial;
+  fit_ = {};
   takeCandidates();
   if (chosen() >= 0) trial_.shift = candidates_[static_cast<std::size_t>(chosen())].shift;
   emit cardChanged();
@@ -260,7 +297,7 @@ PairDecision PairReviewModel::about(DecisionKind kind) const {
   PairDecision decision;
   decision.kind = kind;
   decision.by = person_.toStdString();
-  decision.scans = {frontRef(trial_.front)};
+  decision.scans = {trial_.front >= 0 ? frontRef(trial_.front) : backRef(trial_.back)};
   return decision;
 }
 
@@ -270,6 +307,11 @@ pipeline::ScanRef PairReviewModel::frontRef(int i) const {
 
 pipeline::ScanRef PairReviewModel::backRef(int i) const {
   return live_->table().backs.at(static_cast<std::size_t>(i));
+}
+
+QString PairReviewModel::inHand() const {
+  const pipeline::ScanRef& scan = trial_.front >= 0 ? frontRef(trial_.front) : backRef(trial_.back);
+  return QString::fromStdString(scan.id);
 }
 
 void PairReviewModel::accept() {
@@ -285,16 +327,15 @@ void PairReviewModel::accept() {
 }
 
 void PairReviewModel::setAside() {
-  if (!live_ || trial_.front < 0 || !personIsKnown()) return;
-  decide(about(DecisionKind::Aside),
-         tr("setting aside %1").arg(QString::fromStdString(frontRef(trial_.front).id)));
+  if (rowInHand() < 0 || !personIsKnown()) return;
+  decide(about(DecisionKind::Aside), tr("setting aside %1").arg(inHand()));
 }
 
 void PairReviewModel::reshoot() {
-  if (!live_ || trial_.front < 0 || !personIsKnown()) return;
+  if (rowInHand() < 0 || !personIsKnown()) return;
   PairDecision decision = about(DecisionKind::Reshoot);
   if (card() != nullptr && card()->back >= 0) decision.scans.push_back(backRef(card()->back));
-  decide(decision, tr("shooting %1 again").arg(QString::fromStdString(frontRef(trial_.front).id)));
+  decide(decision, tr("shooting %1 again").arg(inHand()));
 }
 
 void PairReviewModel::giveBack(int front, int back) {
@@ -308,17 +349,17 @@ void PairReviewModel::giveBack(int front, int back) {
                             QString::fromStdString(backRef(back).id)));
 }
 
-void PairReviewModel::joinWith(Side side, int other_front) {
-  const pipeline::ReviewCard* other = review_.ofFront(other_front);
-  if (card() == nullptr || other == nullptr || other_front == trial_.front || !personIsKnown())
-    return;
+void PairReviewModel::joinWith(Side side, int row) {
+  const int mine = rowInHand();
+  if (mine < 0 || row < 0 || row >= rowCount() || row == mine || !personIsKnown()) return;
+  const ReviewRow &one = at(mine), &other = at(row);
   PairDecision decision = about(DecisionKind::Join);
-  if (side == Side::Front) {
-    decision.scans.push_back(frontRef(other_front));
+  if (side == Side::Front && !one.isLoneBack() && !other.isLoneBack()) {
+    decision.scans.push_back(frontRef(other.front));
   } else {
-    if (card()->back < 0 || other->back < 0)
+    if (one.back < 0 || other.back < 0)
       return emit failed(tr("One of the two has no back to be joined."));
-    decision.scans = {backRef(card()->back), backRef(other->back)};
+    decision.scans = {backRef(one.back), backRef(other.back)};
   }
   decide(decision, tr("joining %1 and %2")
                        .arg(QString::fromStdString(decision.scans[0].id),
@@ -326,15 +367,16 @@ void PairReviewModel::joinWith(Side side, int other_front) {
 }
 
 void PairReviewModel::split(Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm) {
-  if (card() == nullptr || !personIsKnown()) return;
-  if (side == Side::Back && trial_.back < 0) return;
+  if (rowInHand() < 0 || !personIsKnown()) return;
+  if ((side == Side::Back ? trial_.back : trial_.front) < 0) return;
   PairDecision decision = about(DecisionKind::Split);
   decision.cut_mm = {a_mm, b_mm};
   if (side == Side::Back) {
     const pipeline::ScanRef back = backRef(trial_.back);
     decision.scans = {back};
     for (Eigen::Vector2d& p : decision.cut_mm)
-      p = pipeline::onBackPlate(trial_.front_from_back, back, p);
+      if (trial_.front >= 0)  // a back alone is shown as it lies on its own plate
+        p = pipeline::onBackPlate(trial_.front_from_back, back, p);
   }
   decide(decision, tr("cutting %1").arg(QString::fromStdString(decision.scans[0].id)));
 }
@@ -346,14 +388,10 @@ bool PairReviewModel::personIsKnown() {
 }
 
 void PairReviewModel::decide(PairDecision decision, const QString& text) {
-  const int row = rowOf(trial_.front);
+  const int row = rowInHand();
   undo_.push(new DecideCommand(*this, std::move(decision), text));
   // On to what wants a person most; without any to the card that moved up to here.
-  if (waiting() > 0 && !review_.cards.empty() &&
-      (review_.cards[0].state == CardState::Ask || review_.cards[0].state == CardState::Alone))
-    selectRow(0);
-  else
-    selectRow(std::min(row, rowCount() - 1));
+  selectRow(!rows_.empty() && rows_[0].wantsPerson() ? 0 : std::min(row, rowCount() - 1));
 }
 
 bool PairReviewModel::write(PairDecision& decision) {
@@ -373,14 +411,27 @@ void PairReviewModel::redoReview() {
   const Result<pipeline::Review> review =
       pipeline::reviewOf(live_->table(), pipeline::standing(decisions_));
   if (!review) return emit failed(sentenceOf(review.error()));
+  std::vector<ReviewRow> rows = rowsOf(*review);
+  if (rows.size() != rows_.size()) {  // a back became somebody's, or nobody's
+    beginResetModel();
+    review_ = *review;
+    rows_ = std::move(rows);
+    endResetModel();
+    return emit waitingChanged();
+  }
   emit layoutAboutToBeChanged();
   const QModelIndexList before = persistentIndexList();
-  std::vector<int> fronts;
-  for (const QModelIndex& i : before)
-    fronts.push_back(review_.cards[static_cast<std::size_t>(i.row())].front);
+  std::vector<ReviewRow> were;
+  for (const QModelIndex& i : before) were.push_back(at(i.row()));
   review_ = *review;
+  rows_ = std::move(rows);
   QModelIndexList after;
-  for (const int front : fronts) after.append(index(rowOf(front)));
+  for (const ReviewRow& was : were) {
+    const auto now = std::find_if(rows_.begin(), rows_.end(), [&](const ReviewRow& row) {
+      return row.isAbout(was.front, was.back);
+    });
+    after.append(now == rows_.end() ? QModelIndex() : index(static_cast<int>(now - rows_.begin())));
+  }
   changePersistentIndexList(before, after);
   emit layoutChanged();
   if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1));

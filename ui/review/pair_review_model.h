@@ -7,22 +7,13 @@
 #include <set>
 
 #include "ui/jobs/job.h"
+#include "ui/review/review_rows.h"
 #include "ui/review/review_work.h"
+#include "ui/review/trial.h"
 
 class QUndoStack;
 
 namespace ostraka::ui {
-
-/// How the pose on trial came about.
-enum class Made { Program, StartPoint, ByHand, Settled };
-
-/// What a person tries on a front at the moment: a back at a pose. A value that undo can put back.
-struct Trial {
-  int front = -1, back = -1;
-  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
-  Made made = Made::Program;
-  int shift = -1;  ///< start point on the back's contour, of 200
-};
 
 /// The review of one batch without a window: cards as rows, the card in hand, what is tried on it,
 /// and the decisions. Long work goes through the jobs; every act through the undo stack.
@@ -55,6 +46,8 @@ class PairReviewModel final : public QAbstractListModel {
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   int rowOf(int front) const;
+  int rowOfLoneBack(int back) const;  ///< -1: a front holds it
+  int rowInHand() const;
 
   // the card in hand
   int front() const { return trial_.front; }
@@ -68,9 +61,10 @@ class PairReviewModel final : public QAbstractListModel {
   QString figuresText() const;  ///< rim RMS and overlap of the trial, in words
   bool canAccept() const;
   QString whyNotAccept() const;  ///< empty when it can
-  /// The front that holds this back now, -1: none; and whether that is in someone's way.
-  int holderOf(int back) const;
+  int holderOf(int back) const;  ///< the front that holds this back now, -1: none
   int waiting() const { return review_.waiting(); }
+  /// Something was decided that changes pairs or pieces, not only confirmed.
+  bool wantsComputing() const;
 
  public slots:
   void select(int front);
@@ -87,8 +81,9 @@ class PairReviewModel final : public QAbstractListModel {
   void stepSample(int by);             ///< by one of 200 samples
   void moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
   void settle();
-  /// Two cards' fronts (or backs) are one piece; the pairs have to be computed again.
-  void joinWith(batch::Side side, int other_front);
+  /// The pieces of the row in hand and of this one are one sherd's: its fronts or its backs (those
+  /// where one of the two is a lone back). The pairs have to be computed again.
+  void joinWith(batch::Side side, int row);
   /// The side in hand is two pieces, cut along a line as the picture shows it (front's frame, mm).
   void split(batch::Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm);
   void fetchModel();  ///< the closed model as last computed
@@ -114,6 +109,9 @@ class PairReviewModel final : public QAbstractListModel {
   void tryOut(const Trial& trial, const QString& text, bool merge = false);
   void redoReview();
   void takeCandidates();
+  void hold(const Trial& trial);  ///< another card
+  void show(const pipeline::ScanRef& scan);
+  const ReviewRow& at(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
   void fetchScene(Clouds clouds);
   void fetchMore();
   void fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work, Made made,
@@ -121,6 +119,7 @@ class PairReviewModel final : public QAbstractListModel {
   pipeline::PairDecision about(pipeline::DecisionKind kind) const;
   pipeline::ScanRef frontRef(int i) const;
   pipeline::ScanRef backRef(int i) const;
+  QString inHand() const;
   bool personIsKnown();
 
   JobRunner& runner_;
@@ -129,6 +128,7 @@ class PairReviewModel final : public QAbstractListModel {
   LivePairsPtr live_;
   pipeline::Decisions decisions_;
   pipeline::Review review_;
+  std::vector<ReviewRow> rows_;
   ScanPictures thumbnails_;
   std::map<int, std::vector<pipeline::ReviewCandidate>> more_;  ///< by front, compared on demand
   std::set<int> asked_;  ///< fronts for which more were sought

@@ -41,7 +41,7 @@ void PairReviewModel::stepStart(int by) {
 }
 
 void PairReviewModel::stepSample(int by) {
-  if (trial_.back < 0) return;
+  if (trial_.front < 0 || trial_.back < 0) return;
   const int front = trial_.front, back = trial_.back, to = std::max(0, trial_.shift) + by;
   fitAt([live = live_, front, back,
          to](std::stop_token) { return live->atStartPoint(front, back, to); },
@@ -49,7 +49,7 @@ void PairReviewModel::stepSample(int by) {
 }
 
 void PairReviewModel::settle() {
-  if (trial_.back < 0) return;
+  if (trial_.front < 0 || trial_.back < 0) return;
   const Trial from = trial_;
   fitAt(
       [live = live_, from](std::stop_token stop) -> Result<pipeline::LiveFit> {
@@ -62,7 +62,7 @@ void PairReviewModel::settle() {
 }
 
 void PairReviewModel::moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm) {
-  if (trial_.back < 0) return;
+  if (trial_.front < 0 || trial_.back < 0) return;
   Trial trial = trial_;
   trial.front_from_back =
       pipeline::movedByHand(trial_.front_from_back, backRef(trial_.back), turn_rad, move_mm);
@@ -93,7 +93,8 @@ void PairReviewModel::fitAt(std::function<Result<pipeline::LiveFit>(std::stop_to
 }
 
 void PairReviewModel::fetchModel() {
-  if (!live_ || card() == nullptr) return;
+  if (!live_) return;
+  if (card() == nullptr) return emit failed(tr("A back alone has no closed model."));
   if (model_job_) model_job_->deleteLater();
   const int front = trial_.front;
   model_job_ =
@@ -117,14 +118,16 @@ void PairReviewModel::fetchModel() {
 void PairReviewModel::fetchScene(Clouds clouds) {
   clouds_wanted_ = clouds_wanted_ || clouds == Clouds::Fetch;
   scene_wanted_ = true;
-  if (scene_job_ || !live_ || trial_.front < 0) return;
+  if (scene_job_ || !live_ || rowInHand() < 0) return;
   const Trial trial = trial_;
   const Clouds with = clouds_wanted_ ? Clouds::Fetch : Clouds::Leave;
   scene_wanted_ = clouds_wanted_ = false;
   scene_job_ = runner_.start(makeJob(tr("Picture of a pair"),
                                      [live = live_, trial, with](Progress&, std::stop_token) {
+                                       if (trial.front < 0)
+                                         return loneScene(live, batch::Side::Back, trial.back);
                                        return trial.back < 0
-                                                  ? loneScene(live, trial.front)
+                                                  ? loneScene(live, batch::Side::Front, trial.front)
                                                   : pairScene(live, trial.front, trial.back,
                                                               trial.front_from_back, with);
                                      }),

@@ -66,10 +66,15 @@ QRectF PicturePair::place(bool front) const {
   return target;
 }
 
+// Whether a picture is drawn the other way round than it came.
+bool PicturePair::flips(bool front) const {
+  const bool as_seen = front_name_.isEmpty();  // a back alone
+  return !front && (as_seen ? mirrored_ : !mirrored_);
+}
+
 Eigen::Vector2d PicturePair::shown(const QPointF& at, bool front) const {
   const QPointF pixel = (at - place(front).topLeft()) / scale();
-  const bool flipped = !front && !mirrored_;
-  const double column = flipped ? frame_.width - pixel.x() : pixel.x();
+  const double column = flips(front) ? frame_.width - pixel.x() : pixel.x();
   return frame_.at(column - 0.5, pixel.y() - 0.5);
 }
 
@@ -114,15 +119,16 @@ void PicturePair::paintEvent(QPaintEvent*) {
     else
       painter.drawImage(place(front), image);
   };
-  draw(true, front_, tr("front %1").arg(front_name_));
-  draw(false, mirrored_ ? back_ : back_.mirrored(true, false),
-       mirrored_ ? tr("back %1, mirrored").arg(back_name_) : tr("back %1").arg(back_name_));
+  if (!front_name_.isEmpty()) draw(true, front_, tr("front %1").arg(front_name_));
+  if (!back_name_.isEmpty())
+    draw(false, flips(false) ? back_.mirrored(true, false) : back_,
+         mirrored_ ? tr("back %1, mirrored").arg(back_name_) : tr("back %1").arg(back_name_));
   painter.setPen(QPen(palette().color(QPalette::Text), lineWidth(*this, 3)));
   if (drawing_) painter.drawLine(from_, to_);
   if (cutting_)
     painter.drawText(rect().adjusted(0, 0, 0, -line / 4), Qt::AlignHCenter | Qt::AlignBottom,
                      tr("Draw a line over the piece where it is to be cut."));
-  if (front_.isNull()) return;
+  if (front_.isNull() && back_.isNull()) return;
   const double pixels = 10 / frame_.px_mm * scale();
   const QPointF from(line / 2, height() - line / 2);
   painter.drawLine(from, from + QPointF(pixels, 0));

@@ -14,7 +14,7 @@ class PicturePair final : public QWidget {
 
  public:
   explicit PicturePair(QWidget* parent = nullptr);
-  /// back: as seen through the front.
+  /// back: as seen through the front; a back without a front as one sees it.
   void setPictures(const QImage& front, const QImage& back, const pipeline::PictureFrame& frame);
   void setNames(const QString& front, const QString& back);
   bool isMirrored() const { return mirrored_; }
@@ -39,6 +39,7 @@ class PicturePair final : public QWidget {
   QRect half(bool front) const;
   double scale() const;
   QRectF place(bool front) const;
+  bool flips(bool front) const;
   Eigen::Vector2d shown(const QPointF& at, bool front) const;
 
   QImage front_, back_;

@@ -32,8 +32,7 @@ void DecideCommand::undo() {
   withdrawal.by = decision_.by;
   withdrawal.scans = decision_.scans;
   withdrawal.replaces = {number_};
-  if (model_->write(withdrawal) && !decision_.scans.empty())
-    model_->select(pipeline::resolved(decision_.scans.front(), model_->live()->table().fronts));
+  if (model_->write(withdrawal) && !decision_.scans.empty()) model_->show(decision_.scans.front());
 }
 
 TryCommand::TryCommand(PairReviewModel& model, const Trial& before, const Trial& after,

@@ -13,6 +13,8 @@
 #include "ui/frame/state_colours.h"
 #include "ui/review/candidate_bar.h"
 #include "ui/review/card_list.h"
+#include "ui/review/flow_row.h"
+#include "ui/review/join_mode.h"
 #include "ui/review/outline_plot.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/picture_pair.h"
@@ -46,10 +48,8 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
   buildLayout();
   connect(cards_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
-            const int front = now.data(PairReviewModel::FrontRole).toInt();
-            if (!now.isValid() || front == model_.front()) return;
-            if (join_->isChecked()) return joinTo(front);
-            model_.select(front);
+            if (!now.isValid() || now.row() == model_.rowInHand()) return;
+            joining_->isOn() ? joining_->take(now.row()) : model_.selectRow(now.row());
           });
   connect(cards_, &CardList::backDropped, &model_, &PairReviewModel::giveBack);
   connect(&model_, &PairReviewModel::cardChanged, this, &ReviewPane::showCard);
@@ -70,40 +70,42 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
 
 QAction* ReviewPane::act(const char* name, const QString& text, const QList<QKeySequence>& keys,
                          void (PairReviewModel::*slot)()) {
+  QAction* action = keyed(name, text, keys);
+  connect(action, &QAction::triggered, &model_, slot);
+  return action;
+}
+
+QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QKeySequence>& keys) {
   auto* action = new QAction(text, this);
   action->setObjectName(name);
   action->setShortcuts(keys);
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  connect(action, &QAction::triggered, &model_, slot);
   addAction(action);
   return action;
 }
 
 QAction* ReviewPane::step(const char* name, const QString& text, const QKeySequence& key, int by,
                           void (PairReviewModel::*slot)(int)) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(name);
-  action->setShortcut(key);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  QAction* action = keyed(name, text, {key});
   connect(action, &QAction::triggered, &model_, [this, slot, by] { (model_.*slot)(by); });
-  addAction(action);
   return action;
 }
 
 QAction* ReviewPane::toggle(const char* name, const QString& text, const QKeySequence& key) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(name);
-  action->setShortcut(key);
+  QAction* action = keyed(name, text, {key});
   action->setCheckable(true);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  addAction(action);
   return action;
 }
 
 void ReviewPane::buildActions() {
-  act("accept", tr("This one"), {Qt::Key_Return, Qt::Key_Enter}, &PairReviewModel::accept);
-  act("next", tr("Next pair"), {Qt::Key_Down}, &PairReviewModel::next);
-  act("previous", tr("Previous pair"), {Qt::Key_Up}, &PairReviewModel::previous);
+  const auto add = [this](const char* name, const QString& text, const QList<QKeySequence>& keys,
+                          void (ReviewPane::*slot)()) {
+    connect(keyed(name, text, keys), &QAction::triggered, this, slot);
+  };
+  add("accept", tr("This one"), {Qt::Key_Return, Qt::Key_Enter}, &ReviewPane::accept);
+  add("next", tr("Next pair"), {Qt::Key_Down}, &ReviewPane::next);
+  add("previous", tr("Previous pair"), {Qt::Key_Up}, &ReviewPane::previous);
+  add("leaveJoin", tr("Join nothing"), {Qt::Key_Escape}, &ReviewPane::leave);
   for (int i = 0; i < 9; ++i)
     step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,
          &PairReviewModel::choose);
@@ -133,7 +135,7 @@ void ReviewPane::buildActions() {
     if (on)
       model_.fetchModel();
     else if (scene_)
-      model_.select(model_.front());
+      model_.selectRow(model_.rowInHand());
   });
   QAction* settle = act("settle", tr("Settle"), {Qt::Key_B}, &PairReviewModel::settle);
   settle->setToolTip(tr("Let the rims settle the position (B)"));
@@ -148,14 +150,17 @@ void ReviewPane::buildActions() {
             model_.split(front ? batch::Side::Front : batch::Side::Back, a, b);
           });
   join_ = toggle("join", tr("Join"), Qt::Key_J);
-  join_->setToolTip(tr("Join two pieces of one sherd: then choose the other card (J)"));
-  connect(join_, &QAction::toggled, this, &ReviewPane::showCard);
+  join_->setToolTip(
+      tr("Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)"));
+  joining_ = new JoinMode(model_, *cards_, join_,
+                          toggle("joinBacks", tr("Join backs"), Qt::SHIFT | Qt::Key_J), this);
+  connect(joining_, &JoinMode::changed, this, &ReviewPane::showCard);
   shown_actions_ = {settle,  mirror_, apart_, section_, measure_, along_rim_,
                     closed_, join_,   cut_,   aside,    reshoot};
 }
 
-QBoxLayout* ReviewPane::buttons() {
-  auto* row = new QHBoxLayout;
+QLayout* ReviewPane::buttons() {
+  auto* row = new FlowRow;
   row->setSpacing(2);
   for (QAction* action : shown_actions_) {
     auto* button = new QToolButton(this);
@@ -173,7 +178,6 @@ QBoxLayout* ReviewPane::buttons() {
     button->setMinimumHeight(fontMetrics().height() * 2);
     row->addWidget(button);
   }
-  row->addStretch();
   return row;
 }
 
@@ -191,7 +195,7 @@ void ReviewPane::buildLayout() {
   accept_->setMinimumHeight(targetSize(*this));
   accept_->setFont(scaledFont(*this, 1.2));
   accept_->setFocusPolicy(Qt::TabFocus);
-  connect(accept_, &QPushButton::clicked, &model_, &PairReviewModel::accept);
+  connect(accept_, &QPushButton::clicked, this, &ReviewPane::accept);
 
   auto* middle = new QSplitter(Qt::Vertical, this);
   middle->addWidget(pictures_);
@@ -206,8 +210,7 @@ void ReviewPane::buildLayout() {
   sides->setSizes({500, 500});
 
   auto* last = new QHBoxLayout;
-  last->addWidget(candidates_);
-  last->addStretch();
+  last->addWidget(candidates_, 1);
   last->addWidget(accept_);
   auto* right = new QVBoxLayout;
   right->addWidget(reason_);
@@ -217,17 +220,15 @@ void ReviewPane::buildLayout() {
   right->addLayout(last);
   auto* all = new QHBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
-  cards_->setFixedWidth(fontMetrics().height() * 14);
+  cards_->setFixedWidth(fontMetrics().height() * 15);
   all->addWidget(cards_);
   all->addLayout(right, 1);
 }
 
 void ReviewPane::showCard() {
-  const int row = model_.rowOf(model_.front());
+  const int row = model_.rowInHand();
   if (row >= 0 && cards_->currentIndex().row() != row) cards_->setCurrentIndex(model_.index(row));
-  reason_->setText(join_->isChecked() ? tr("Which piece belongs to %1? Choose its card.")
-                                            .arg(model_.index(std::max(row, 0)).data().toString())
-                                      : model_.reason());
+  reason_->setText(joining_->isOn() ? joining_->words() : model_.reason());
   if (!model_.isOpen()) {
     view_->clear();
     plot_->clear();
@@ -236,29 +237,38 @@ void ReviewPane::showCard() {
   showFigures();
 }
 
-void ReviewPane::joinTo(int front) {
-  join_->setChecked(false);
-  model_.joinWith(batch::Side::Front, front);
-  showCard();
+void ReviewPane::accept() {
+  joining_->isOn() ? joining_->takeMarked() : model_.accept();
+}
+
+void ReviewPane::next() {
+  joining_->isOn() ? joining_->move(1) : model_.next();
+}
+
+void ReviewPane::previous() {
+  joining_->isOn() ? joining_->move(-1) : model_.previous();
+}
+
+void ReviewPane::leave() {
+  joining_->leave();
 }
 
 void ReviewPane::showFigures() {
   figures_->setText(model_.isSettling() ? tr("The rims are compared …") : model_.figuresText());
   // A missing name is said by the click, not by a dead button.
-  accept_->setEnabled(model_.isOpen() && model_.trial().back >= 0);
+  accept_->setEnabled(model_.isOpen() && model_.front() >= 0 && model_.trial().back >= 0);
   accept_->setToolTip(model_.whyNotAccept());
   if (model_.isOpen() && !closed_->isChecked()) view_->setPose(model_.trial().front_from_back);
 }
 
 void ReviewPane::showScene(const PairScene& scene) {
   const auto& table = model_.live()->table();
+  const auto name = [](const std::vector<pipeline::ScanRef>& scans, int i) {
+    return i < 0 ? QString() : QString::fromStdString(scans.at(static_cast<std::size_t>(i)).id);
+  };
   pictures_->setPictures(scene.front_picture, scene.back_picture, scene.view.frame);
-  pictures_->setNames(
-      QString::fromStdString(table.fronts[static_cast<std::size_t>(scene.front)].id),
-      scene.back < 0
-          ? QString()
-          : QString::fromStdString(table.backs[static_cast<std::size_t>(scene.back)].id));
-  scene.back < 0 ? plot_->clear() : plot_->setView(scene.view);
+  pictures_->setNames(name(table.fronts, scene.front), name(table.backs, scene.back));
+  scene.front < 0 || scene.back < 0 ? plot_->clear() : plot_->setView(scene.view);
   if (scene.front_cloud && scene.back_cloud) {
     closed_->setChecked(false);
     measure_->setChecked(false);

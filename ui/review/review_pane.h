@@ -5,14 +5,15 @@
 #include <vector>
 
 class QAction;
-class QBoxLayout;
 class QLabel;
+class QLayout;
 class QPushButton;
 
 namespace ostraka::ui {
 
 class CandidateBar;
 class CardList;
+class JoinMode;
 class OutlinePlot;
 class PairReviewModel;
 class PicturePair;
@@ -31,14 +32,18 @@ class ReviewPane final : public QWidget {
  private:
   void buildLayout();
   void buildActions();
-  QBoxLayout* buttons();
+  QLayout* buttons();
+  QAction* keyed(const char* name, const QString& text, const QList<QKeySequence>& keys);
   QAction* act(const char* name, const QString& text, const QList<QKeySequence>& keys,
                void (PairReviewModel::*slot)());
   QAction* step(const char* name, const QString& text, const QKeySequence& key, int by,
                 void (PairReviewModel::*slot)(int));
   QAction* toggle(const char* name, const QString& text, const QKeySequence& key);
   void showCard();
-  void joinTo(int front);
+  void accept();
+  void next();
+  void previous();
+  void leave();
   void showFigures();
   void showScene(const PairScene& scene);
   void colourRim();
@@ -54,6 +59,7 @@ class ReviewPane final : public QWidget {
   QPushButton* accept_ = nullptr;
   QAction *mirror_ = nullptr, *apart_ = nullptr, *section_ = nullptr, *measure_ = nullptr,
           *along_rim_ = nullptr, *closed_ = nullptr, *cut_ = nullptr, *join_ = nullptr;
+  JoinMode* joining_ = nullptr;
   QList<QAction*> shown_actions_;  ///< those with a button
   std::shared_ptr<const PairScene> scene_;
   std::vector<Eigen::Vector3d> measured_;

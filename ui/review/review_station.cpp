@@ -11,6 +11,7 @@
 #include "catalogue/project.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
+#include "ui/queue/batch_figures.h"
 #include "ui/review/catalogue_entry.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
@@ -148,6 +149,7 @@ void ReviewStation::openOutput(const QString& batch) {
     const auto opened = outcomeAs<OpenedBatch>(outcome);
     if (!opened) return say(QString::fromStdString(opened.error().sentence()));
     model_->open(*opened);
+    compute_->setVisible(model_->wantsComputing() && isOlderThanDecisions());
     if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
     for (const std::string& warning : model_->review().warnings)
       say(QString::fromStdString(warning));
@@ -173,12 +175,27 @@ void ReviewStation::enter(const pipeline::PairDecision& decision) {
           ? tr("Taken back. Both are kept in the history.")
           : tr("Saved, with your name."));
   if (session_->hasProject()) {
-    compute_->show();
-    const Result<void> entered =
-        enterDecision(session_->project().catalogue(), batch_.toStdString(), decision);
-    if (!entered) say(QString::fromStdString(entered.error().sentence()));
+    catalogue::Catalogue& rows = session_->project().catalogue();
+    const Result<void> entered = enterDecision(rows, batch_.toStdString(), decision);
+    const Result<void> shown = tellQueue(decision.by);
+    compute_->setVisible(model_->wantsComputing());
+    for (const Result<void>* done : {&shown, &entered})
+      if (!*done) say(QString::fromStdString(done->error().sentence()));
   }
   session_->tellBatchChanged(batch_);
+}
+
+// The queue's row follows: its figures, and whether the batch still wants a person.
+Result<void> ReviewStation::tellQueue(const std::string& person) {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  BatchFigures figures = keptFigures(rows, batch_).value_or(BatchFigures{});
+  const ReviewFigures now = figuresOf(model_->review());
+  figures.sherds = now.sherds;
+  figures.sure = now.sure;
+  figures.decided = now.decided;
+  figures.ask = now.ask;
+  if (const Result<void> kept = keepFigures(rows, batch_, figures); !kept) return kept;
+  return settleBatch(rows, batch_.toStdString(), person, now.ask == 0 && !model_->wantsComputing());
 }
 
 // What another station did to this batch: new pairs are shown, a mere change of its state is not.
@@ -187,6 +204,15 @@ void ReviewStation::follow(const QString& batch) {
   if (batches_->findText(batch) < 0) return;
   // The first batch that is computed shows itself; one that was computed anew is read anew.
   if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) != stamp_)) openOutput(batch);
+}
+
+// Whether something was decided since the batch was computed.
+bool ReviewStation::isOlderThanDecisions() const {
+  std::error_code none;
+  const auto decided = fs::last_write_time(outputOf(batch_) / "decisions.json", none);
+  if (none) return false;
+  const auto computed = fs::last_write_time(outputOf(batch_) / "report.json", none);
+  return none || decided > computed;
 }
 
 fs::file_time_type ReviewStation::stampOf(const QString& batch) const {

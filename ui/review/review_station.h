@@ -44,6 +44,8 @@ class ReviewStation final : public Station {
   void openOutput(const QString& batch);
   void compute();
   void enter(const pipeline::PairDecision& decision);
+  Result<void> tellQueue(const std::string& person);
+  bool isOlderThanDecisions() const;
   void follow(const QString& batch);
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);

@@ -14,7 +14,7 @@ using pipeline::ReviewCard;
 using registration::Slip;
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("ostraka::ui::Review", text);
+  return QCoreApplication::translate("ostraka::ui", text);
 }
 
 QString idOf(const std::vector<pipeline::ScanRef>& scans, int i) {
@@ -119,11 +119,6 @@ State stateColour(CardState state) {
     default:
       return State::Sure;
   }
-}
-
-QString pairName(const ReviewCard& card, const CandidateTable& table) {
-  const QString front = idOf(table.fronts, card.front);
-  return card.back < 0 ? front : tr("%1 – %2").arg(front, idOf(table.backs, card.back));
 }
 
 QString doubtSentence(const ReviewCard& card, const CandidateTable& table) {

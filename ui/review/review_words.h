@@ -12,8 +12,6 @@ QString doubtSentence(const pipeline::ReviewCard& card, const pipeline::Candidat
 /// One or two words for the state; goes along with the colour.
 QString stateWord(pipeline::CardState state);
 State stateColour(pipeline::CardState state);
-/// "f003 – b007", or "f003".
-QString pairName(const pipeline::ReviewCard& card, const pipeline::CandidateTable& table);
 QString percent(double share);  ///< "71 %", "under 1 %"
 QString mm(double value, int digits = 2);
 /// What the registration's own check says of a pose; empty when nothing.

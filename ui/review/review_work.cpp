@@ -67,17 +67,19 @@ Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int
   return std::shared_ptr<const PairScene>(std::move(scene));
 }
 
-Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, int front) {
+Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, batch::Side side,
+                                                   int scan) {
   auto scene = std::make_shared<PairScene>();
-  scene->front = front;
-  scene->view.frame = live->frameOf(batch::Side::Front, front, kLonePixel_mm);
-  if (const Result<pipeline::Picture> picture =
-          live->picture(batch::Side::Front, front, kLonePixel_mm))
-    scene->front_picture = imageOf(*picture);
-  Result<pipeline::ScanCloud> cloud = live->cloud(batch::Side::Front, front, kShownPoints);
+  const bool front = side == batch::Side::Front;
+  (front ? scene->front : scene->back) = scan;
+  scene->view.frame = live->frameOf(side, scan, kLonePixel_mm);
+  if (const Result<pipeline::Picture> picture = live->picture(side, scan, kLonePixel_mm))
+    (front ? scene->front_picture : scene->back_picture) = imageOf(*picture);
+  Result<pipeline::ScanCloud> cloud = live->cloud(side, scan, kShownPoints);
   if (!cloud) return cloud.error();
-  scene->front_cloud = std::move(*cloud);
+  scene->front_cloud.emplace();
   scene->back_cloud.emplace();
+  (front ? *scene->front_cloud : *scene->back_cloud) = std::move(*cloud);
   return std::shared_ptr<const PairScene>(std::move(scene));
 }
 

@@ -34,8 +34,9 @@ enum class Clouds { Leave, Fetch };
 Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,
                                                    const Eigen::Isometry3d& pose, Clouds clouds);
 
-/// A front that has no partner to be shown with.
-Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, int front);
+/// A scan that has no partner to be shown with, in its own plate frame.
+Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, batch::Side side,
+                                                   int scan);
 
 /// OUT/sherds/<number>/model.ply.
 using MeshPtr = std::shared_ptr<const TriangleMesh>;

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "catalogue/piece_decisions.h"
 #include "catalogue/project.h"
 
 namespace ostraka::ui {
@@ -18,6 +19,7 @@ class CatalogueEntryTest : public QObject {
   void init();
   void aPairCountsAndItsWithdrawalTakesItBack();
   void eachScanSetAsideHasARow();
+  void joinsAndCutsAreKeptAndTakenBack();
   void aScanThatIsNotEnteredIsSaid();
   void theBatchIsQueuedAgain();
 
@@ -79,8 +81,24 @@ void CatalogueEntryTest::aPairCountsAndItsWithdrawalTakesItBack() {
 void CatalogueEntryTest::eachScanSetAsideHasARow() {
   QVERIFY(enterDecision(rows(), "B0001", decision(DecisionKind::Aside, 1)).has_value());
   QCOMPARE(rows().decisions(batch_)->size(), std::size_t{2});
-  QVERIFY(enterDecision(rows(), "B0001", decision(DecisionKind::Join, 2)).has_value());
-  QCOMPARE(rows().decisions(batch_)->size(), std::size_t{2});
+}
+
+void CatalogueEntryTest::joinsAndCutsAreKeptAndTakenBack() {
+  pipeline::PairDecision join = decision(DecisionKind::Join, 2);
+  join.scans[0] = {batch::Side::Back, "b002", {5, 6}};
+  QVERIFY(enterDecision(rows(), "B0001", join).has_value());
+  pipeline::PairDecision back = join;
+  back.kind = DecisionKind::Withdraw;
+  back.number = 3;
+  back.replaces = {2};
+  QVERIFY(enterDecision(rows(), "B0001", back).has_value());
+  const auto kept = catalogue::pieceDecisions(rows(), batch_);
+  QCOMPARE(kept->size(), std::size_t{2});
+  QCOMPARE(kept->at(0).side, batch::Side::Back);
+  QCOMPARE(kept->at(0).pieces.at(0).name, std::string("b002"));
+  QCOMPARE(kept->at(1).verdict, catalogue::PieceVerdict::Withdraw);
+  QCOMPARE(kept->at(1).replaces, kept->at(0).row);
+  QCOMPARE(rows().decisions(batch_)->size(), std::size_t{0});
 }
 
 void CatalogueEntryTest::aScanThatIsNotEnteredIsSaid() {

@@ -217,7 +217,7 @@ void PairReviewModelTest::threeCandidatesAreOfferedAndAnyOtherBackOnDemand() {
 
 void PairReviewModelTest::piecesAreJoinedAndCut() {
   model_->select(2);
-  model_->joinWith(batch::Side::Front, 3);
+  model_->joinWith(batch::Side::Front, model_->rowOf(3));
   QCOMPARE(onDisk().size(), std::size_t{1});
   QCOMPARE(onDisk()[0].kind, DecisionKind::Join);
   QCOMPARE(onDisk()[0].scans[1].id, std::string("f004"));

@@ -10,8 +10,11 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "catalogue/piece_decisions.h"
+#include "catalogue/project.h"
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
+#include "ui/queue/batch_queue.h"
 #include "ui/review/card_delegate.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
@@ -31,10 +34,21 @@ class ReviewWindowTest : public QObject {
   void swappedLookAlikesAreFixedByMouse();
   void twentyPairsAreReviewedByKeyboardAlone();
   void theKeysOfThePictureWork();
+  void aBackThatNoFrontHoldsHasACardOfItsOwn();
+  void aLoneBackIsDraggedOntoItsFront();
+  void piecesOfTheBackAreJoinedByKeyboardAndByMouse();
+  void theQueueFollowsWhatIsDecided();
+  void whatIsOnlyConfirmedNeedsNoComputing();
   void everyControlHasAName();
 
  private:
-  void open(int sherds);
+  void open(int sherds, bool with_project = false);
+  void enterBatch(catalogue::Project& project, int sherds);
+  void click(int row, bool on_back = false);
+  void drag(int from_row, int to_row);
+  catalogue::BatchState batchState() {
+    return session_->project().catalogue().batchByNumber("B0001")->state;
+  }
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
@@ -52,14 +66,24 @@ class ReviewWindowTest : public QObject {
   ReviewStation* station_ = nullptr;
 };
 
-void ReviewWindowTest::open(int sherds) {
+void ReviewWindowTest::open(int sherds, bool with_project) {
   folder_ = std::make_unique<QTemporaryDir>();
   const std::filesystem::path project = folder_->path().toStdString();
   pipeline::SyntheticOptions options;
   options.sherds = sherds;
   out_ = pipeline::writeSyntheticOut(project / "results" / "B0001", options);
   runner_ = std::make_unique<ThreadedJobRunner>();
-  session_ = std::make_unique<ProjectSession>(nullptr, project, *runner_);
+  std::shared_ptr<catalogue::Project> catalogue;
+  if (with_project) {
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    record.title = "Trial";
+    auto made = catalogue::Project::create(project / "rows", record);
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    catalogue = std::make_shared<catalogue::Project>(std::move(*made));
+    enterBatch(*catalogue, sherds);
+  }
+  session_ = std::make_unique<ProjectSession>(catalogue, project, *runner_);
   window_ = std::make_unique<QMainWindow>();
   station_ = new ReviewStation(window_.get());
   window_->setCentralWidget(station_);
@@ -78,6 +102,50 @@ void ReviewWindowTest::open(int sherds) {
   key(Qt::Key_Return);
   QTRY_COMPARE(model()->person(), QStringLiteral("AP"));
   QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+}
+
+void ReviewWindowTest::enterBatch(catalogue::Project& project, int sherds) {
+  catalogue::Catalogue& rows = project.catalogue();
+  catalogue::BatchRecord batch;
+  batch.number = "B0001";
+  batch.state = catalogue::BatchState::Review;
+  const auto row = rows.addBatch(batch, {});
+  QVERIFY2(row.has_value(), row ? "" : row.error().sentence().c_str());
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+    for (int i = 0; i < sherds; ++i) {
+      catalogue::ScanRecord scan;
+      scan.batch = *row;
+      scan.side = side;
+      scan.index = i + 1;
+      scan.name = (side == batch::Side::Front ? out_.table.fronts : out_.table.backs)
+                      .at(static_cast<std::size_t>(i))
+                      .id;
+      scan.path = "results/B0001/scans/" + scan.name + ".ply";
+      QVERIFY(rows.save(scan, {}).has_value());
+    }
+}
+
+void ReviewWindowTest::click(int row, bool on_back) {
+  auto* cards = station_->findChild<QListView*>("cards");
+  const QRect card = cards->visualRect(model()->index(row));
+  const QRect back = CardDelegate::backPicture(card, cards->fontMetrics());
+  QTest::mouseClick(cards->viewport(), Qt::LeftButton, {},
+                    on_back ? back.center() : QPoint(back.right() + 20, back.top() + 4));
+}
+
+void ReviewWindowTest::drag(int from_row, int to_row) {
+  auto* cards = station_->findChild<QListView*>("cards");
+  const auto rect = [&](int row) { return cards->visualRect(model()->index(row)); };
+  const QPoint from = CardDelegate::backPicture(rect(from_row), cards->fontMetrics()).center();
+  const QPoint to = rect(to_row).center();
+  QTest::mousePress(cards->viewport(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 8; ++i) {
+    const QPoint at = from + (to - from) * i / 8;
+    QMouseEvent move(QEvent::MouseMove, at, cards->viewport()->mapToGlobal(at), Qt::NoButton,
+                     Qt::LeftButton, {});
+    QApplication::sendEvent(cards->viewport(), &move);
+  }
+  QTest::mouseRelease(cards->viewport(), Qt::LeftButton, {}, to);
 }
 
 void ReviewWindowTest::cleanup() {
@@ -113,21 +181,7 @@ void ReviewWindowTest::swappedLookAlikesAreFixedByKeyboard() {
 
 void ReviewWindowTest::swappedLookAlikesAreFixedByMouse() {
   open(4);
-  auto* cards = station_->findChild<QListView*>("cards");
-  const auto rowRect = [&](int front) {
-    return cards->visualRect(model()->index(model()->rowOf(front)));
-  };
-  // The back of f001's card is dragged onto f002.
-  const QPoint from = CardDelegate::backPicture(rowRect(0), cards->fontMetrics()).center();
-  const QPoint to = rowRect(1).center();
-  QTest::mousePress(cards->viewport(), Qt::LeftButton, {}, from);
-  for (int i = 1; i <= 8; ++i) {
-    const QPoint at = from + (to - from) * i / 8;
-    QMouseEvent move(QEvent::MouseMove, at, cards->viewport()->mapToGlobal(at), Qt::NoButton,
-                     Qt::LeftButton, {});
-    QApplication::sendEvent(cards->viewport(), &move);
-  }
-  QTest::mouseRelease(cards->viewport(), Qt::LeftButton, {}, to);
+  drag(model()->rowOf(0), model()->rowOf(1));  // the back of f001's card onto f002
   QTRY_COMPARE(cardOf(1).back, 1);
   QCOMPARE(cardOf(1).state, CardState::Decided);
   QCOMPARE(model()->front(), 0);
@@ -177,6 +231,123 @@ void ReviewWindowTest::theKeysOfThePictureWork() {
   QTRY_COMPARE(cardOf(front).state, CardState::Aside);
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(cardOf(front).state, CardState::Ask);
+}
+
+void ReviewWindowTest::aBackThatNoFrontHoldsHasACardOfItsOwn() {
+  open(4);
+  click(model()->rowOf(2));
+  QTRY_COMPARE(model()->front(), 2);
+  key(Qt::Key_S);
+  QTRY_COMPARE(cardOf(2).state, CardState::Aside);
+  QCOMPARE(model()->waiting(), 3);
+  QCOMPARE(model()->rowCount(), 5);
+  const int lone = model()->rowOfLoneBack(2);
+  QCOMPARE(lone, 2);  // behind the two doubtful pairs
+  click(lone);
+  QTRY_COMPARE(model()->rowInHand(), lone);
+  QCOMPARE(model()->front(), -1);
+  QVERIFY(station_->findChild<QLabel*>("reason")->text().contains("No front holds this back"));
+  QVERIFY(!station_->findChild<QPushButton*>("acceptButton")->isEnabled());
+  key(Qt::Key_B);  // nothing to settle: nothing happens
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  key(Qt::Key_S);
+  QTRY_COMPARE(model()->waiting(), 2);
+  QCOMPARE(model()->review().aside_backs, std::vector<int>{2});
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_COMPARE(model()->waiting(), 3);
+  QCOMPARE(model()->rowInHand(), model()->rowOfLoneBack(2));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_COMPARE(cardOf(2).state, CardState::Sure);
+  QCOMPARE(model()->rowCount(), 4);
+}
+
+void ReviewWindowTest::aLoneBackIsDraggedOntoItsFront() {
+  open(4);
+  click(model()->rowOf(2));
+  key(Qt::Key_S);
+  QTRY_COMPARE(model()->rowCount(), 5);
+  drag(model()->rowOfLoneBack(2), model()->rowOf(2));
+  QTRY_COMPARE(cardOf(2).state, CardState::Decided);
+  QCOMPARE(cardOf(2).back, 2);
+  QCOMPARE(model()->rowCount(), 4);
+}
+
+void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
+  open(4, true);
+  const auto backs = [this](int a, int b) {
+    const pipeline::PairDecision join = standingOnDisk().back();
+    return join.kind == pipeline::DecisionKind::Join && join.scans.size() == 2 &&
+           join.scans[0].side == batch::Side::Back && join.scans[1].side == batch::Side::Back &&
+           join.scans[0].id == out_.table.backs.at(static_cast<std::size_t>(a)).id &&
+           join.scans[1].id == out_.table.backs.at(static_cast<std::size_t>(b)).id;
+  };
+  const int held = model()->trial().back;
+  key(Qt::Key_J, Qt::ShiftModifier);
+  QVERIFY(station_->findChild<QLabel*>("reason")->text().startsWith("Which back belongs"));
+  key(Qt::Key_Down);
+  key(Qt::Key_Down);
+  QCOMPARE(model()->rowInHand(), 0);  // only marked
+  key(Qt::Key_Return);
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  QVERIFY(backs(held, 2));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_VERIFY(standingOnDisk().empty());
+
+  key(Qt::Key_J);
+  click(model()->rowOf(3), true);  // on the picture of its back
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  QVERIFY(backs(held, 3));
+  key(Qt::Key_J);
+  key(Qt::Key_Escape);
+  key(Qt::Key_Down);
+  QCOMPARE(standingOnDisk().size(), std::size_t{1});
+
+  // Both joins and the withdrawal stand in the catalogue, with who took them.
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  const auto kept = catalogue::pieceDecisions(rows, rows.batchByNumber("B0001")->row);
+  QVERIFY(kept.has_value());
+  QCOMPARE(kept->size(), std::size_t{3});
+  QCOMPARE(kept->at(1).verdict, catalogue::PieceVerdict::Withdraw);
+  QCOMPARE(kept->at(2).pieces.at(1).name, out_.table.backs.at(3).id);
+  QCOMPARE(rows.persons()->at(0).initials, std::string("AP"));
+  QCOMPARE(kept->at(2).by, rows.persons()->at(0).row);
+}
+
+void ReviewWindowTest::theQueueFollowsWhatIsDecided() {
+  open(4, true);
+  BatchQueue queue;
+  queue.setSession(session_.get());
+  QCOMPARE(queue.row(0).state, QueueState::Review);
+  const int first = model()->front();
+  key(Qt::Key_2);
+  QTRY_COMPARE(model()->trial().back, first);
+  key(Qt::Key_Return);
+  QTRY_VERIFY(queue.row(0).figures.has_value());
+  QCOMPARE(queue.row(0).figures->sherds, 4);
+  QCOMPARE(queue.row(0).figures->decided, 1);
+  QCOMPARE(queue.row(0).figures->sure, 2);
+  QCOMPARE(queue.row(0).figures->ask, 1);
+  key(Qt::Key_Return);
+  QTRY_COMPARE(queue.row(0).figures->ask, 0);
+  QCOMPARE(queue.row(0).figures->decided, 2);
+  // The pairs are others than before: their models are still to be made.
+  QCOMPARE(batchState(), catalogue::BatchState::Review);
+  QVERIFY(stateWords(queue.row(0)).contains("to be computed"));
+  QVERIFY(station_->findChild<QPushButton*>("compute")->isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_COMPARE(queue.row(0).figures->ask, 1);
+  queue.setSession(nullptr);
+}
+
+void ReviewWindowTest::whatIsOnlyConfirmedNeedsNoComputing() {
+  open(4, true);
+  key(Qt::Key_Return);
+  key(Qt::Key_Return);
+  QTRY_COMPARE(model()->waiting(), 0);
+  QTRY_COMPARE(batchState(), catalogue::BatchState::Done);
+  QVERIFY(!station_->findChild<QPushButton*>("compute")->isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_COMPARE(batchState(), catalogue::BatchState::Review);
 }
 
 void ReviewWindowTest::everyControlHasAName() {

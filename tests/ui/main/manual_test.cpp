@@ -1,0 +1,135 @@
+// The manual inside the program: its pages, links and pictures are there, F1 opens the page of the
+// screen, and each page names the keys that its screen has.
+#include <QAction>
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QTextBrowser>
+
+#include "person.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/station.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/main/new_project.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+namespace {
+
+QString contentsOf(const QString& name) {
+  QFile file(name);
+  return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+// As the manual writes it: "Enter", "Delete", "Shift+Left".
+QString written(const QKeySequence& key) {
+  QString text = key.toString(QKeySequence::PortableText);
+  text.replace(QLatin1String("Return"), QLatin1String("Enter"));
+  text.replace(QLatin1String("Del"), QLatin1String("Delete"));
+  return text;
+}
+
+bool names(const QString& page, const QKeySequence& key) {
+  static const QRegularExpression digit(QStringLiteral("^(Ctrl\\+)?[1-9]$"));
+  if (digit.match(written(key)).hasMatch()) return true;  // '1 to 9'
+  const QRegularExpression word(QStringLiteral("(^|[^A-Za-z+])%1($|[^A-Za-z+])")
+                                    .arg(QRegularExpression::escape(written(key))));
+  return word.match(page).hasMatch();
+}
+
+}  // namespace
+
+class ManualTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    home_ = std::make_unique<Home>();
+    jobs_ = std::make_unique<ThreadedJobRunner>();
+    window_ = std::make_unique<MainWindow>(*jobs_);
+    window_->resize(1280, 720);
+    activate(*window_);
+    auto made = makeVirtualProject(home_->path("Ostraka/Virtual"));
+    QVERIFY(made.has_value());
+    made->reset();  // the window opens it by itself
+  }
+  void cleanup() {
+    window_.reset();
+    jobs_.reset();
+  }
+
+  void everyLinkAndPictureOfItIsThere() {
+    static const QRegularExpression target(QStringLiteral("(?:href|src)=\"([^\"]+)\""));
+    int pages = 0, pictures = 0;
+    QDirIterator files(QStringLiteral(":/manual"), {QStringLiteral("*.html")});
+    while (files.hasNext()) {
+      ++pages;
+      const QString page = contentsOf(files.next());
+      QVERIFY2(page.contains(QLatin1String("<h1>")), qPrintable(files.fileName()));
+      for (auto at = target.globalMatch(page); at.hasNext();) {
+        const QString name = QStringLiteral(":/manual/") + at.next().captured(1);
+        QVERIFY2(QFile::exists(name), qPrintable(files.fileName() + ": " + name));
+        if (!name.endsWith(QLatin1String(".png"))) continue;
+        ++pictures;
+        QVERIFY2(QImage(name).width() >= 1000, qPrintable(name));
+      }
+    }
+    QVERIFY(pages >= 9);
+    QVERIFY(pictures >= 8);
+  }
+
+  void f1OpensThePageOfEachScreen() {
+    auto* text = named<QTextBrowser>(*window_, "helpText");
+    QTest::keyClick(window_.get(), Qt::Key_F1);
+    QCOMPARE(text->documentTitle(), QStringLiteral("Projects"));
+    openProject();
+    for (std::size_t i = 0; i < window_->stations().size(); ++i) {
+      window_->showStation(static_cast<int>(i));
+      QTest::keyClick(window_.get(), Qt::Key_F1);
+      QTRY_VERIFY(text->isVisible());
+      QCOMPARE(text->documentTitle(), window_->stations()[i]->title());
+      QTest::keyClick(window_.get(), Qt::Key_Escape);
+    }
+    window_->showSettings();
+    QTest::keyClick(window_.get(), Qt::Key_F1);
+    QCOMPARE(text->documentTitle(), QStringLiteral("Settings"));
+  }
+
+  void eachPageNamesTheKeysOfItsScreen() {
+    openProject();
+    int keys = 0;
+    for (const Station* station : window_->stations()) {
+      QTextDocument page;
+      page.setHtml(contentsOf(QStringLiteral(":/manual/%1.html").arg(station->manualPage())));
+      for (const QAction* action : station->findChildren<QAction*>())
+        for (const QKeySequence& key : action->shortcuts()) {
+          if (action->text().isEmpty()) continue;
+          ++keys;
+          QVERIFY2(names(page.toPlainText(), key),
+                   qPrintable(station->manualPage() + ": " + written(key) + ", " + action->text()));
+        }
+    }
+    QVERIFY(keys > 30);
+  }
+
+ private:
+  void openProject() {
+    window_->openProject(home_->path("Ostraka/Virtual"));
+    QVERIFY(window_->session() != nullptr);
+    activate(*window_);
+  }
+
+  std::unique_ptr<Home> home_;
+  std::unique_ptr<JobRunner> jobs_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  applyLook(application, Theme::Light, 100);
+  ManualTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "manual_test.moc"

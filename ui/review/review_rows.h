@@ -1,0 +1,42 @@
+#pragma once
+#include <QString>
+#include <vector>
+
+#include "pipeline/review.h"
+
+namespace ostraka::ui {
+
+/// One row of the review's list: a front's card, or a back that no front holds.
+struct ReviewRow {
+  int front = -1, back = -1;  ///< back: the front's partner, -1 when it has none
+  pipeline::CardState state = pipeline::CardState::Sure;
+
+  bool isLoneBack() const { return front < 0; }
+  bool wantsPerson() const {
+    return state == pipeline::CardState::Ask || state == pipeline::CardState::Alone;
+  }
+  /// Rows are the same row as long as they are about the same front, or about the same lone back.
+  bool isAbout(int a_front, int a_back) const {
+    return front == a_front && (front >= 0 || back == a_back);
+  }
+};
+
+/// What wants a person first: doubtful fronts, then backs that are nobody's, then the rest.
+std::vector<ReviewRow> rowsOf(const pipeline::Review& review);
+
+/// How a batch stands in the review.
+struct ReviewFigures {
+  int sherds = 0, sure = 0, decided = 0, ask = 0;
+};
+ReviewFigures figuresOf(const pipeline::Review& review);
+
+/// The standing decisions say no more than the program does without them: nothing is to be computed
+/// for them.
+bool onlyConfirm(const pipeline::CandidateTable& table, const pipeline::Decisions& standing);
+
+QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table);
+QString rowWord(const ReviewRow& row);
+/// Whole sentence: why a lone back wants a person, or what was decided about it.
+QString loneBackSentence(const ReviewRow& row);
+
+}  // namespace ostraka::ui

@@ -224,7 +224,6 @@ void PairReviewModel::show(const pipeline::ScanRef& scan) {
 
 void PairReviewModel::hold(const Trial& trial) {
   trial_ = trial;
-  fit_ = {};
   takeCandidates();
   if (chosen() >= 0) trial_.shift = candidates_[static_cast<std::size_t>(chosen())].shift;
   emit cardChanged();

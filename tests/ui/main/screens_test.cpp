@@ -1,20 +1,14 @@
 // Every screen of the window: reached by keys, each control with a name, in all themes and text
 // sizes. With OSTRAKA_SCREENSHOTS set to a folder a picture of each is written there.
-#include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QAbstractSlider>
-#include <QAbstractSpinBox>
-#include <QAccessible>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QProgressBar>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QTextBrowser>
 
+#include "../names.h"
 #include "catalogue/project.h"
 #include "person.h"
 #include "ui/capture/capture_wizard.h"
@@ -28,50 +22,6 @@
 
 using namespace ostraka;
 using namespace ostraka::ui;
-
-namespace {
-
-bool isControl(const QWidget* widget) {
-  return qobject_cast<const QAbstractButton*>(widget) != nullptr ||
-         qobject_cast<const QLineEdit*>(widget) != nullptr ||
-         qobject_cast<const QComboBox*>(widget) != nullptr ||
-         qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
-         qobject_cast<const QAbstractSlider*>(widget) != nullptr ||
-         qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
-         qobject_cast<const QTextEdit*>(widget) != nullptr ||
-         qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
-         qobject_cast<const QProgressBar*>(widget) != nullptr ||
-         widget->focusPolicy() != Qt::NoFocus;
-}
-
-// Parts that Qt makes inside a control speak with the control's name.
-bool isPartOfAnother(const QWidget* widget) {
-  if (qobject_cast<const QScrollBar*>(widget) != nullptr) return true;
-  if (widget->objectName().startsWith(QLatin1String("qt_"))) return true;
-  for (const QWidget* up = widget->parentWidget(); up != nullptr; up = up->parentWidget())
-    if (qobject_cast<const QAbstractSpinBox*>(up) != nullptr ||
-        qobject_cast<const QComboBox*>(up) != nullptr ||
-        qobject_cast<const QLineEdit*>(up) != nullptr ||
-        qobject_cast<const QAbstractItemView*>(up) != nullptr ||
-        qobject_cast<const QAbstractScrollArea*>(up) != nullptr)
-      return true;
-  return false;
-}
-
-QStringList namelessIn(const QWidget& window) {
-  QStringList nameless;
-  for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!isControl(widget) || isPartOfAnother(widget)) continue;
-    QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
-    if (spoken == nullptr || spoken->text(QAccessible::Name).trimmed().isEmpty())
-      nameless << QStringLiteral("%1 '%2' in '%3'")
-                      .arg(widget->metaObject()->className(), widget->objectName(),
-                           widget->parentWidget()->objectName());
-  }
-  return nameless;
-}
-
-}  // namespace
 
 class ScreensTest : public QObject {
   Q_OBJECT

@@ -13,6 +13,7 @@
 #include "mask/outline.h"
 #include "mask/plate_agreement.h"
 #include "mask/plate_picture.h"
+#include "mask/raised.h"
 
 namespace ostraka::mask {
 namespace {
@@ -97,6 +98,7 @@ class PlateMasker {
       weighCamera(camera, members, progress);
       progress.report(done += static_cast<std::int64_t>(members.size()), total);
     }
+    weighStops(stop);
     if (!carve(stop)) return stop.stop_requested() ? Error::cancelled() : nothingFound();
     progress.report(done += 2, total);
     result_.masks.resize(images_.size());
@@ -146,6 +148,39 @@ class PlateMasker {
       view.hull = reduced(members[k], evidence);
       looks[k] = {};
     });
+  }
+
+  // What stands above the plate though it has the plate's colour, stop by stop.
+  void weighStops(const std::stop_token& stop) {
+    std::map<int, std::vector<std::size_t>> by_stop;
+    for (std::size_t i = 0; i < images_.size(); ++i) by_stop[images_[i].stop].push_back(i);
+    std::vector<std::vector<std::size_t>> stops;
+    for (auto& [number, members] : by_stop) stops.push_back(std::move(members));
+    parallelFor(stops.size(), options_.threads, [&](std::size_t s) {
+      if (stop.stop_requested()) return;
+      std::vector<const rig::PosedImage*> images;
+      std::vector<const cv::Mat*> photographs;
+      for (const std::size_t i : stops[s]) {
+        images.push_back(&images_[i]);
+        photographs.push_back(&photographs_[i]);
+      }
+      const std::vector<cv::Mat1f> heights =
+          weighHeights(images, photographs, plate_, options_.max_height_mm);
+      for (std::size_t k = 0; k < images.size(); ++k) addHeights(views_[stops[s][k]], heights[k]);
+    });
+  }
+
+  void addHeights(ViewState& view, const cv::Mat1f& odds) {
+    cv::Mat1f full, small;
+    cv::resize(odds, full, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
+    cv::resize(odds, small, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
+    view.log_odds += full;
+    for (int y = 0; y < small.rows; ++y)
+      for (int x = 0; x < small.cols; ++x) {
+        const float share = std::clamp(small(y, x) / 4, 0.F, 1.F);
+        view.hull.clear(y, x) *= 1 - share;
+        view.hull.inside(y, x) = std::max(view.hull.inside(y, x), share);
+      }
   }
 
   std::pair<cv::Mat3f, int> emptyPlate(int camera, const std::vector<std::size_t>& members,

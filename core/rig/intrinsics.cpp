@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kMinCorners = 6;
 constexpr std::size_t kMinViews = 3;
 constexpr double kMinTiltRad = 0.15;  // 9 degrees; calibrations need 20 and more
+constexpr double kGoodViewPx = 0.2;   // good optics and flat boards leave 0.03 to 0.2 px
 
 struct Solution {
   cv::Mat matrix, distortion, sd_intrinsics, rms_per_view;
@@ -129,15 +130,14 @@ void judge(IntrinsicsReport& report) {
         "No picture shows the board tilted by more than 15 degrees; tilt it "
         "more, so that focal length and distance can be told apart.");
   }
-  // Good optics and flat boards leave 0.03 to 0.2 px.
   if (report.rms_px > 0.3)
     report.advice.push_back("The corners scatter by " + inPixels(report.rms_px) +
                             ", more than the 0.3 px of sharp pictures of a flat board; check focus,"
                             " light and the board's flatness.");
-  if (report.rms_per_view_px[report.worst_view] > 1.5 * median(report.rms_per_view_px))
+  const double worst = report.rms_per_view_px[report.worst_view];
+  if (worst > kGoodViewPx && worst > 1.5 * median(report.rms_per_view_px))
     report.advice.push_back("The worst picture is " + report.files[report.worst_view] + " with " +
-                            inPixels(report.rms_per_view_px[report.worst_view]) +
-                            "; take it again or leave it out.");
+                            inPixels(worst) + "; take it again or leave it out.");
 }
 
 }  // namespace

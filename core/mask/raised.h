@@ -1,0 +1,23 @@
+#pragma once
+#include <opencv2/core/mat.hpp>
+#include <span>
+#include <vector>
+
+#include "batch/batch.h"
+#include "rig/camera.h"
+
+namespace ostraka::mask {
+
+/// How much each pixel looks like something above the plate, whatever its colour: the photographs
+/// of one stop are laid over each other on planes parallel to the plate (plane sweep, Collins, CVPR
+/// 1996), and the plane on which their texture agrees (normalised cross correlation) is where they
+/// see a surface. A grey sherd on a grey plate has no colour of its own, but it is not at height 0.
+/// images, photographs (CV_8UC3): those of one stop. Returns for each a CV_32FC1 of half its size:
+/// log P(agreement | something above the plate) / P(agreement | plate), 0 where nothing can be told
+/// (no texture, one photograph only, not above the plate). Shrunk by the correlation's window, so
+/// that it does not reach beyond an outline.
+std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> images,
+                                    std::span<const cv::Mat* const> photographs,
+                                    const batch::Plate& plate, double max_height_mm);
+
+}  // namespace ostraka::mask

@@ -1,10 +1,15 @@
 #include "capture/devices.h"
 
 #include <CLI/CLI.hpp>
+#include <condition_variable>
 #include <cstdio>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "capture/desktop_hold.h"
 #include "capture/gphoto_camera.h"
+#include "capture/usb_watch.h"
 #include "command.h"
 
 namespace ostraka::app {
@@ -24,7 +29,11 @@ void askCameras(std::vector<capture::FoundDevice>& devices) {
     }
 }
 
-int runDevices(Session& session) {
+struct DevicesArguments {
+  bool release = false, watch = false;
+};
+
+int printDevices(Session& session) {
   std::vector<capture::FoundDevice> devices = capture::findDevices({});
   askCameras(devices);
   if (session.json) {
@@ -55,12 +64,54 @@ int runDevices(Session& session) {
   return Whole;
 }
 
+// Again whenever something was plugged in or out, until Ctrl-C.
+int watchDevices(Session& session) {
+  std::mutex guard;
+  std::condition_variable_any told;
+  bool changed = true;
+  const Result<std::unique_ptr<capture::UsbWatch>> watch = capture::watchUsb(
+      [&] {
+        const std::lock_guard lock(guard);
+        changed = true;
+        told.notify_all();
+      },
+      {});
+  if (!watch) return fail(session, watch.error());
+  while (!session.stop.stop_requested()) {
+    std::unique_lock lock(guard);
+    if (!told.wait(lock, session.stop, [&] { return changed; })) break;
+    changed = false;
+    lock.unlock();
+    printDevices(session);
+    if (!session.json) std::printf("\n");
+    std::fflush(stdout);
+  }
+  return Whole;
+}
+
+int runDevices(const DevicesArguments& arguments, Session& session) {
+  if (arguments.release)
+    if (const Result<void> released = capture::releaseFromDesktop(
+            capture::findDevices({}), capture::programRunner(session.stop),
+            [] { return capture::findDevices({}); });
+        !released)
+      return fail(session, released.error());
+  return arguments.watch ? watchDevices(session) : printDevices(session);
+}
+
 }  // namespace
 
 void addDevices(CLI::App& root, Command& chosen) {
   CLI::App* command =
       root.add_subcommand("devices", "Cameras and turntables: what is plugged in, what is wrong");
-  command->callback([&chosen] { chosen = [](Session& session) { return runDevices(session); }; });
+  auto arguments = std::make_shared<DevicesArguments>();
+  command->add_flag("--release", arguments->release,
+                    "First make the desktop let go of cameras that it holds");
+  command->add_flag("--watch", arguments->watch,
+                    "List them again whenever one is plugged in or out, until Ctrl-C");
+  command->callback([arguments, &chosen] {
+    chosen = [arguments](Session& session) { return runDevices(*arguments, session); };
+  });
 }
 
 }  // namespace ostraka::app

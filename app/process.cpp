@@ -71,15 +71,18 @@ void printTable(const ProcessSummary& summary) {
   if (summary.ambiguous() > 0)
     std::printf("%d pair(s) need a person's eye; the report shows the alternatives.\n",
                 summary.ambiguous());
+  if (summary.scale_doubtful)
+    std::printf(
+        "The scale is not right, see the report: check plate.json before anything is measured.\n");
 }
 
 int runProcess(const ProcessOptions& options, Session& session) {
   const Result<ProcessSummary> summary =
       pipeline::processBatch(options, session.progress, session.stop);
   if (!summary) return fail(session, summary.error());
-  const int status = summary->ambiguous() > 0 ? PersonMustDecide
-                     : summary->whole()       ? Whole
-                                              : NotWhole;
+  const int status = summary->ambiguous() > 0 || summary->scale_doubtful ? PersonMustDecide
+                     : summary->whole()                                  ? Whole
+                                                                         : NotWhole;
   session.finishProgress();
   if (session.json)
     printJson(toJson(*summary, status));

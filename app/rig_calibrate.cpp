@@ -64,7 +64,7 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
   if (report->rig)
     if (const Result<void> written = rig::writeRig(output, *report->rig); !written)
       return fail(session, written.error());
-  const int status = report->rig ? Whole : NotWhole;
+  const int status = report->rig ? Whole : rig::scaleIsRight(*report) ? NotWhole : PersonMustDecide;
   if (session.json) {
     printJson(toJson(*report, output.string(), status));
     return status;
@@ -73,7 +73,8 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
   if (report->rig)
     std::printf("Saved: %s\n", output.c_str());
   else
-    std::printf("Nothing was saved.\n");
+    std::printf("Nothing was saved%s\n",
+                status == PersonMustDecide ? ": the scale has to be put right first." : ".");
   return status;
 }
 

@@ -1195,9 +1195,14 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
+      <source>%1 may be two sherds, too close together</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 und %2 berühren sich fast</translation>
+      <translation>%1 sind vielleicht zwei Scherben, zu nah beieinander</translation>
+    </message>
+    <message>
+      <source>%1 and %2 lie too close together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 und %2 liegen zu nah beieinander</translation>
     </message>
     <message>
       <source>%1 reaches out of the picture</source>

@@ -1195,9 +1195,14 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
+      <source>%1 may be two sherds, too close together</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα %1 και %2 σχεδόν ακουμπούν</translation>
+      <translation>Το %1 ίσως είναι δύο όστρακα πολύ κοντά</translation>
+    </message>
+    <message>
+      <source>%1 and %2 lie too close together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα %1 και %2 είναι πολύ κοντά</translation>
     </message>
     <message>
       <source>%1 reaches out of the picture</source>

@@ -1195,9 +1195,14 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
+      <source>%1 may be two sherds, too close together</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը և %2-ը գրեթե դիպչում են</translation>
+      <translation>%1-ը գուցե իրար շատ մոտ երկու բեկոր է</translation>
+    </message>
+    <message>
+      <source>%1 and %2 lie too close together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը և %2-ը շատ մոտ են իրար</translation>
     </message>
     <message>
       <source>%1 reaches out of the picture</source>

@@ -1181,9 +1181,14 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
+      <source>%1 may be two sherds, too close together</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ile %2 neredeyse değiyor</translation>
+      <translation>%1 belki birbirine çok yakın iki parça</translation>
+    </message>
+    <message>
+      <source>%1 and %2 lie too close together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ve %2 birbirine çok yakın</translation>
     </message>
     <message>
       <source>%1 reaches out of the picture</source>

@@ -291,4 +291,15 @@ bool BatchStore::holdsElsewhere(const ManifestEntry& entry) const {
                      });
 }
 
+bool BatchStore::settingsChanged(const ManifestEntry& entry) const {
+  for (const ManifestEntry& e : manifest_.entries) {
+    if (!e.used || e.camera != entry.camera || e.settings.empty()) continue;
+    return std::any_of(entry.settings.begin(), entry.settings.end(), [&](const auto& setting) {
+      const auto first = e.settings.find(setting.first);
+      return first != e.settings.end() && first->second != setting.second;
+    });
+  }
+  return false;
+}
+
 }  // namespace ostraka::capture

@@ -39,6 +39,8 @@ class BatchStore {
 
   /// Are these very bytes those of another stop, camera or side?
   bool holdsElsewhere(const ManifestEntry& entry) const;
+  /// Was a setting of the camera another one at its first photograph that is in use?
+  bool settingsChanged(const ManifestEntry& entry) const;
   Manifest& manifest() { return manifest_; }
   const Manifest& manifest() const { return manifest_; }
   std::filesystem::path fileOf(const ManifestEntry& entry) const { return batch_ / entry.file; }

@@ -56,6 +56,9 @@ class Camera {
   /// False: a person or the turntable's output presses the button, trigger() does nothing.
   virtual bool triggersItself() const { return true; }
   virtual Result<void> trigger() = 0;
+  /// True: fetch() can only hand over what this trigger() made. False: a file may be late, or be
+  /// one of an earlier trigger, and has to be checked.
+  virtual bool fileIsOfItsTrigger() const { return false; }
   /// Waits for the files of this shot (two for RAW and JPEG). Missing after timeout_s.
   virtual Result<std::vector<CameraFile>> fetch(double timeout_s, std::stop_token stop) = 0;
   /// After Missing: looks for the same serial number again, wherever it is plugged in now.

@@ -78,10 +78,11 @@ void judgeUse(const fs::path& node, const SystemFolders& folders, FoundDevice& d
         "You may not use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug "
         "it in again.");
   for (const std::string& holder : holdersOf(node, folders)) {
+    device.holders.push_back(holder);
     const bool desktop = holder.starts_with("gvfs");
     device.troubles.push_back(
         "It is held by " + holder +
-        (desktop ? ": run 'gio mount -s gphoto2', then shoot at once." : ": close that program."));
+        (desktop ? ": 'ostraka devices --release' makes it let go." : ": close that program."));
   }
 }
 

@@ -11,13 +11,14 @@ std::string name(DeviceKind kind);
 /// Something plugged in that the rig could use.
 struct FoundDevice {
   DeviceKind kind = DeviceKind::Turntable;
-  std::string model;                  ///< as the device calls itself
-  std::string serial;                 ///< empty when it has none
-  std::string usb;                    ///< "1209:0001"
-  std::string port;                   ///< "usb:001,002"
-  std::string address;                ///< for RIG.json: turntable.channel, or a camera's serial
-  std::string driver;                 ///< for RIG.json: "grbl", "gphoto2" or "uvc"
-  std::vector<std::string> troubles;  ///< what is wrong and what to do; empty: all is well
+  std::string model;                   ///< as the device calls itself
+  std::string serial;                  ///< empty when it has none
+  std::string usb;                     ///< "1209:0001"
+  std::string port;                    ///< "usb:001,002"
+  std::string address;                 ///< for RIG.json: turntable.channel, or a camera's serial
+  std::string driver;                  ///< for RIG.json: "grbl", "gphoto2" or "uvc"
+  std::vector<std::string> holders{};  ///< programs that have it open: "gvfsd-gphoto2 (1234)"
+  std::vector<std::string> troubles;   ///< what is wrong and what to do; empty: all is well
 };
 
 /// Where the system's files lie; handed in for tests.

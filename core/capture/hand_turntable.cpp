@@ -23,6 +23,7 @@ class HandTurntable final : public Turntable {
     if (position_ == degrees) return {};
     return turn(degrees, stop);
   }
+  bool turnsItself() const override { return false; }
   void stopNow() override {}
   std::optional<double> position_deg() const override {
     const double now = position_;

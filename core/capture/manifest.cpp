@@ -34,6 +34,7 @@ nlohmann::ordered_json toJson(const ManifestEntry& e) {
                                  {"checked", e.checked},
                                  {"used", e.used}};
   if (e.angle_seen_deg) json["angle_seen_deg"] = *e.angle_seen_deg;
+  if (!e.settings.empty()) json["settings"] = e.settings;
   if (!e.raw.empty()) json["raw"] = e.raw;
   if (!e.reason.empty()) json["reason"] = e.reason;
   return json;
@@ -51,6 +52,7 @@ ManifestEntry entryFromJson(const nlohmann::json& json) {
   e.bytes = json.at("bytes").get<std::uint64_t>();
   e.camera_model = json.value("camera_model", "");
   e.camera_serial = json.value("camera_serial", "");
+  e.settings = json.value("settings", std::map<std::string, std::string>{});
   e.taken_at = json.value("taken_at", "");
   e.angle_deg = json.value("angle_deg", 0.0);
   if (json.contains("angle_seen_deg") && json["angle_seen_deg"].is_number())

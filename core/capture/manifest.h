@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,9 @@ struct ManifestEntry {
   std::string sha256;            ///< of the photograph's bytes
   std::uint64_t bytes = 0;
   std::string camera_model, camera_serial;
-  std::string taken_at;  ///< UTC, 2026-11-21T18:30:00Z
-  double angle_deg = 0;  ///< of the stop
+  std::map<std::string, std::string> settings;  ///< of the camera: "exposure", "1/8"
+  std::string taken_at;                         ///< UTC, 2026-11-21T18:30:00Z
+  double angle_deg = 0;                         ///< of the stop
   std::optional<double> angle_seen_deg;
   double sharpness = 0;
   int markers_seen = 0, sherds = 0;

@@ -142,7 +142,8 @@ PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_pl
     }
     cv::fillPoly(sherds, std::vector<std::vector<cv::Point>>{outline}, 255);
     look.sherds.push_back(std::move(sherd));
-    if (sherdsInPiece(pieces[i]) > 1)
+    if (options.too_close_mm <= 0) continue;
+    if (mayBeSeveral(pieces[i]))
       look.too_close.emplace_back(static_cast<int>(i), static_cast<int>(i));
     for (std::size_t k = 0; k < i; ++k)
       if (gapBetween_mm(pieces[k], pieces[i]) < options.too_close_mm)
@@ -157,7 +158,8 @@ PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_pl
 Result<void> LookOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (work_width_px < 320) return bad("work_width_px must be 320 or more.");
-  if (!(too_close_mm >= 0)) return bad("too_close_mm must not be negative.");
+  if (!(too_close_mm >= 0) || !(touching_mm >= 0))
+    return bad("too_close_mm and touching_mm must not be negative.");
   if (!(smallest_sherd_mm > 0)) return bad("smallest_sherd_mm must be more than 0.");
   return {};
 }

@@ -8,6 +8,8 @@
 #include "capture/gphoto_camera.h"
 #include "capture/grbl.h"
 #include "capture/hand_turntable.h"
+#include "capture/journaled_turntable.h"
+#include "capture/text_turntable.h"
 #include "capture/uvc_camera.h"
 
 namespace ostraka::capture {
@@ -25,6 +27,7 @@ DevicesFile devicesFromJson(const nlohmann::json& json) {
   devices.turntable.speed_deg_s = table.value("speed_deg_s", devices.turntable.speed_deg_s);
   devices.turntable.clockwise = table.value("clockwise", false);
   devices.turntable.shutter = table.value("shutter", "");
+  if (table.contains("dialect")) devices.turntable.dialect = table.at("dialect").dump();
   for (const nlohmann::json& c : json.at("cameras")) {
     CameraPlace place;
     place.driver = c.at("driver").get<std::string>();
@@ -47,13 +50,14 @@ nlohmann::ordered_json toJson(const DevicesFile& devices) {
     if (!place.settings.empty()) json["settings"] = place.settings;
     cameras.push_back(json);
   }
-  return {{"turntable",
-           {{"driver", devices.turntable.driver},
-            {"channel", devices.turntable.channel},
-            {"baud", devices.turntable.baud},
-            {"speed_deg_s", devices.turntable.speed_deg_s},
-            {"clockwise", devices.turntable.clockwise},
-            {"shutter", devices.turntable.shutter}}},
+  nlohmann::ordered_json table = {
+      {"driver", devices.turntable.driver},       {"channel", devices.turntable.channel},
+      {"baud", devices.turntable.baud},           {"speed_deg_s", devices.turntable.speed_deg_s},
+      {"clockwise", devices.turntable.clockwise}, {"shutter", devices.turntable.shutter}};
+  if (const auto words = nlohmann::json::parse(devices.turntable.dialect, nullptr, false);
+      !words.is_discarded())
+    table["dialect"] = words;
+  return {{"turntable", table},
           {"cameras", cameras},
           {"settle_s", devices.settle_s},
           {"plate", devices.plate.string()}};
@@ -68,10 +72,18 @@ Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, co
                                                  const fs::path& rig_file, std::stop_token stop) {
   if (place.driver == "hand") return openHandTurntable(ask);
   const bool comxim = place.driver == "comxim1" || place.driver == "comxim2";
-  if (!comxim && place.driver != "grbl")
+  const bool text = place.driver == "text";
+  if (!comxim && !text && place.driver != "grbl")
     return unusable("The turntable's driver " + place.driver +
-                        " is not known; there are: grbl, comxim1, comxim2, hand.",
+                        " is not known; there are: grbl, comxim1, comxim2, text, hand.",
                     rig_file);
+  TextTableOptions words{marlinDialect(), place.speed_deg_s, place.clockwise};
+  if (text && !place.dialect.empty()) {
+    const Result<TextDialect> dialect =
+        dialectFromJson(nlohmann::json::parse(place.dialect, nullptr, false));
+    if (!dialect) return unusable(dialect.error().what, rig_file);
+    words.dialect = *dialect;
+  }
   Result<std::unique_ptr<ByteChannel>> channel = openChannel(place.channel, place.baud);
   if (!channel) return channel.error();
   if (comxim) {
@@ -80,6 +92,7 @@ Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, co
     return openComXim(std::move(*channel), {dialect, place.speed_deg_s, place.clockwise}, clock,
                       std::move(stop));
   }
+  if (text) return openTextTable(std::move(*channel), words, clock, std::move(stop));
   const GrblOptions options{place.speed_deg_s, place.shutter, place.clockwise};
   return openGrbl(std::move(*channel), options, clock, std::move(stop));
 }
@@ -157,6 +170,9 @@ Result<RigDevices> openRigDevices(const fs::path& rig_file, const AskPerson& ask
       openTurntable(file->turntable, ask, devices.clock, rig_file, stop);
   if (!table) return table.error();
   devices.turntable = std::move(*table);
+  if (devices.turntable->turnsItself())
+    devices.turntable = rememberPosition(std::move(devices.turntable),
+                                         fs::path(rig_file).replace_extension(".turntable.json"));
   return devices;
 }
 

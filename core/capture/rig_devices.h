@@ -13,18 +13,19 @@ namespace ostraka::capture {
 /// Which camera stands at a place.
 struct CameraPlace {
   std::string driver;                           ///< "gphoto2", "uvc" or "folder"
-  std::string serial;  ///< of uvc: /dev/v4l/by-id/...; of a folder: empty
+  std::string serial;                           ///< of uvc: /dev/v4l/by-id/...; of a folder: empty
   std::filesystem::path folder;                 ///< of a folder
   std::map<std::string, std::string> settings;  ///< compared, and set, before each side
 };
 
 /// How the table is reached.
 struct TurntablePlace {
-  std::string driver;   ///< "grbl", "comxim1", "comxim2" or "hand"
+  std::string driver;   ///< "grbl", "comxim1", "comxim2", "text" or "hand"
   std::string channel;  ///< "usb:1209:0001[:serial]", "/dev/serial/by-id/...", "tcp:host:port"
   int baud = 115200;
   double speed_deg_s = 20;
   bool clockwise = false;  ///< the table counts clockwise
+  std::string dialect{};   ///< of "text": its words as JSON, or "marlin" (text_turntable.h)
   std::string shutter{};   ///< GRBL: "M8", "M3" or "M62 P0"; empty: each camera is triggered
 };
 
@@ -44,6 +45,7 @@ Result<void> writeDevices(const std::filesystem::path& rig_file, const DevicesFi
 /// when they would rather stop.
 using AskPerson = std::function<bool(const std::string& sentence, std::stop_token stop)>;
 
+/// Where the table stands is written down beside RIG.json, in RIG.turntable.json.
 /// Opens all devices of RIG.json; a camera that is not plugged in stops with its serial number, and
 /// with those that are. ask: needed by the driver "hand" only. The virtual rig is
 /// virtualrig::openVirtualRig. Errors: UnusableInput (the file), Missing (a device).

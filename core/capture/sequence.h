@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -24,6 +24,9 @@ struct RigDevices {
   batch::Plate plate;                            ///< what lies on the table
   double settle_s = 1.5;                         ///< from standstill to a still picture
   std::shared_ptr<Clock> clock = steadyClock();
+  /// SHA-256 of every photograph that the cameras handed over since they were opened: none of them
+  /// is accepted a second time, whatever side and batch is shot next.
+  std::set<std::string> delivered{};
   /// Tells the rig that a person turned the sherds over: the virtual one does it then.
   std::function<void(batch::Side)> side_placed;
 };
@@ -80,7 +83,10 @@ struct SideSummary {
 /// Turn, settle, shoot all cameras at once, fetch, check; stop after stop. Photographs that the
 /// batch's manifest names and that are whole are not taken again: calling it again after an error,
 /// a crash or Cancelled goes on where it ended. Every file is on disk, decoded and in the manifest
-/// with its SHA-256 before the table turns on; nothing is ever overwritten.
+/// with its SHA-256 before the next stop is shot; nothing is ever overwritten.
+/// Before the first shot the table stands for a throw-away exposure a third of a step before the
+/// stop, where no photograph is ever kept: a camera that hands over a photograph of an earlier
+/// trigger is found out by the angle between the two.
 /// Errors: Missing (a device is gone; the sentence says which and what is safe), CannotWrite,
 /// NotEnough (the table's position is not known), UnusableInput, Cancelled (within 5 s).
 Result<SideSummary> shootSide(RigDevices& devices, const SideOptions& options,

@@ -12,12 +12,10 @@ namespace {
 // Two looks at a plate that stands still differ by 0.01 degrees and less.
 constexpr double kSameAngle_deg = 0.3;
 
-std::string stopName(int stop) {
-  return "stop " + std::to_string(stop + 1);
-}
+}  // namespace
 
 std::string shotWords(int stop, int camera) {
-  return "Camera " + placeName(camera) + ", " + stopName(stop);
+  return "Camera " + placeName(camera) + ", stop " + std::to_string(stop + 1);
 }
 
 std::string listed(const std::vector<ShotProblem>& problems) {
@@ -25,8 +23,6 @@ std::string listed(const std::vector<ShotProblem>& problems) {
   for (const ShotProblem p : problems) text += (text.empty() ? "" : "; ") + words(p);
   return text;
 }
-
-}  // namespace
 
 void Series::tell(CaptureEvent event) {
   event.side = options_.side;
@@ -52,13 +48,12 @@ Result<SideSummary> Series::run() {
   if (Result<void> r = prepare(); !r) return r.error();
   const double started_s = devices_.clock->now_s();
   Result<void> result;
-  while (result && (!tasks_.empty() || !unchecked_.empty())) {
+  while (result && (!tasks_.empty() || !shots_.empty())) {
     if (stop_.stop_requested()) {
       result = Error::cancelled();
     } else if (tasks_.empty()) {
-      parallelFor(unchecked_.size(), static_cast<int>(unchecked_.size()),
-                  [&](std::size_t i) { lookAt(unchecked_[i]); });
-      result = takeVerdicts();
+      result = keepAndCheck();
+      if (result) result = takeVerdicts();
     } else {
       const Task task = tasks_.front();
       tasks_.pop_front();
@@ -67,6 +62,7 @@ Result<SideSummary> Series::run() {
     progress_.report(kept(), static_cast<std::int64_t>(options_.stops) *
                                  static_cast<std::int64_t>(devices_.cameras.size()));
   }
+  if (!result && !shots_.empty() && keepAndCheck()) (void)takeVerdicts();  // what was delivered
   const double overhead_s = devices_.clock->now_s() - started_s - busy_s_;
   const Result<void> saved = store_->save();
   if (!result) return withSafety(result.error());
@@ -85,7 +81,12 @@ Result<void> Series::prepare() {
       BatchStore::open(options_.batch, options_.side, options_.stops, cameras, devices_.plate);
   if (!store) return store.error();
   store_ = std::move(*store);
-  references_.resize(devices_.cameras.size());
+  watches_.resize(devices_.cameras.size());
+  for (int c = 0; c < cameras; ++c)
+    if (!byHand(c) && !devices_.cameras[static_cast<std::size_t>(c)]->fileIsOfItsTrigger())
+      watches_[static_cast<std::size_t>(c)].trust = Trust::Doubted;
+  for (const ManifestEntry& entry : store_->manifest().entries)
+    devices_.delivered.insert(entry.sha256);
   for (const ShotName& again : options_.retake) {
     if (again.stop < 0 || again.stop >= options_.stops || again.camera < 0 ||
         again.camera >= cameras)
@@ -107,20 +108,21 @@ Result<void> Series::prepare() {
 
 // After a break: what the kept photographs show, and those that nobody looked at yet.
 Result<void> Series::readReferences() {
-  parallelFor(references_.size(), 0, [&](std::size_t c) {
-    for (int s = 0; s < options_.stops && !references_[c].look; ++s) {
+  parallelFor(watches_.size(), 0, [&](std::size_t c) {
+    CameraReference& reference = watches_[c].reference;
+    for (int s = 0; s < options_.stops && !reference.look; ++s) {
       const ManifestEntry* entry =
           std::as_const(*store_).manifest().find(options_.side, s, static_cast<int>(c));
       if (entry == nullptr || !entry->checked) continue;
       const Result<std::string> bytes = readFile(store_->fileOf(*entry));
       if (!bytes) continue;
-      if (const auto look = lookAtPlate(*bytes, devices_.plate, {}))
-        learn(references_[c], *look, angleOf(s));
+      if (const auto look = lookAtPlate(*bytes, devices_.plate, kSequenceLook))
+        learn(reference, *look, angleOf(s));
     }
   });
   for (const ManifestEntry& entry : store_->manifest().entries)
     if (entry.used && entry.side == options_.side && !entry.checked)
-      unchecked_.push_back({.stop = entry.stop, .camera = entry.camera, .check = {}, .epoch = -1});
+      shots_.push_back({.stop = entry.stop, .camera = entry.camera, .epoch = -1});
   return {};
 }
 
@@ -131,8 +133,9 @@ Result<void> Series::findPosition() {
   if (homed) return {};
   if (homed.error().code != ErrorCode::Missing) return homed;
   // No switch. Photographs of this side tell where the plate stands; without any, a person must.
-  const bool seen = std::any_of(references_.begin(), references_.end(),
-                                [](const CameraReference& r) { return r.look.has_value(); });
+  const bool seen = std::any_of(watches_.begin(), watches_.end(), [](const Watch& watch) {
+    return watch.reference.look.has_value();
+  });
   if (!seen)
     return Error{ErrorCode::NotEnough,
                  "The table's position is not known: turn its zero mark to the front and set zero.",
@@ -150,38 +153,39 @@ double Series::targetOf(int stop) const {
 }
 
 Result<void> Series::shootStop(const Task& task) {
-  if (Result<void> r = turnTo(task); !r) return r;
-  const bool looked_back = !unchecked_.empty();
-  if (looked_back) {
+  for (std::vector<int> unsure = doubted(task); true; unsure = doubted(task)) {
+    if (!unsure.empty())
+      if (Result<void> r = takeProofs(unsure, task); !r) return r;
+    if (Result<void> r = turnTo(task, 0); !r) return r;
     const std::size_t waiting = tasks_.size();
     if (Result<void> r = takeVerdicts(); !r) return r;
     if (tasks_.size() > waiting) {  // back to a bad shot at once, and then here again
       tasks_.insert(tasks_.begin() + static_cast<std::ptrdiff_t>(tasks_.size() - waiting), task);
       return {};
     }
+    if (doubted(task).empty()) return shootCameras(task);
   }
-  return shootCameras(task.cameras, task.stop);
 }
 
-Result<void> Series::turnTo(const Task& task) {
+Result<void> Series::turnTo(const Task& task, double beyond_deg) {
   tell({.kind = CaptureEventKind::Turning, .stop = task.stop});
-  Result<void> turned = turnOnce(task, true);
+  Result<void> turned = turnOnce(task, beyond_deg, task.cameras);
   for (int again = 1; !turned && again <= options_.tries_per_device; ++again) {
     if (turned.error().code != ErrorCode::Missing && turned.error().code != ErrorCode::NotEnough)
       return turned;
     if (Result<void> r = recoverTable(turned.error()); !r) return r;
-    turned = turnOnce(task, false);
+    turned = turnOnce(task, beyond_deg, {});
   }
   return turned;
 }
 
-// While the table turns, the cameras are emptied and the last stop's photographs are looked at.
-Result<void> Series::turnOnce(const Task& task, bool with_checks) {
-  const std::size_t cameras = with_checks ? task.cameras.size() : 0,
-                    checks = with_checks ? unchecked_.size() : 0;
-  const double target = targetOf(task.stop);
-  Result<void> turned;
-  parallelFor(1 + cameras + checks, static_cast<int>(1 + cameras + checks), [&](std::size_t i) {
+// While the table turns, the last stop's photographs are put on disk and looked at, and the cameras
+// are emptied.
+Result<void> Series::turnOnce(const Task& task, double beyond_deg, std::span<const int> to_empty) {
+  const double target = targetOf(task.stop) + beyond_deg;
+  Result<void> turned, checked;
+  const std::size_t jobs = 2 + to_empty.size();
+  parallelFor(jobs, static_cast<int>(jobs), [&](std::size_t i) {
     if (i == 0) {
       const double from_s = devices_.clock->now_s();
       turned = devices_.turntable->moveTo(target, stop_);
@@ -190,14 +194,13 @@ Result<void> Series::turnOnce(const Task& task, bool with_checks) {
         if (!devices_.clock->sleep(devices_.settle_s, stop_)) turned = Error::cancelled();
       }
       busy_s_ += devices_.clock->now_s() - from_s;
-    } else if (i <= cameras) {
-      // A camera that cannot be emptied fails again when it shoots, and is looked after there.
-      (void)devices_.cameras[static_cast<std::size_t>(task.cameras[i - 1])]->getReady(stop_);
+    } else if (i == 1) {
+      checked = keepAndCheck();
     } else {
-      lookAt(unchecked_[i - 1 - cameras]);
+      emptyCamera(to_empty[i - 2]);
     }
   });
-  return turned;
+  return checked ? turned : checked;
 }
 
 Result<void> Series::recoverTable(const Error& trouble) {
@@ -209,40 +212,12 @@ Result<void> Series::recoverTable(const Error& trouble) {
   return findPosition();
 }
 
-void Series::lookAt(Unchecked& shot) {
-  const auto c = static_cast<std::size_t>(shot.camera);
-  const ManifestEntry* entry =
-      std::as_const(*store_).manifest().find(options_.side, shot.stop, shot.camera);
-  const Result<std::string> bytes = readFile(store_->fileOf(*entry));
-  const Result<PlateLook> look =
-      bytes ? lookAtPlate(*bytes, devices_.plate, {}) : Result<PlateLook>(bytes.error());
-  const double angle = angleOf(shot.stop);
-  if (look)
-    shot.check = judge(*look, angle, references_[c], {});
-  else
-    shot.check.problems.push_back(ShotProblem::Unreadable);
-  if (shot.repeated) shot.check.problems.push_back(ShotProblem::Repeated);
-  const auto counted = tries_.find({shot.stop, shot.camera});
-  const int tries = counted == tries_.end() ? 0 : counted->second;
-  shot.refused = !shot.check.keepable() || (shot.check.again() && tries < options_.tries_per_shot);
-  if (!shot.refused && look) learn(references_[c], *look, angle);
-  CaptureEvent event{
-      .kind = shot.refused ? CaptureEventKind::ShotRefused : CaptureEventKind::ShotKept,
-      .stop = shot.stop,
-      .camera = shot.camera,
-      .file = store_->fileOf(*entry),
-      .check = shot.check,
-      .take = entry->take};
-  if (shot.refused)
-    event.trouble = shotWords(shot.stop, shot.camera) + ": " + listed(shot.check.problems) + ".";
-  tell(event);
-}
-
 Result<void> Series::takeVerdicts() {
-  const std::vector<Unchecked> shots = std::move(unchecked_);
-  unchecked_.clear();
+  const std::vector<Shot> shots = std::move(shots_);
+  shots_.clear();
+  if (shots.empty()) return {};
   std::map<int, std::vector<int>> again;
-  for (const Unchecked& shot : shots) {
+  for (const Shot& shot : shots) {
     ManifestEntry* entry = store_->manifest().find(options_.side, shot.stop, shot.camera);
     entry->checked = true;
     entry->angle_seen_deg = shot.check.angle_seen_deg;
@@ -257,13 +232,13 @@ Result<void> Series::takeVerdicts() {
   }
   if (Result<void> r = correctZero(shots); !r) return r;
   for (const auto& [stop_number, cameras] : again) tasks_.push_front({stop_number, cameras});
-  for (const Unchecked& shot : shots)
+  for (const Shot& shot : shots)
     if (!again.contains(shot.stop) && shot.camera == shots.back().camera)
       tell({.kind = CaptureEventKind::StopDone, .stop = shot.stop});
   return {};
 }
 
-Result<void> Series::refuse(const Unchecked& shot) {
+Result<void> Series::refuse(const Shot& shot) {
   const std::string why = listed(shot.check.problems);
   if (Result<void> r = store_->setAside(shot.stop, shot.camera, why); !r) return r;
   progress_.note(NoteLevel::Info,
@@ -277,10 +252,10 @@ Result<void> Series::refuse(const Unchecked& shot) {
 
 // When all cameras see the plate turned by the same angle too far, it is the table that is wrong;
 // once might be one old photograph each, twice is the table.
-Result<void> Series::correctZero(const std::vector<Unchecked>& shots) {
+Result<void> Series::correctZero(const std::vector<Shot>& shots) {
   std::vector<double> off;
   bool all = true;
-  for (const Unchecked& shot : shots) {
+  for (const Shot& shot : shots) {
     if (shot.epoch != epoch_) continue;
     const auto& seen = shot.check.angle_seen_deg;
     all = all && shot.check.has(ShotProblem::WrongStop) && seen;
@@ -308,99 +283,17 @@ Result<void> Series::correctZero(const std::vector<Unchecked>& shots) {
   return {};
 }
 
-Result<void> Series::shootCameras(std::vector<int> cameras, int stop) {
-  if (stop_.stop_requested()) return Error::cancelled();
-  for (const int c : cameras) {
-    ++tries_[{stop, c}];
-    if (!devices_.cameras[static_cast<std::size_t>(c)]->triggersItself() &&
-        !devices_.turntable->firesShutters())
-      tell({.kind = CaptureEventKind::PressShutter, .stop = stop, .camera = c});
-  }
-  tell({.kind = CaptureEventKind::Shooting, .stop = stop});
-  bool fired = false;
-  for (int round = 0; !cameras.empty(); ++round) {
-    const double from_s = devices_.clock->now_s();
-    if (round == 0 && devices_.turntable->firesShutters()) {
-      if (Result<void> r = devices_.turntable->fireShutters(stop_); !r) return r;
-      fired = true;
-    }
-    std::vector<Delivery> deliveries(cameras.size());
-    parallelFor(cameras.size(), static_cast<int>(cameras.size()),
-                [&](std::size_t i) { deliveries[i] = shootOne(cameras[i], stop, fired); });
-    fired = false;
-    std::vector<Arriving> arriving;
-    std::vector<int> failed;
-    std::optional<Error> hopeless;
-    double last_s = from_s;
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-      last_s = std::max(last_s, deliveries[i].fetched_s);
-      if (deliveries[i].outcome) {
-        unchecked_.push_back({.stop = stop, .camera = cameras[i], .check = {}, .epoch = epoch_});
-        unchecked_.back().repeated = store_->holdsElsewhere(deliveries[i].arriving->entry);
-        arriving.push_back(std::move(*deliveries[i].arriving));
-      } else {
-        const Error& error = deliveries[i].outcome.error();
-        if (error.code != ErrorCode::Missing || round + 1 >= options_.tries_per_device)
-          if (!hopeless || error.code == ErrorCode::Cancelled) hopeless = error;
-        failed.push_back(cameras[i]);
-      }
-    }
-    busy_s_ += last_s - from_s;
-    if (Result<void> r = store_->commit(std::move(arriving)); !r) return r;
-    if (hopeless) return *hopeless;
-    for (std::size_t i = 0; i < cameras.size(); ++i)
-      if (!deliveries[i].outcome)
-        if (Result<void> r = recoverCamera(cameras[i], stop, deliveries[i].outcome.error()); !r)
-          return r;
-    cameras = std::move(failed);
-  }
-  return {};
-}
-
-Series::Delivery Series::shootOne(int camera, int stop, bool triggered) {
-  Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
-  Delivery delivery;
-  if (!triggered) delivery.outcome = device.trigger();
-  Result<std::vector<CameraFile>> files = std::vector<CameraFile>{};
-  if (delivery.outcome) {
-    const bool by_hand = !device.triggersItself() && !devices_.turntable->firesShutters();
-    files = device.fetch(by_hand ? options_.press_timeout_s : options_.fetch_timeout_s, stop_);
-    if (!files) delivery.outcome = files.error();
-  }
-  delivery.fetched_s = devices_.clock->now_s();
-  if (!delivery.outcome) return delivery;
-  Result<Arriving> arriving = store_->stage(*files, camera, stop, angleOf(stop), device.id());
-  if (arriving)
-    delivery.arriving = std::move(*arriving);
-  else
-    delivery.outcome = arriving.error();
-  return delivery;
-}
-
-Result<void> Series::recoverCamera(int camera, int stop, const Error& trouble) {
-  tell({.kind = CaptureEventKind::Trouble,
-        .stop = stop,
-        .camera = camera,
-        .trouble = trouble.sentence()});
-  progress_.note(NoteLevel::Warning,
-                 "capture: " + shotWords(stop, camera) + ": " + trouble.sentence());
-  Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
-  Result<void> back = device.reopen(stop_);
-  if (back) back = device.getReady(stop_);  // drops what the failed try may still deliver
-  if (!back && back.error().code == ErrorCode::Missing) return {};  // tried again by the shot
-  return back;
-}
-
 Result<SideSummary> Series::summary() {
   SideSummary done;
   done.kept = kept();
-  std::vector<std::vector<std::filesystem::path>> files(devices_.cameras.size());
+  std::vector<std::vector<SidePhotograph>> files(devices_.cameras.size());
   for (int s = 0; s < options_.stops; ++s)
     for (std::size_t c = 0; c < files.size(); ++c) {
       const ManifestEntry* entry =
           std::as_const(*store_).manifest().find(options_.side, s, static_cast<int>(c));
       if (entry == nullptr) continue;
-      files[c].push_back(store_->fileOf(*entry));
+      const auto look = looks_.find({s, static_cast<int>(c)});
+      files[c].push_back({store_->fileOf(*entry), look == looks_.end() ? nullptr : look->second});
       if (!entry->problems.empty()) done.flagged.push_back({s, static_cast<int>(c)});
     }
   done.check = checkSide(files, devices_.plate, {}, stop_);

@@ -1,16 +1,22 @@
 #pragma once
 #include <deque>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "capture/batch_store.h"
 #include "capture/sequence.h"
+#include "capture/silhouettes.h"
 
 namespace ostraka::capture {
+
+/// Whether sherds lie too close is asked before the first shot, and by checkSide after the last.
+inline const LookOptions kSequenceLook{.too_close_mm = 0};
 
 /// One side being photographed: what shootSide does, step by step.
 class Series {
@@ -30,33 +36,55 @@ class Series {
     int stop = 0;
     std::vector<int> cameras;
   };
-  /// On disk, and looked at while the table turns on.
-  struct Unchecked {
+  /// Delivered by a camera; put on disk and looked at while the table turns on.
+  struct Shot {
     int stop = 0, camera = 0;
-    ShotCheck check;
-    int epoch = 0;  ///< of the table's count when it was taken
-    bool repeated = false;
-    bool refused = false;
+    std::vector<CameraFile> files{};  ///< empty: on disk already
+    CameraId id{};
+    std::map<std::string, std::string> settings{};
+    ShotCheck check{};
+    int epoch = 0;  ///< of the table's count when it was taken; -1: says nothing about the table
+    bool judged = false, refused = false;
   };
   struct Delivery {
     Result<void> outcome;
-    std::optional<Arriving> arriving;
+    std::vector<CameraFile> files;
     double fetched_s = 0;
+  };
+  /// May the next file of a camera be one of an earlier trigger? A throw-away exposure is taken at
+  /// an angle at which no stop is; the first photograph must be turned against it as the table was.
+  enum class Trust { Doubted, Awaiting, Proven };
+  struct Watch {
+    CameraReference reference;
+    Trust trust = Trust::Proven;
+    std::string proof;  ///< the throw-away exposure's bytes, not yet looked at
+    std::optional<PlateLook> proof_look;
+    double proof_deg = 0;                         ///< where the table stood then, as a stop's angle
+    int blind_proofs = 0;                         ///< without enough markers
+    std::map<std::string, std::string> settings;  ///< read before the coming shot
   };
 
   Result<void> prepare();
   Result<void> readReferences();
   Result<void> findPosition();
   Result<void> shootStop(const Task& task);
-  Result<void> turnTo(const Task& task);
-  Result<void> turnOnce(const Task& task, bool with_checks);
+  Result<void> turnTo(const Task& task, double beyond_deg);
+  Result<void> turnOnce(const Task& task, double beyond_deg, std::span<const int> to_empty);
   Result<void> recoverTable(const Error& trouble);
-  void lookAt(Unchecked& shot);
+  void emptyCamera(int camera);
+  bool byHand(int camera) const;
+  std::vector<int> doubted(const Task& task) const;
+  Result<void> takeProofs(std::vector<int> cameras, const Task& task);
+  void lookAtProof(int camera);
+  bool provenBy(Watch& watch, const PlateLook& look, double angle_deg) const;
+  Result<void> keepAndCheck();
+  void judgeShot(Shot& shot, std::shared_ptr<const MappedLook> look, bool old);
   Result<void> takeVerdicts();
-  Result<void> refuse(const Unchecked& shot);
-  Result<void> correctZero(const std::vector<Unchecked>& shots);
-  Result<void> shootCameras(std::vector<int> cameras, int stop);
-  Delivery shootOne(int camera, int stop, bool triggered);
+  Result<void> refuse(const Shot& shot);
+  Result<void> correctZero(const std::vector<Shot>& shots);
+  Result<void> shootCameras(const Task& task);
+  Result<void> expose(std::vector<int> cameras, int stop, std::vector<Shot>& shots);
+  Delivery shootOne(int camera, bool triggered);
   Result<void> recoverCamera(int camera, int stop, const Error& trouble);
   Result<SideSummary> summary();
   double angleOf(int stop) const { return 360.0 * stop / options_.stops; }
@@ -72,16 +100,21 @@ class Series {
   std::stop_token stop_;
   std::mutex telling_;
   std::optional<BatchStore> store_;
-  std::vector<CameraReference> references_;
+  std::vector<Watch> watches_;  ///< by camera
   std::deque<Task> tasks_;
-  std::vector<Unchecked> unchecked_;
+  std::vector<Shot> shots_;                   ///< of the last stop, until their verdicts are taken
   std::map<std::pair<int, int>, int> tries_;  ///< by stop and camera
-  double zero_deg_ = 0;                       ///< of the plate against the table, by the markers
-  std::optional<double> doubted_zero_deg_;    ///< seen once; believed when it is seen again
-  bool zero_unknown_ = false;                 ///< the table restarted: the markers will tell
-  int epoch_ = 0;                             ///< how often the table's count began anew
-  double busy_s_ = 0;                         ///< turning, settling, exposing, transferring
-  double last_fetch_s_ = 0;
+  std::map<std::pair<int, int>, std::shared_ptr<const MappedLook>> looks_;  ///< of kept shots
+  double zero_deg_ = 0;                     ///< of the plate against the table, by the markers
+  std::optional<double> doubted_zero_deg_;  ///< seen once; believed when it is seen again
+  bool zero_unknown_ = false;               ///< the table restarted: the markers will tell
+  int epoch_ = 0;                           ///< how often the table's count began anew
+  double busy_s_ = 0;                       ///< turning, settling, exposing, transferring
 };
+
+/// "Camera B, stop 3".
+std::string shotWords(int stop, int camera);
+/// Sentences about the problems, one after the other.
+std::string listed(const std::vector<ShotProblem>& problems);
 
 }  // namespace ostraka::capture

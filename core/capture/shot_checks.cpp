@@ -33,6 +33,8 @@ std::string words(ShotProblem problem) {
       return "the sherds are burnt out: expose shorter";
     case ShotProblem::CutOff:
       return "a sherd is cut off by the picture's edge: move it or the camera";
+    case ShotProblem::OtherSettings:
+      return "a setting of the camera is another one than at its first photograph: set it back";
   }
   return {};
 }

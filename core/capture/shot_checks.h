@@ -15,15 +15,16 @@ namespace ostraka::capture {
 
 /// What is wrong with a photograph; each has its own sentence in words().
 enum class ShotProblem {
-  Unreadable,  ///< cut off or no picture: never kept
-  WrongStop,   ///< the markers show another angle than the stop's: never kept
-  OtherSize,   ///< not the size of this camera's other photographs: never kept
-  Repeated,    ///< the very bytes of an earlier photograph: never kept
-  FewMarkers,  ///< too few markers of the plate are seen
-  Blurred,     ///< less sharp than this camera's other photographs
-  TooDark,     ///< sherds under 5 % in a channel
-  TooBright,   ///< sherds burnt out
-  CutOff       ///< a sherd touches the frame of the photograph
+  Unreadable,    ///< cut off or no picture: never kept
+  WrongStop,     ///< the markers show another angle than the stop's: never kept
+  OtherSize,     ///< not the size of this camera's other photographs: never kept
+  Repeated,      ///< the very bytes of an earlier photograph: never kept
+  FewMarkers,    ///< too few markers of the plate are seen
+  Blurred,       ///< less sharp than this camera's other photographs
+  TooDark,       ///< sherds under 5 % in a channel
+  TooBright,     ///< sherds burnt out
+  CutOff,        ///< a sherd touches the frame of the photograph
+  OtherSettings  ///< exposure, focus or another setting of the camera is not that of its first shot
 };
 std::string words(ShotProblem problem);
 bool mustNotBeKept(ShotProblem problem);
@@ -39,8 +40,10 @@ struct SeenSherd {
 struct PlateLook {
   int width = 0, height = 0;  ///< pixels of the picture
   int markers_seen = 0, markers_on_plate = 0;
-  std::vector<SeenSherd> sherds;               ///< from left to right
-  std::vector<std::pair<int, int>> too_close;  ///< indices into sherds: they touch or nearly do
+  std::vector<SeenSherd> sherds;  ///< from left to right
+  /// Indices into sherds: so close that one hides the other's foot. Twice the same: one outline
+  /// that looks like two sherds.
+  std::vector<std::pair<int, int>> too_close;
   double sharpness = 0;  ///< width in pixels of the markers' edges: small is sharp; 0 = unknown
   double dark_share = 0, bright_share = 0;  ///< of the sherds' pixels: under 5 %, over 98 %
   /// Where the plate stands in the picture: pixel = H * (x, y, 1) on the plate, mm.
@@ -48,8 +51,11 @@ struct PlateLook {
 };
 
 struct LookOptions {
-  int work_width_px = 1600;         ///< larger pictures are made smaller, but for the sharpness
-  double too_close_mm = 3.0;        ///< nearer sherds count as touching
+  int work_width_px = 1600;  ///< larger pictures are made smaller, but for the sharpness
+  /// Of the plate seen between two outlines; a wall of 10 mm hides as much from 60 degrees above.
+  /// 0: nobody asks, which takes half the time.
+  double too_close_mm = 5.0;
+  double touching_mm = 3.0;         ///< over all stops: nearer sherds count as touching
   double smallest_sherd_mm = 12.0;  ///< smaller spots are crumbs
   Result<void> check() const;
 };

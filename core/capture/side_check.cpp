@@ -26,24 +26,31 @@ double steepness(const Eigen::Matrix3d& pixel_from_plate) {
   return axes[0] > 0 ? axes[1] / axes[0] : 0;
 }
 
-std::optional<MappedLook> lookAtFile(const fs::path& file, const batch::Plate& plate,
-                                     const LookOptions& options) {
-  const Result<std::string> bytes = readFile(file);
-  if (!bytes) return std::nullopt;
-  Result<MappedLook> mapped = lookAndMap(*bytes, plate, options);
-  if (!mapped || !mapped->look.pixel_from_plate) return std::nullopt;
-  return std::move(*mapped);
+using Photographs = std::vector<std::vector<SidePhotograph>>;
+
+// nullptr: unreadable, or the plate's place is not seen.
+std::shared_ptr<const MappedLook> lookOf(const SidePhotograph& photograph,
+                                         const batch::Plate& plate, const LookOptions& options) {
+  std::shared_ptr<const MappedLook> look = photograph.look;
+  if (!look) {
+    const Result<std::string> bytes = readFile(photograph.file);
+    if (!bytes) return nullptr;
+    Result<MappedLook> mapped = lookAndMap(*bytes, plate, options);
+    if (!mapped) return nullptr;
+    look = std::make_shared<const MappedLook>(std::move(*mapped));
+  }
+  return look->look.pixel_from_plate ? look : nullptr;
 }
 
 // The camera that looks down most steeply, by its first photograph with markers; -1: none.
-int steepestCamera(const std::vector<std::vector<fs::path>>& photographs, const batch::Plate& plate,
+int steepestCamera(const Photographs& photographs, const batch::Plate& plate,
                    const LookOptions& options, std::stop_token stop) {
   int best = -1;
   double most = 0;
   for (std::size_t c = 0; c < photographs.size(); ++c)
-    for (const fs::path& file : photographs[c]) {
+    for (const SidePhotograph& photograph : photographs[c]) {
       if (stop.stop_requested()) return -1;
-      const auto mapped = lookAtFile(file, plate, options);
+      const auto mapped = lookOf(photograph, plate, options);
       if (!mapped) continue;
       const double steep = steepness(*mapped->look.pixel_from_plate);
       if (steep > most) {
@@ -79,16 +86,24 @@ bool sameSide(const SideCheck& front, const SideCheck& back) {
 
 }  // namespace
 
-SideCheck checkSide(const std::vector<std::vector<fs::path>>& photographs,
-                    const batch::Plate& plate, const LookOptions& options, std::stop_token stop) {
+SideCheck checkSide(const std::vector<std::vector<fs::path>>& files, const batch::Plate& plate,
+                    const LookOptions& options, std::stop_token stop) {
+  Photographs photographs(files.size());
+  for (std::size_t c = 0; c < files.size(); ++c)
+    for (const fs::path& file : files[c]) photographs[c].push_back({file, nullptr});
+  return checkSide(photographs, plate, options, std::move(stop));
+}
+
+SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
+                    const LookOptions& options, std::stop_token stop) {
   SideCheck side;
   const int camera = steepestCamera(photographs, plate, options, stop);
   cv::Mat1i votes, looks;
   PlateMap together;
   if (camera >= 0)
-    for (const fs::path& file : photographs[static_cast<std::size_t>(camera)]) {
+    for (const SidePhotograph& photograph : photographs[static_cast<std::size_t>(camera)]) {
       if (stop.stop_requested()) return side;
-      const auto mapped = lookAtFile(file, plate, options);
+      const auto mapped = lookOf(photograph, plate, options);
       if (!mapped) continue;
       if (votes.empty()) {
         together.radius_mm = mapped->map.radius_mm;
@@ -121,7 +136,7 @@ SideCheck checkSide(const std::vector<std::vector<fs::path>>& photographs,
     side.touching += within - 1;
     if (within > 1) close.push_back(placeOf(pieces[i].centre_mm));
     for (std::size_t k = 0; k < i; ++k)
-      if (gapBetween_mm(pieces[k], pieces[i]) < options.too_close_mm) {
+      if (gapBetween_mm(pieces[k], pieces[i]) < options.touching_mm) {
         ++side.touching;
         close.push_back(placeOf((pieces[i].centre_mm + pieces[k].centre_mm) / 2));
       }

@@ -19,6 +19,8 @@ constexpr float kLeastTint = 0.06f, kLeastBrightness = 0.15f, kLeastRoughness = 
 constexpr float kTintSpreads = 5, kBrightnessSpreads = 6, kRoughnessSpreads = 4;
 constexpr float kDarkerThanShadow = 1.2f;  // no shadow under light from all around is as deep
 constexpr double kNear_mm = 15;            // gaps beyond are known by their boxes only
+constexpr double kLeastSolidity = 0.86;    // 48 outlines of 8 sherds from above: 0.875 and more
+constexpr double kDoubtfulNeck = 0.6;      // of the smaller part's width
 constexpr float kDarkLevel = 4;            // keeps the noise of the darkest levels bounded
 
 using Row6 = Eigen::Matrix<double, 1, 6>;
@@ -150,6 +152,20 @@ cv::Mat1b filled(const cv::Mat1b& mask) {
   return whole;
 }
 
+// The thresholds lie far below a sherd's own difference, so the blur of its edge counts as sherd.
+// The edge is where the difference is half of what it is further in.
+void trimEdges(const Difference& d, cv::Mat1b& sherd) {
+  cv::Mat1f strength, within(sherd.size(), 0.f), further_in;
+  cv::magnitude(d.tint, d.brightness, strength);
+  strength.copyTo(within, sherd);
+  cv::dilate(within, further_in, disc(9));
+  cv::Mat1b inside;
+  cv::erode(sherd, inside, disc(7));
+  const cv::Mat1b blurred = (strength < 0.5f * further_in) & ~inside;
+  sherd.setTo(0, blurred);
+  cv::morphologyEx(sherd, sherd, cv::MORPH_OPEN, disc(5));
+}
+
 }  // namespace
 
 double freeRadius_mm(const batch::Plate& plate) {
@@ -199,9 +215,11 @@ PlateMap mapPlate(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_plat
   if (samples.terms.size() < 200) return map;  // hardly any of the disc is in the picture
   float spread = 0;
   const auto fit = fitFelt(samples, spread);
-  cv::Mat1b mask = differing(differenceFrom(colours, fit), map.seen, spread);
+  const Difference difference = differenceFrom(colours, fit);
+  cv::Mat1b mask = differing(difference, map.seen, spread);
   cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, disc(3));
   cv::morphologyEx(filled(mask), map.sherd, cv::MORPH_OPEN, disc(7));
+  trimEdges(difference, map.sherd);
   return map;
 }
 
@@ -244,7 +262,9 @@ double gapBetween_mm(const MapPiece& a, const MapPiece& b) {
   return nearest * PlateMap::kPixelMm;
 }
 
-int sherdsInPiece(const MapPiece& piece) {
+namespace {
+
+int partsOf(const MapPiece& piece, double neck_share) {
   const cv::Rect box = cv::boundingRect(piece.outline);
   cv::Mat1b mask(box.size(), uchar{0});
   cv::drawContours(mask, std::vector<std::vector<cv::Point>>{piece.outline}, 0, 255, cv::FILLED,
@@ -255,8 +275,20 @@ int sherdsInPiece(const MapPiece& piece) {
       if (mask(y, x))
         cloud.points.emplace_back(static_cast<float>(x * PlateMap::kPixelMm),
                                   static_cast<float>(y * PlateMap::kPixelMm), 0.f);
-  const scan::SplitOptions usual;
-  return scan::cutTouching(cloud, usual.neck_share, usual.min_extent_mm).count;
+  return scan::cutTouching(cloud, neck_share, scan::SplitOptions().min_extent_mm).count;
+}
+
+}  // namespace
+
+int sherdsInPiece(const MapPiece& piece) {
+  return partsOf(piece, scan::SplitOptions().neck_share);
+}
+
+bool mayBeSeveral(const MapPiece& piece) {
+  std::vector<cv::Point> hull;
+  cv::convexHull(piece.outline, hull);
+  const double hull_mm2 = cv::contourArea(hull) * PlateMap::kPixelMm * PlateMap::kPixelMm;
+  return piece.area_mm2 < kLeastSolidity * hull_mm2 || partsOf(piece, kDoubtfulNeck) > 1;
 }
 
 }  // namespace ostraka::capture

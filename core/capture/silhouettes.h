@@ -1,6 +1,9 @@
 #pragma once
 #include <Eigen/Core>
+#include <filesystem>
+#include <memory>
 #include <opencv2/core/mat.hpp>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -48,6 +51,10 @@ double gapBetween_mm(const MapPiece& a, const MapPiece& b);
 /// Sherds that one piece holds when they touch: it is cut where its outline has a narrow neck.
 int sherdsInPiece(const MapPiece& piece);
 
+/// Worth a person's look: a waist as a single sherd rarely has one, or a dent as deep. Never
+/// counted on.
+bool mayBeSeveral(const MapPiece& piece);
+
 /// lookAtPlate with the map that it counted on; an empty map where the plate's place is not seen.
 struct MappedLook {
   PlateLook look;
@@ -55,5 +62,14 @@ struct MappedLook {
 };
 Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plate,
                               const LookOptions& options);
+
+/// A photograph of a side; without a look it is read from its file.
+struct SidePhotograph {
+  std::filesystem::path file;
+  std::shared_ptr<const MappedLook> look;
+};
+/// As checkSide of shot_checks.h, without looking again at what was looked at.
+SideCheck checkSide(const std::vector<std::vector<SidePhotograph>>& photographs,
+                    const batch::Plate& plate, const LookOptions& options, std::stop_token stop);
 
 }  // namespace ostraka::capture

@@ -27,6 +27,8 @@ class Turntable {
   /// is not 'arrived'. Calling it again with the same angle never turns twice. NotEnough: the
   /// position is not known (home first). Cancelled leaves the table standing.
   virtual Result<void> moveTo(double degrees, std::stop_token stop) = 0;
+  /// False: a person turns it, and is asked for nothing that is not needed.
+  virtual bool turnsItself() const { return true; }
   /// Stops the table at once.
   virtual void stopNow() = 0;
 

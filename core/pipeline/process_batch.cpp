@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "pipeline/candidate_table.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/report.h"
+#include "rig/held_out.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -260,6 +262,9 @@ Result<ProcessSummary> runChain(const Run& run) {
   summary.reshoot = pairs->value.reshoot;
   summary.warnings = report.warnings;
   summary.reprojection_rms_px = poses->record.notes.figures.value("reprojection_rms_px", 0.0);
+  for (const auto& distance : poses->record.notes.figures.value("held_out", ordered_json::array()))
+    summary.scale_doubtful = summary.scale_doubtful || std::abs(distance.value("error_pct", 0.0)) >
+                                                           100 * rig::kMostScaleError;
   summary.report = output / "report.html";
   return summary;
 }

@@ -43,6 +43,9 @@ struct ProcessSummary {
   std::vector<std::string> reshoot;    ///< scans that a person wants shot again: not whole
   std::vector<std::string> warnings;
   double reprojection_rms_px = 0;
+  /// A distance between markers that took no part in the fit is off by more than 0.3 %: the batch
+  /// is held until a person has found out why (wish W12).
+  bool scale_doubtful = false;
   double seconds = 0;  ///< of this run, not of stages done earlier
   std::filesystem::path report;
   int ambiguous() const;

@@ -76,14 +76,6 @@ void adviseOnScale(const CalibrationReport& report, std::vector<std::string>& mi
   }
 }
 
-bool scaleIsRight(const CalibrationReport& report) {
-  for (const HeldOutDistance& d : report.held_out)
-    if (std::abs(d.error()) > kMostScaleError) return false;
-  for (const MeasuredLength& m : report.lengths)
-    if (std::abs(m.found_mm / m.length.mm - 1) > kMostScaleError) return false;
-  return true;
-}
-
 void judge(CalibrationReport& report) {
   for (const CameraCalibration& c : report.cameras) {
     if (c.plate_residual_px <= kMostResidual_px) continue;
@@ -132,6 +124,14 @@ std::string lensWords(const CameraCalibration& c) {
 }
 
 }  // namespace
+
+bool scaleIsRight(const CalibrationReport& report) {
+  for (const HeldOutDistance& d : report.held_out)
+    if (std::abs(d.error()) > kMostScaleError) return false;
+  for (const MeasuredLength& m : report.lengths)
+    if (std::abs(m.found_mm / m.length.mm - 1) > kMostScaleError) return false;
+  return true;
+}
 
 void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& missing) {
   const std::string name = cameraName(camera.camera);

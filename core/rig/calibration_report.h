@@ -66,6 +66,10 @@ Result<CalibrationReport> calibrateFolder(const std::filesystem::path& folder,
                                           const CalibrationOptions& options, Progress& progress,
                                           std::stop_token stop);
 
+/// False: a held-out distance or a known length is off by more than kMostScaleError. A person must
+/// find out why before anything rests on this rig.
+bool scaleIsRight(const CalibrationReport& report);
+
 /// The report for a person, line by line; for the terminal and the window.
 std::vector<std::string> inWords(const CalibrationReport& report);
 

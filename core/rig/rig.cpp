@@ -120,11 +120,20 @@ Result<void> writeRig(const std::filesystem::path& file, const Rig& rig) {
   nlohmann::ordered_json stops = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < rig.stops.size(); ++k)
     stops.push_back({{"stop", rig.stops[k]}, {"angle_deg", rig.stop_angles_rad[k] * 180 / M_PI}});
-  return writeJson(file, {{"format", kFormat},
-                          {"unit", "mm"},
-                          {"reprojection_rms_px", rig.reprojection_rms_px},
-                          {"cameras", cameras},
-                          {"stops", stops}});
+  nlohmann::ordered_json whole = {{"format", kFormat},
+                                  {"unit", "mm"},
+                                  {"reprojection_rms_px", rig.reprojection_rms_px},
+                                  {"cameras", cameras},
+                                  {"stops", stops}};
+  std::error_code absent;
+  if (std::filesystem::exists(file, absent)) {
+    const Result<nlohmann::json> there = readJson(file);
+    if (!there || !there->is_object())
+      return unusable("This file is there already and is no rig; name another one.", file);
+    for (const auto& [key, value] : there->items())
+      if (!whole.contains(key)) whole[key] = value;
+  }
+  return writeJson(file, whole);
 }
 
 }  // namespace ostraka::rig

@@ -34,6 +34,7 @@ struct Rig {
 
 /// Errors: UnusableInput (not a rig, another version, a camera twice, numbers that are no camera).
 Result<Rig> readRig(const std::filesystem::path& file);
+/// What an existing file says besides (its "devices") stays as it is.
 Result<void> writeRig(const std::filesystem::path& file, const Rig& rig);
 
 }  // namespace ostraka::rig

@@ -184,6 +184,7 @@ class VirtualCamera final : public Camera {
     exposed_ = place_->degrees();
     return {};
   }
+  bool fileIsOfItsTrigger() const override { return true; }
   Result<std::vector<CameraFile>> fetch(double, std::stop_token stop) override {
     if (!exposed_)
       return Error{ErrorCode::Missing, "The camera has taken no photograph.", id().serial};

@@ -15,6 +15,7 @@
 #include "batch/image_header.h"
 #include "capture/comxim.h"
 #include "capture/grbl.h"
+#include "capture/text_turntable.h"
 #include "cloud/ply.h"
 #include "evaluate/pairs.h"
 #include "rig/camera.h"
@@ -119,6 +120,8 @@ void deviceReplies(std::string_view bytes) {
     mustStandOrSay(
         capture::openComXim(std::make_unique<SayingChannel>(bytes, clock), options, clock, {}));
   }
+  mustStandOrSay(
+      capture::openTextTable(std::make_unique<SayingChannel>(bytes, clock), {}, clock, {}));
 }
 
 void ply(std::string_view bytes) {

@@ -86,10 +86,11 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   }
   const capture::PlateLook& look = live_->look;
   if (phase_ == CapturePhase::Place)
-    facts.push_back({!look.sherds.empty(),
+    facts.push_back({!look.sherds.empty() && look.too_close.empty(),
                      tr("%n sherd(s) seen", nullptr, static_cast<int>(look.sherds.size()))});
   for (const auto& [a, b] : look.too_close)
-    facts.push_back({false, tr("%1 and %2 nearly touch").arg(a + 1).arg(b + 1)});
+    facts.push_back({false, a == b ? tr("%1 may be two sherds, too close together").arg(a + 1)
+                                   : tr("%1 and %2 lie too close together").arg(a + 1).arg(b + 1)});
   for (std::size_t i = 0; i < look.sherds.size(); ++i)
     if (look.sherds[i].cut_off)
       facts.push_back({false, tr("%1 reaches out of the picture").arg(i + 1)});

@@ -94,7 +94,7 @@ TEST_F(Devices, NamesTheProgramInTheWay) {
   const auto found = find();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].troubles,
-              ElementsAre(HasSubstr("held by gvfsd-gphoto2 (4321): run 'gio mount -s gphoto2'")));
+              ElementsAre(HasSubstr("held by gvfsd-gphoto2 (4321): 'ostraka devices --release'")));
   EXPECT_THAT(holdersOf(root_ / "somewhere/else", {root_ / "sys", root_ / "dev", root_ / "proc"}),
               ElementsAre("editor (99)"));
 }

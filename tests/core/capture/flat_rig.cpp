@@ -179,7 +179,10 @@ Result<void> FlatCamera::trigger() {
                   exposureNote(truth_->side, number_, degrees) + " #" + std::to_string(exposure));
   if (fault == Fault::Truncated) bytes.resize(bytes.size() / 2);
   if (fault == Fault::Stale && !last_.empty()) bytes.swap(last_);
-  last_ = bytes;
+  if (lags && !last_.empty())
+    bytes.swap(last_);
+  else
+    last_ = bytes;
   (fault == Fault::Late ? late_ : buffer_).push_back({"CAPT0000.JPG", std::move(bytes)});
   return {};
 }

@@ -65,7 +65,9 @@ class FlatCamera final : public Camera {
       : truth_(std::move(truth)), number_(number) {}
 
   CameraId id() const override;
-  Result<std::vector<CameraSetting>> settings() override { return std::vector<CameraSetting>{}; }
+  Result<std::vector<CameraSetting>> settings() override {
+    return std::vector<CameraSetting>{{"exposure", exposure_time, {}, false}};
+  }
   Result<CameraSetting> set(const std::string&, const std::string&) override;
   Result<std::string> preview(std::stop_token) override;
   Result<void> getReady(std::stop_token) override;
@@ -78,6 +80,8 @@ class FlatCamera final : public Camera {
   enum class Fault { None, Unplugged, Silent, Late, Truncated, Stale, Blurred, Gone };
   std::deque<Fault> faults;
   std::function<Fault()> chance;  ///< after them
+  bool lags = false;              ///< hands over what the trigger before made, at each trigger
+  std::string exposure_time = "1/8";
   int reopened = 0;
 
  private:
@@ -100,6 +104,7 @@ class FlatTurntable final : public Turntable {
   std::optional<double> position_deg() const override { return count_; }
   Result<void> reopen(std::stop_token) override;
   void close() override {}
+  void forgetPosition() { count_.reset(); }
 
   enum class Fault { None, UnpluggedBefore, UnpluggedMidway, Restarted, Slipped };
   std::deque<Fault> faults;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "base/files.h"
+#include "capture/hand_turntable.h"
 #include "capture/manifest.h"
 #include "flat_rig.h"
 
@@ -22,6 +23,7 @@ using testing::makeFlatRig;
 using testing::noteOf;
 
 constexpr int kStops = 3;
+constexpr int kProofs = 2;  // a throw-away exposure of each camera before a side
 
 class Sequence : public ::testing::Test {
  protected:
@@ -66,6 +68,14 @@ class Sequence : public ::testing::Test {
         EXPECT_TRUE(entry->checked);
       }
   }
+  // The moves of the table: twice for the throw-away exposure, then one for each stop.
+  static std::deque<FlatTurntable::Fault> afterStop(int stop,
+                                                    std::vector<FlatTurntable::Fault> faults) {
+    std::deque<FlatTurntable::Fault> all(static_cast<std::size_t>(2 + stop),
+                                         FlatTurntable::Fault::None);
+    all.insert(all.end(), faults.begin(), faults.end());
+    return all;
+  }
   int count(CaptureEventKind kind) const {
     return static_cast<int>(std::count_if(events_.begin(), events_.end(),
                                           [&](const auto& e) { return e.kind == kind; }));
@@ -87,7 +97,7 @@ TEST_F(Sequence, TakesEveryShotOnceAndUnderItsOwnName) {
   EXPECT_TRUE(done->flagged.empty());
   EXPECT_EQ(done->check.sherds, 3);
   EXPECT_TRUE(done->check.sentences.empty());
-  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_EQ(rig_.truth->exposures, kProofs + 6);
   EXPECT_EQ(count(CaptureEventKind::ShotKept), 6);
   EXPECT_EQ(count(CaptureEventKind::StopDone), kStops);
   expectWholeSide();
@@ -108,12 +118,13 @@ TEST_F(Sequence, DoesNotTakeAFinishedSideAgain) {
   const auto again = shoot();
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(again->kept, 6);
-  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_EQ(rig_.truth->exposures, kProofs + 6);
 }
 
 TEST_F(Sequence, GoesOnAtTheShotWhereACameraWasPulledOut) {
   auto& faults = rig_.cameras[1]->faults;
-  faults = {FlatCamera::Fault::None, FlatCamera::Fault::None, FlatCamera::Fault::Gone};
+  faults.assign(3, FlatCamera::Fault::None);
+  faults.push_back(FlatCamera::Fault::Gone);
   const auto broken = shoot();
   ASSERT_FALSE(broken.has_value());
   EXPECT_EQ(broken.error().code, ErrorCode::Missing);
@@ -125,7 +136,7 @@ TEST_F(Sequence, GoesOnAtTheShotWhereACameraWasPulledOut) {
   faults.clear();
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
-  EXPECT_EQ(rig_.truth->exposures, 6) << "no finished shot is taken again";
+  EXPECT_EQ(rig_.truth->exposures, kProofs + 6 + 1) << "no finished shot is taken again";
   expectWholeSide();
 }
 
@@ -145,7 +156,8 @@ TEST_F(Sequence, DropsAPhotographThatComesTooLate) {
 }
 
 TEST_F(Sequence, RefusesAnEarlierPhotograph) {
-  rig_.cameras[0]->faults = {FlatCamera::Fault::None, FlatCamera::Fault::Stale};
+  rig_.cameras[0]->faults = {FlatCamera::Fault::None, FlatCamera::Fault::None,
+                             FlatCamera::Fault::Stale};
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
   expectWholeSide();
@@ -159,9 +171,83 @@ TEST_F(Sequence, RefusesAnEarlierPhotograph) {
   EXPECT_EQ(refused->camera, 0);
 }
 
+// Late twice at the front's last shot: one photograph is kept, one comes when nobody waits for it.
+TEST_F(Sequence, RefusesWhatTheSideBeforeLeftBehind) {
+  using Fault = FlatCamera::Fault;
+  rig_.cameras[0]->faults = {Fault::None, Fault::None, Fault::None, Fault::Late, Fault::Late};
+  ASSERT_TRUE(shoot().has_value());
+  expectWholeSide();
+  options_.side = batch::Side::Back;
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  expectWholeSide();
+}
+
+TEST_F(Sequence, RefusesTheLastPhotographOfTheBatchBefore) {
+  using Fault = FlatCamera::Fault;
+  ASSERT_TRUE(shoot().has_value());
+  for (const std::deque<Fault>& faults :
+       {std::deque{Fault::Stale}, std::deque{Fault::None, Fault::Stale},
+        std::deque{Fault::Stale, Fault::Stale, Fault::None, Fault::Stale}}) {
+    fs::remove_all(folder_);
+    rig_.cameras[0]->faults = faults;
+    const auto done = shoot();
+    ASSERT_TRUE(done.has_value()) << done.error().what;
+    expectWholeSide();
+  }
+}
+
+// The manifest knows those of its own batch, even when another program took them.
+TEST_F(Sequence, RefusesAPhotographOfTheFrontAfterTheProgramWasStartedAgain) {
+  ASSERT_TRUE(shoot().has_value());
+  rig_.devices.delivered.clear();
+  options_.side = batch::Side::Back;
+  rig_.cameras[1]->faults = {FlatCamera::Fault::Stale};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  expectWholeSide();
+}
+
+TEST_F(Sequence, RefusesASeriesThatIsShiftedByOnePhotograph) {
+  ASSERT_TRUE(shoot().has_value());
+  options_.side = batch::Side::Back;
+  rig_.cameras[1]->lags = true;
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(note(0, 1), "no file");
+}
+
+TEST_F(Sequence, TellsOldPhotographsByTheSherdsWhereAPersonTurnsTheTable) {
+  int asked = 0;
+  rig_.devices.turntable = openHandTurntable([&](const std::string&, std::stop_token) {
+    rig_.truth->degrees = 120.0 * asked++;
+    return true;
+  });
+  using Fault = FlatCamera::Fault;
+  rig_.cameras[0]->faults = {Fault::None, Fault::Late, Fault::Late};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(asked, kStops) << "none for the throw-away exposure";
+  expectWholeSide();
+}
+
+TEST_F(Sequence, KeepsTheSettingsOfEachShotAndFlagsOthers) {
+  on_event_ = [this](const CaptureEvent& e) {
+    if (e.kind == CaptureEventKind::Shooting && e.stop == 0) rig_.cameras[1]->exposure_time = "1/60";
+  };
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(done->flagged, (std::vector<ShotName>{{1, 1}, {2, 1}}));
+  const auto manifest = readManifest(folder_);
+  ASSERT_TRUE(manifest.has_value());
+  EXPECT_EQ(manifest->find(options_.side, 0, 1)->settings.at("exposure"), "1/8");
+  EXPECT_EQ(manifest->find(options_.side, 1, 1)->settings.at("exposure"), "1/60");
+  EXPECT_THAT(manifest->find(options_.side, 1, 1)->problems.at(0), HasSubstr("set it back"));
+}
+
 TEST_F(Sequence, AsksForACutOffOrBlurredPhotographAgainAtOnce) {
-  rig_.cameras[0]->faults = {FlatCamera::Fault::Truncated, FlatCamera::Fault::None,
-                             FlatCamera::Fault::Blurred};
+  rig_.cameras[0]->faults = {FlatCamera::Fault::None, FlatCamera::Fault::Truncated,
+                             FlatCamera::Fault::None, FlatCamera::Fault::Blurred};
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
   EXPECT_EQ(count(CaptureEventKind::ShotRefused), 2);
@@ -171,39 +257,39 @@ TEST_F(Sequence, AsksForACutOffOrBlurredPhotographAgainAtOnce) {
 }
 
 TEST_F(Sequence, FailsInWordsWhenACameraStaysBad) {
-  rig_.cameras[1]->faults.assign(3, FlatCamera::Fault::Truncated);
+  rig_.cameras[1]->faults.assign(4, FlatCamera::Fault::Truncated);
+  rig_.cameras[1]->faults[0] = FlatCamera::Fault::None;
   const auto done = shoot();
   ASSERT_FALSE(done.has_value());
   EXPECT_THAT(done.error().what, HasSubstr("Camera B, stop 1 failed 3 times: the file is cut off"));
 }
 
 TEST_F(Sequence, ComesThroughAnUnpluggedTable) {
-  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::UnpluggedBefore,
-                        FlatTurntable::Fault::UnpluggedMidway};
+  rig_.table->faults =
+      afterStop(1, {FlatTurntable::Fault::UnpluggedBefore, FlatTurntable::Fault::UnpluggedMidway});
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
-  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_EQ(rig_.truth->exposures, kProofs + 6);
   EXPECT_DOUBLE_EQ(rig_.truth->degrees, 240);
   expectWholeSide();
 }
 
 TEST_F(Sequence, HomesATableThatRestarted) {
-  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::Restarted};
+  rig_.table->faults = afterStop(1, {FlatTurntable::Fault::Restarted});
   ASSERT_TRUE(shoot().has_value());
   expectWholeSide();
 }
 
 TEST_F(Sequence, FindsThePositionByTheMarkersWhenTheTableHasNoSwitch) {
   rig_.table->has_switch = false;
-  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::None,
-                        FlatTurntable::Fault::Restarted};
+  rig_.table->faults = afterStop(2, {FlatTurntable::Fault::Restarted});
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
   expectWholeSide();
 }
 
 TEST_F(Sequence, CorrectsATableThatSlipped) {
-  rig_.table->faults = {FlatTurntable::Fault::None, FlatTurntable::Fault::Slipped};
+  rig_.table->faults = afterStop(1, {FlatTurntable::Fault::Slipped});
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
   expectWholeSide();
@@ -228,7 +314,7 @@ TEST_F(Sequence, StopsOnRequestAndGoesOnLater) {
   stop_ = {};
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
-  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_EQ(rig_.truth->exposures, 2 * kProofs + 6);
   expectWholeSide();
 }
 
@@ -274,7 +360,7 @@ TEST_F(Sequence, FlagsWhatAnotherPhotographWouldNotMend) {
   rig_.truth->scene.sherds.push_back({95, 0, 14});
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
-  EXPECT_EQ(rig_.truth->exposures, 6);
+  EXPECT_EQ(rig_.truth->exposures, kProofs + 6);
   EXPECT_FALSE(done->flagged.empty());
   EXPECT_THAT(done->check.sentences.back(), HasSubstr("are kept though"));
 }

@@ -40,12 +40,24 @@ TEST(LookAtPlate, SeesSherdsThatLieTooClose) {
   scene.sherds = {{-30, 0, 15}, {4.5, 0, 15}, {-20, 60, 15}};
   const std::string picture = flatPicture(scene, 1, 0, "");
   LookOptions options;  // the gap is 4.5 mm, the others are far away
-  options.too_close_mm = 7;
   const auto near = lookAtPlate(picture, flatPlate(), options);
   ASSERT_TRUE(near.has_value());
   ASSERT_EQ(near->sherds.size(), 3u);
   ASSERT_EQ(near->too_close.size(), 1u);
   EXPECT_EQ(near->too_close[0], std::make_pair(0, 2));  // from left to right: -30, -20, 4.5
+  options.too_close_mm = 3.5;  // the outlines lie within half a pixel of the map of the true ones
+  EXPECT_TRUE(lookAtPlate(picture, flatPlate(), options)->too_close.empty());
+}
+
+TEST(LookAtPlate, DoubtsAnOutlineThatLooksLikeTwoSherds) {
+  FlatScene scene;
+  scene.width = 1280;
+  for (const double gap :
+       {-1.0, 0.0, 0.5, 1.0, 2.0}) {  // sherds that hide each other, touch, nearly do
+    scene.sherds = {{-30, 0, 15}, {gap, 0, 15}, {-20, 60, 15}};
+    const PlateLook look = lookAt(scene, 1, 0);
+    EXPECT_EQ(look.too_close.size(), 1u) << gap;
+  }
 }
 
 TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {

@@ -7,6 +7,7 @@
 #include <linux/usbdevice_fs.h>  // after the macros that it needs
 #include <umockdev.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <deque>
@@ -14,6 +15,7 @@
 
 #include "capture/byte_channel.h"
 #include "capture/grbl.h"
+#include "capture/usb_watch.h"
 #include "simulated_controllers.h"
 
 namespace ostraka::capture {
@@ -317,6 +319,26 @@ TEST_F(UsbChannel, NoticesThatTheCableIsPulledAndComesBack) {
   for (int k = 0; k < 20 && said.find("VER") == std::string::npos; ++k)
     said += (*channel)->read(0.05, {}).value();
   EXPECT_THAT(said, HasSubstr("[VER:1.1h"));
+}
+
+TEST(UsbWatch, TellsThatADeviceCameAndWent) {
+  for (const auto how : {UsbWatchOptions::How::Events, UsbWatchOptions::How::Polling}) {
+    FakeUsb usb(std::make_shared<SimulatedGrbl>(steadyClock(), Mischief{}));
+    std::atomic<int> told = 0;
+    const auto watch = watchUsb([&] { ++told; }, {.how = how, .poll_s = 0.05});
+    ASSERT_TRUE(watch.has_value()) << watch.error().what;
+    EXPECT_EQ((*watch)->how(), how);
+    const auto waitFor = [&](int count) {
+      for (int k = 0; k < 200 && told < count; ++k) steadyClock()->sleep(0.02, {});
+      return told.load();
+    };
+    steadyClock()->sleep(0.15, {});  // the polling one has to see the empty bus first
+    EXPECT_EQ(told, 0);
+    usb.plugIn();
+    EXPECT_EQ(waitFor(1), 1);
+    usb.unplug();
+    EXPECT_EQ(waitFor(2), 2);
+  }
 }
 
 TEST_F(UsbChannel, SaysWhyADeviceCannotBeUsed) {

@@ -81,6 +81,7 @@ TEST(CalibrationAdvice, HoldsARigWhoseScaleIsOff) {
   // 1 mm in 290 is 0.34 %, above the 0.3 % of wish W12.
   const auto report = judged(wellTaken(), fourStops(), {{0, 12, 290, 291}});
   EXPECT_EQ(report.verdict, Verdict::NotUsable);
+  EXPECT_FALSE(scaleIsRight(report));
   EXPECT_THAT(report.missing, Contains(HasSubstr("+1.00 mm, +0.345 %")));
 }
 
@@ -91,6 +92,7 @@ TEST(CalibrationAdvice, HoldsARigThatMissesAHandMeasuredLength) {
   report.lengths = {{{0, 12, 310}, 314}};
   adviseOnPlate(fourStops(), report);
   EXPECT_EQ(report.verdict, Verdict::NotUsable);
+  EXPECT_FALSE(scaleIsRight(report));
   EXPECT_THAT(report.missing, Contains(HasSubstr("--ruler-measured")));
 }
 

@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "simulated_rig.h"
 
 namespace ostraka::rig {
@@ -42,6 +44,27 @@ TEST(RigFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(read->find(4)->covariance, rig.cameras[1].covariance);
   EXPECT_EQ(read->stops, rig.stops);
   EXPECT_NEAR(read->stop_angles_rad[2], 3, 1e-14);
+}
+
+TEST(RigFile, KeepsTheDevicesOfAnEarlierCalibration) {
+  const std::filesystem::path file = temporaryFile("devices.json");
+  std::ofstream(file) << R"({"devices":{"settle_s":2},"cameras":["old"]})";
+  ASSERT_TRUE(writeRig(file, sample()).has_value());
+  const auto json = readJson(file);
+  EXPECT_TRUE(readRig(file).has_value());
+  std::filesystem::remove(file);
+  ASSERT_TRUE(json.has_value());
+  EXPECT_EQ(json->at("devices").at("settle_s"), 2);
+  EXPECT_EQ(json->at("cameras").size(), 2u);
+}
+
+TEST(RigFile, DoesNotOverwriteWhatIsNoRigAtAll) {
+  const std::filesystem::path file = temporaryFile("letter.json");
+  std::ofstream(file) << "Dear colleague";
+  const auto written = writeRig(file, sample());
+  std::filesystem::remove(file);
+  ASSERT_FALSE(written.has_value());
+  EXPECT_EQ(written.error().code, ErrorCode::UnusableInput);
 }
 
 TEST(RigFile, RefusesWhatIsNoRig) {

@@ -16,6 +16,7 @@ namespace ostraka::capture {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kQuickWidth_px = 960;
 constexpr int kLeastMarkers = 4;  // one marker's corners alone tilt the plane
 
 Result<cv::Mat> decoded(std::string_view picture) {
@@ -32,6 +33,27 @@ Result<cv::Mat> decoded(std::string_view picture) {
   if (image.empty() || image.cols != size->width || image.rows != size->height)
     return Error{ErrorCode::UnusableInput, "The picture cannot be decoded.", {}};
   return image;
+}
+
+// Most of the time goes into the markers. A smaller picture shows nearly all of them as well; only
+// when it does not, as with small markers or a camera that sees the plate from afar, all of it
+// counts.
+Result<std::vector<rig::SeenMarker>> markersOf(const cv::Mat& work, const batch::Plate& plate) {
+  if (work.cols > kQuickWidth_px * 5 / 4) {
+    cv::Mat small;
+    cv::resize(work, small, {kQuickWidth_px, work.rows * kQuickWidth_px / work.cols}, 0, 0,
+               cv::INTER_AREA);
+    Result<std::vector<rig::SeenMarker>> seen = rig::findPlateMarkers(small, plate);
+    if (!seen) return seen;
+    if (4 * seen->size() >= 3 * plate.markers.size()) {
+      const double scale = static_cast<double>(work.cols) / small.cols;
+      for (rig::SeenMarker& marker : *seen)
+        for (Eigen::Vector2d& corner : marker.corners)
+          corner = ((corner.array() + 0.5) * scale - 0.5).matrix();
+      return seen;
+    }
+  }
+  return rig::findPlateMarkers(work, plate);
 }
 
 std::optional<Eigen::Matrix3d> planeOf(const std::vector<rig::SeenMarker>& seen,
@@ -188,7 +210,7 @@ Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plat
         {options.work_width_px, std::max(1, whole->rows * options.work_width_px / whole->cols)}, 0,
         0, cv::INTER_AREA);
   const double whole_per_work = static_cast<double>(whole->cols) / work.cols;
-  const auto seen = rig::findPlateMarkers(work, plate);
+  const auto seen = markersOf(work, plate);
   if (!seen) return seen.error();
   look.markers_seen = static_cast<int>(seen->size());
   look.sharpness = sharpnessOf(*whole, *seen, whole_per_work);

@@ -25,8 +25,8 @@ struct TurntablePlace {
   int baud = 115200;
   double speed_deg_s = 20;
   bool clockwise = false;  ///< the table counts clockwise
-  std::string dialect{};   ///< of "text": its words as JSON, or "marlin" (text_turntable.h)
   std::string shutter{};   ///< GRBL: "M8", "M3" or "M62 P0"; empty: each camera is triggered
+  std::string dialect{};   ///< of "text": its words as JSON, or "marlin" (text_turntable.h)
 };
 
 /// The part "devices" of RIG.json: what stands in the laboratory.

@@ -1,5 +1,6 @@
 #include "capture/text_turntable.h"
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kTolerance_deg = 0.1;
 constexpr int kTries = 3;
 constexpr double kHoming_s = 60;
+constexpr double kBoot_s = 3;
 constexpr double kTrail_s = 0.3;  // within which the end of an answer follows it
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -50,9 +52,17 @@ class TextTurntable final : public Turntable {
   TextTurntable(const TextTurntable&) = delete;
   TextTurntable& operator=(const TextTurntable&) = delete;
 
-  // What it says while it starts is no answer to anything; the first command has to be understood.
+  // Many boards restart when their line is opened, and hear nothing meanwhile. What they say then
+  // is no answer to anything; the first command has to be understood.
   Result<void> connect(std::stop_token stop) {
     position_deg_ = kUnknown;
+    saw_restart_ = false;
+    for (double end_s = now_s() + kBoot_s; !words_.restarted.empty() && now_s() < end_s;) {
+      const auto message = line_.next(end_s - now_s(), stop);
+      if (!message) return message.error();
+      if (stop.stop_requested()) return Error::cancelled();
+      if (*message && isRestart(**message)) end_s = std::min(end_s, now_s() + kTrail_s);
+    }
     for (int k = 0; k < kTries; ++k) {
       if (Result<void> r = drain(); !r) return r;
       Result<Answer> answer = Answer::Accepted;
@@ -111,8 +121,7 @@ class TextTurntable final : public Turntable {
     if (Result<void> r = line_.channel().reopen(stop); !r) return r;
     line_.forget();
     if (Result<void> r = connect(stop); !r) return r;
-    if (!saw_restart_) findOut(std::move(stop));
-    saw_restart_ = false;
+    findOut(std::move(stop));
     return {};
   }
   void close() override {

@@ -219,21 +219,32 @@ TEST_F(Sequence, RefusesASeriesThatIsShiftedByOnePhotograph) {
 
 TEST_F(Sequence, TellsOldPhotographsByTheSherdsWhereAPersonTurnsTheTable) {
   int asked = 0;
-  rig_.devices.turntable = openHandTurntable([&](const std::string&, std::stop_token) {
-    rig_.truth->degrees = 120.0 * asked++;
+  const auto person = [&](const std::string& sentence, std::stop_token) {
+    ++asked;
+    rig_.truth->degrees = std::atof(sentence.substr(sentence.find(" to ") + 4).c_str());
     return true;
-  });
+  };
+  rig_.devices.turntable = openHandTurntable(person);
+  ASSERT_TRUE(shoot().has_value());
+  EXPECT_EQ(asked, kStops) << "none for the throw-away exposure";
+  expectWholeSide();
+  // The back lies elsewhere; its first two files are of the front, at the very angle.
   using Fault = FlatCamera::Fault;
-  rig_.cameras[0]->faults = {Fault::None, Fault::Late, Fault::Late};
+  fs::remove_all(folder_);
+  rig_.cameras[0]->faults = {Fault::None, Fault::None, Fault::None, Fault::Late, Fault::Late};
+  ASSERT_TRUE(shoot().has_value());
+  rig_.devices.turntable = openHandTurntable(person);
+  rig_.truth->scene.sherds = {{-50, 30, 14}, {26, 56, 18}, {40, -50, 12}};
+  options_.side = batch::Side::Back;
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
-  EXPECT_EQ(asked, kStops) << "none for the throw-away exposure";
   expectWholeSide();
 }
 
 TEST_F(Sequence, KeepsTheSettingsOfEachShotAndFlagsOthers) {
   on_event_ = [this](const CaptureEvent& e) {
-    if (e.kind == CaptureEventKind::Shooting && e.stop == 0) rig_.cameras[1]->exposure_time = "1/60";
+    if (e.kind == CaptureEventKind::Shooting && e.stop == 0)
+      rig_.cameras[1]->exposure_time = "1/60";
   };
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;

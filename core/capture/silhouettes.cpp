@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -104,16 +105,26 @@ struct Difference {
 Difference differenceFrom(const cv::Mat3f& colours, const Eigen::Matrix<double, 6, 3>& fit) {
   const double middle = (colours.cols - 1) / 2.0;
   Difference d{cv::Mat1f(colours.size()), cv::Mat1f(colours.size()), {}};
-  for (int y = 0; y < colours.rows; ++y)
+  for (int y = 0; y < colours.rows; ++y) {
+    // Along a row the felt is a parabola: lightTerms put together by powers of x.
+    const double v = (middle - y) / middle;
+    std::array<std::array<float, 3>, 3> row{};
+    for (int k = 0; k < 3; ++k)
+      row[static_cast<std::size_t>(k)] = {
+          static_cast<float>(fit(0, k) + fit(2, k) * v + fit(5, k) * v * v),
+          static_cast<float>(fit(1, k) + fit(4, k) * v), static_cast<float>(fit(3, k))};
     for (int x = 0; x < colours.cols; ++x) {
       const cv::Vec3f& c = colours(y, x);
-      const Eigen::RowVector3d left =
-          Eigen::RowVector3d(c[0], c[1], c[2]) -
-          lightTerms((x - middle) / middle, (middle - y) / middle) * fit;
-      const double mean = left.mean();
-      d.brightness(y, x) = static_cast<float>(mean);
-      d.tint(y, x) = static_cast<float>((left.array() - mean).matrix().norm());
+      const float u = static_cast<float>((x - middle) / middle);
+      const float b = c[0] - (row[0][0] + u * (row[0][1] + u * row[0][2])),
+                  g = c[1] - (row[1][0] + u * (row[1][1] + u * row[1][2])),
+                  r = c[2] - (row[2][0] + u * (row[2][1] + u * row[2][2]));
+      const float mean = (b + g + r) / 3;
+      d.brightness(y, x) = mean;
+      d.tint(y, x) =
+          std::sqrt((b - mean) * (b - mean) + (g - mean) * (g - mean) + (r - mean) * (r - mean));
     }
+  }
   cv::Mat1f mean, square;
   cv::boxFilter(d.brightness, mean, -1, {5, 5});
   cv::boxFilter(d.brightness.mul(d.brightness), square, -1, {5, 5});

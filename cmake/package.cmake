@@ -1,27 +1,39 @@
-# The Debian package: `cpack -G DEB` in the build folder.
+# The Debian package: packaging/package.sh, or `cpack -G DEB` in the build folder. What it holds is
+# listed in packaging/contents.txt.
 include(GNUInstallDirs)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the program only, not the tests
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+configure_file(packaging/changelog.in ${CMAKE_BINARY_DIR}/changelog @ONLY)
+set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable)
 install(FILES packaging/ostraka.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES packaging/ostraka.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES packaging/ostraka-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
         RENAME ostraka.xml)
-install(FILES resources/icons/ostraka.svg
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES resources/icons/ostraka.svg DESTINATION ${icons}/apps)
+install(FILES resources/icons/ostraka.svg DESTINATION ${icons}/mimetypes
+        RENAME application-x-ostraka-project.svg)
 install(FILES packaging/udev/70-ostraka.rules DESTINATION lib/udev/rules.d)
-install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY resources/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        PATTERN *.qrc EXCLUDE)
 
 # Manual pages and completions are what the program says of itself; packages want pages compressed.
 set(says ${CMAKE_BINARY_DIR}/says)
 install(CODE "
   file(REMOVE_RECURSE ${says})
-  file(MAKE_DIRECTORY ${says}/completion)
+  file(MAKE_DIRECTORY ${says}/completion ${says}/doc)
   execute_process(COMMAND $<TARGET_FILE:ostraka> man-pages ${says}/man COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND sh -c \"gzip -9n ${says}/man/*.1\" COMMAND_ERROR_IS_FATAL ANY)
+  configure_file(${CMAKE_SOURCE_DIR}/CHANGELOG.md ${says}/doc/changelog COPYONLY)
+  configure_file(${CMAKE_BINARY_DIR}/changelog ${says}/doc/changelog.Debian COPYONLY)
+  execute_process(COMMAND gzip -9n ${says}/doc/changelog ${says}/doc/changelog.Debian
+    COMMAND_ERROR_IS_FATAL ANY)
   foreach(shell bash zsh fish)
     execute_process(COMMAND $<TARGET_FILE:ostraka> completion \${shell}
       OUTPUT_FILE ${says}/completion/\${shell} COMMAND_ERROR_IS_FATAL ANY)
   endforeach()")
 install(DIRECTORY ${says}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(DIRECTORY ${says}/doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${says}/completion/bash RENAME ostraka
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${says}/completion/zsh RENAME _ostraka
@@ -33,15 +45,18 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ostraka)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D models of potsherds from photographs of both their sides")
-set(CPACK_PACKAGE_DESCRIPTION "A plate of potsherds is photographed from all around, the sherds are turned over by hand
-and photographed again. Ostraka finds out which back belongs to which front, joins both
-sides along the broken edge, and keeps the sherds in a catalogue with their measures.")
+set(CPACK_PACKAGE_DESCRIPTION "A plate of potsherds is photographed from all around, the sherds are turned
+over by hand and photographed again. Ostraka finds out which back belongs
+to which front, joins both sides along the broken edge, and keeps the
+sherds in a catalogue with their measures.")
 set(CPACK_PACKAGE_CONTACT "Ostraka maintainers <maintainers@ostraka.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-translations-l10n")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-translations-l10n, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "colmap")
 include(CPack)

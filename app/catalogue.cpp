@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using catalogue::Project;
 using exchange::Form;
 
-constexpr const char* kProgram = "ostraka 0.1.0";
+constexpr const char* kProgram = "ostraka " OSTRAKA_VERSION;
 const catalogue::Act kAct = {{}, "command line", {}};
 
 struct Options {
@@ -31,13 +31,14 @@ struct Options {
   bool enter = false, make_places = false;
 };
 
-int said(Session& session, const nlohmann::ordered_json& json, const std::string& words) {
+int said(Session& session, nlohmann::ordered_json json, const std::string& words) {
   session.finishProgress();
+  json.emplace("exit_status", static_cast<int>(Whole));
   if (session.json)
     printJson(json);
   else
     std::printf("%s\n", words.c_str());
-  return json.value("exit_status", static_cast<int>(Whole));
+  return json["exit_status"];
 }
 
 int reported(Session& session, const exchange::ImportReport& report, const Options& options) {

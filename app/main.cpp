@@ -2,10 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "help.h"
 #include "interrupt.h"
 #include "terminal_progress.h"
 #include "window.h"
@@ -16,9 +20,18 @@ using namespace ostraka;
 
 constexpr const char* kDescription =
     "Ostraka makes complete, measured 3D models of potsherds from photographs of both their sides.";
-constexpr const char* kFooter =
-    "Exit status: 0 the result is whole, 1 it is not (or was stopped; the same command goes on),\n"
-    "2 the input cannot be used, 3 a person must decide (ambiguous pairs).";
+
+// What cannot be a command line gets one sentence, and with --json an object as any other error.
+int refuse(const CLI::ParseError& error, const CLI::App& root, int argc, char** argv) {
+  const std::string sentence = app::sentenceOf(error, root);
+  std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
+  for (int i = 1; i < argc; ++i)
+    if (std::strcmp(argv[i], "--json") == 0)
+      app::printJson({{"error", sentence},
+                      {"stopped", false},
+                      {"exit_status", static_cast<int>(app::UnusableInputStatus)}});
+  return app::UnusableInputStatus;
+}
 
 int run(const app::Command& chosen, bool json, bool quiet, bool verbose) {
   const auto loudness = quiet     ? app::Loudness::Quiet
@@ -48,8 +61,9 @@ int run(const app::Command& chosen, bool json, bool quiet, bool verbose) {
 
 int main(int argc, char** argv) {
   CLI::App root(kDescription, "ostraka");
-  root.footer(kFooter);
-  root.set_version_flag("--version", "ostraka 0.1.0");
+  root.footer(app::kExitStatusWords);
+  root.formatter(app::plainHelp());
+  root.set_version_flag("--version", "ostraka " OSTRAKA_VERSION);
   root.require_subcommand(0, 1);
   root.fallthrough();
   bool json = false, quiet = false, verbose = false;
@@ -57,8 +71,7 @@ int main(int argc, char** argv) {
   root.add_flag("--quiet", quiet, "Print no progress and no warnings");
   root.add_flag("--verbose", verbose, "Print every line of the log, not only warnings");
   std::string project;
-  root.add_option("PROJECT", project, "Opens the window with this project; alone: the window")
-      ->check(CLI::ExistingPath);
+  root.add_option("PROJECT", project, "Opens the window with this project; alone: the window");
   app::Command chosen;
   app::addProcess(root, chosen);
   app::addRegister(root, chosen);
@@ -75,11 +88,18 @@ int main(int argc, char** argv) {
   app::addManPages(root, chosen);
   try {
     root.parse(argc, argv);
-    if (chosen && !project.empty())
-      throw CLI::ExtrasError(root.get_name(), {project + ": one argument too many"});
+    // A word too many behind a command comes to the root, where it looks like a project.
+    if (chosen && !project.empty()) throw CLI::ExtrasError(std::vector<std::string>{project});
+    std::error_code failed;
+    if (!project.empty() && !std::filesystem::exists(project, failed))
+      throw CLI::ParseError("'" + project + "' is neither a command nor a project that is there",
+                            CLI::ExitCodes::ValidationError);
   } catch (const CLI::ParseError& error) {
-    const int status = root.exit(error);
-    return status == 0 ? app::Whole : app::UnusableInputStatus;
+    if (error.get_exit_code() == 0) return root.exit(error);  // --help, --version
+    const std::vector<std::string>& extra = root.get_option("PROJECT")->results();
+    if (!extra.empty() && !root.get_subcommands().empty())  // before what is missing
+      return refuse(CLI::ExtrasError(extra), root, argc, argv);
+    return refuse(error, root, argc, argv);
   }
   if (!chosen) return app::openWindow(argc, argv, project);
   return run(chosen, json, quiet, verbose);

@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/files.h"
 #include "command.h"
+#include "help.h"
 
 namespace ostraka::app {
 namespace {
@@ -45,21 +47,36 @@ void addOptions(const CLI::App& app, std::string& page) {
     for (std::size_t at = 0; (at = name.find(',', at)) != std::string::npos; at += 2)
       name.insert(at + 1, " ");
     page += ".TP\n.B " + roff(name);
-    if (option->get_items_expected_max() > 0 && !option->get_type_name().empty())
-      page += " " + roff(option->get_type_name());
+    // A positional is named by its word already.
+    if (const std::string word = valueWord(*option); !word.empty() && !option->get_positional())
+      page += " " + roff(word);
     page += "\n" + roff(option->get_description());
     if (!option->get_default_str().empty())
-      page += " Without it: " + roff(option->get_default_str()) + ".";
+      page += ". Without it: " + roff(option->get_default_str()) + ".";
     page += "\n";
   }
+}
+
+// The sentence of --help, one line a status.
+std::string exitStatus() {
+  return ".SH EXIT STATUS\n"
+         ".TP\n.B 0\nThe result is whole.\n"
+         ".TP\n.B 1\nIt is not: stopped (the same command goes on), a disk full, a sherd without a "
+         "model, a goal of evaluate \\-\\-gate missed, something that doctor finds missing.\n"
+         ".TP\n.B 2\nThe command line or the input cannot be used; the sentence says which file "
+         "and "
+         "what to do.\n"
+         ".TP\n.B 3\nA person must decide: ambiguous pairs, a side that was photographed but looks "
+         "wrong.\n"
+         ".PP\nWith \\-\\-json the status stands in the object too, as exit_status.\n";
 }
 
 std::string pageOf(const CLI::App& app, const CLI::App& root, const std::string& name,
                    const std::string& command) {
   std::string page = ".TH " + upper(roff(name)) +
-                     " 1 \"\" \"ostraka 0.1.0\" \"Ostraka\"\n.SH NAME\n" + roff(name) + " \\- " +
-                     roff(sentence(app.get_description())) + "\n.SH SYNOPSIS\n.B " + roff(command) +
-                     "\n";
+                     " 1 \"\" \"ostraka " OSTRAKA_VERSION "\" \"Ostraka\"\n.SH NAME\n" +
+                     roff(name) + " \\- " + roff(sentence(app.get_description())) +
+                     "\n.SH SYNOPSIS\n.B " + roff(command) + "\n";
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_positional()) continue;
     const std::string word = roff(option->get_name(true));
@@ -78,24 +95,28 @@ std::string pageOf(const CLI::App& app, const CLI::App& root, const std::string&
     page += ".SS Of every command\n";
     addOptions(root, page);
   }
-  if (!app.get_footer().empty()) page += ".SH NOTES\n.nf\n" + roff(app.get_footer()) + "\n.fi\n";
-  return page;
+  if (!app.get_footer().empty() && app.get_footer() != kExitStatusWords)
+    page += ".SH NOTES\n.nf\n" + roff(app.get_footer()) + "\n.fi\n";
+  return page + exitStatus();
 }
 
 // One page for the program, one per command: ostraka.1, ostraka-process.1, ostraka-rig-predict.1.
-Result<void> writePages(const CLI::App& app, const CLI::App& root, const std::string& name,
-                        const std::string& command, const std::filesystem::path& folder) {
+// Returns how many.
+Result<int> writePages(const CLI::App& app, const CLI::App& root, const std::string& name,
+                       const std::string& command, const std::filesystem::path& folder) {
   if (const Result<void> written =
           writeFileAtomically(folder / (name + ".1"), pageOf(app, root, name, command));
       !written)
     return written.error();
+  int pages = 1;
   for (const CLI::App* one :
-       app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); }))
-    if (const Result<void> written = writePages(*one, root, name + "-" + one->get_name(),
-                                                command + " " + one->get_name(), folder);
-        !written)
-      return written.error();
-  return {};
+       app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); })) {
+    const Result<int> below = writePages(*one, root, name + "-" + one->get_name(),
+                                         command + " " + one->get_name(), folder);
+    if (!below) return below.error();
+    pages += *below;
+  }
+  return pages;
 }
 
 }  // namespace
@@ -109,8 +130,14 @@ void addManPages(CLI::App& root, Command& chosen) {
     chosen = [&root, folder](Session& session) -> int {
       std::error_code failed;
       std::filesystem::create_directories(*folder, failed);
-      const Result<void> written = writePages(root, root, "ostraka", "ostraka", *folder);
-      return written ? Whole : fail(session, written.error());
+      const Result<int> pages = writePages(root, root, "ostraka", "ostraka", *folder);
+      if (!pages) return fail(session, pages.error());
+      if (session.json)
+        printJson(
+            {{"output", *folder}, {"pages", *pages}, {"exit_status", static_cast<int>(Whole)}});
+      else
+        std::printf("%d manual pages: %s\n", *pages, folder->c_str());
+      return Whole;
     };
   });
 }

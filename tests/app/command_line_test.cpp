@@ -108,6 +108,48 @@ TEST_F(CommandLine, ACommandLineThatCannotBeUsedIsUnusableInput) {
     EXPECT_EQ(run(arguments).status, 2) << arguments;
 }
 
+TEST_F(CommandLine, WhatCannotBeACommandLineGetsOneSentenceThatNamesIt) {
+  const std::pair<const char*, std::vector<const char*>> lines[] = {
+      {"process A extra -o x", {"not expected: extra", "ostraka process --help"}},
+      {"process A extra", {"not expected: extra"}},
+      {"fly", {"'fly' is neither a command nor a project"}},
+      {"process -o x", {"BATCH is required"}},
+      {"process A -o x --dense magic", {"--dense takes builtin, colmap, openmvs; not 'magic'"}},
+      {"completion tcsh", {"SHELL takes bash, zsh, fish; not 'tcsh'"}},
+      {"process A -o", {"--output needs a value"}},
+      {"rig", {"ostraka rig needs one of its commands: calibrate, predict, simulate"}}};
+  for (const auto& [line, words] : lines) {
+    const Outcome refused = run(line);
+    EXPECT_EQ(refused.status, 2) << line;
+    EXPECT_EQ(std::count(refused.text.begin(), refused.text.end(), '\n'), 1) << refused.text;
+    for (const char* word : words) EXPECT_TRUE(says(refused, word)) << refused.text;
+    const auto json = nlohmann::json::parse(run(line + std::string(" --json"), "2>/dev/null").text,
+                                            nullptr, false);
+    ASSERT_TRUE(json.is_object()) << line;
+    EXPECT_EQ(json.at("exit_status"), 2);
+    EXPECT_FALSE(json.at("error").get<std::string>().empty());
+  }
+}
+
+TEST_F(CommandLine, HelpAndManualPagesSpeakOfWordsNotOfNumbersForThem) {
+  const Outcome help = run("process --help");
+  EXPECT_TRUE(says(help, "--dense builtin|colmap|openmvs")) << help.text;
+  EXPECT_FALSE(says(help, "->")) << help.text;
+  const Outcome made = run("man-pages " + path("man") + " --json", "2>/dev/null");
+  EXPECT_EQ(nlohmann::json::parse(made.text).at("exit_status"), 0);
+  int pages = 0;
+  for (const auto& entry : fs::directory_iterator(path("man"))) {
+    std::ifstream file(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_TRUE(text.starts_with(".TH OSTRAKA")) << entry.path();
+    EXPECT_NE(text.find(".SH EXIT STATUS"), std::string::npos) << entry.path();
+    EXPECT_EQ(text.find("->"), std::string::npos) << entry.path();
+    ++pages;
+  }
+  EXPECT_EQ(nlohmann::json::parse(made.text).at("pages"), pages);
+  EXPECT_TRUE(fs::exists(path("man/ostraka-rig-simulate.1")));
+}
+
 TEST_F(CommandLine, BadInputGetsOneSentenceWithTheFilesName) {
   const Outcome absent = run("process " + path("nowhere") + " -o " + path("out") + " --quiet");
   EXPECT_EQ(absent.status, 2);
@@ -212,11 +254,20 @@ TEST_F(CommandLine, CompletionScriptsNameCommandsAndOptions) {
       EXPECT_TRUE(says(script, word)) << shell << " " << word;
     EXPECT_TRUE(says(script, "cameras")) << shell;
   }
-  const Outcome words =
-      run("completion bash > " + path("c.sh") + "; bash -c 'source " + path("c.sh") +
-          "; COMP_WORDS=(ostraka process --de); COMP_CWORD=2; _ostraka; "
-          "echo \"${COMPREPLY[@]}\"'");
-  EXPECT_EQ(words.text, "--dense\n");
+  EXPECT_EQ(run("completion bash > " + path("c.sh")).status, 0);
+  const auto completed = [&](const std::string& typed, int at) {
+    return run("--version > /dev/null; cd " + folder_.string() + "; bash -c 'source " +
+               path("c.sh") + "; COMP_WORDS=(" + typed + "); COMP_CWORD=" + std::to_string(at) +
+               "; _ostraka; echo \"${COMPREPLY[@]}\"'")
+        .text;
+  };
+  EXPECT_EQ(completed("ostraka process --de", 2), "--dense\n");
+  EXPECT_EQ(completed("ostraka process --dense \"\"", 3), "builtin colmap openmvs\n");
+  EXPECT_EQ(completed("ostraka catalogue im", 2), "import\n");
+  EXPECT_EQ(completed("ostraka rig simulate --fault m", 4), "missing moved\n");
+  EXPECT_EQ(completed("ostraka completion z", 2), "zsh\n");
+  EXPECT_EQ(completed("ostraka man", 1), "\n") << "packagers' command";
+  EXPECT_EQ(completed("ostraka process c", 2), "c.sh\n") << "a file of this folder";
   EXPECT_EQ(run("completion tcsh").status, 2);
 }
 

@@ -1,0 +1,33 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class FormatterBase;
+class Option;
+class ParseError;
+}  // namespace CLI
+
+namespace ostraka::app {
+
+/// What every manual page says of the shell's status.
+inline constexpr const char* kExitStatusWords =
+    "Exit status: 0 the result is whole, 1 it is not (or was stopped; the same command goes on),\n"
+    "2 the input cannot be used, 3 a person must decide (ambiguous pairs).";
+
+/// The words among which an option's value is, as builtin, colmap and openmvs; empty: any value.
+std::vector<std::string> choicesOf(const CLI::Option& option);
+
+/// What stands for an option's value in help: "builtin|colmap|openmvs", "NUMBER", "FOLDER"; empty
+/// for an option without a value.
+std::string valueWord(const CLI::Option& option);
+
+/// Help in the words of people instead of the parser's.
+std::shared_ptr<CLI::FormatterBase> plainHelp();
+
+/// One sentence for a command line that cannot be used, and where to read on.
+std::string sentenceOf(const CLI::ParseError& error, const CLI::App& root);
+
+}  // namespace ostraka::app

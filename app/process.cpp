@@ -35,6 +35,7 @@ ordered_json toJson(const ProcessSummary& summary, int status) {
           {"unpaired_back", summary.unpaired_back},
           {"set_aside", summary.set_aside},
           {"reshoot", summary.reshoot},
+          {"moved", summary.moved},
           {"warnings", summary.warnings},
           {"reprojection_rms_px", summary.reprojection_rms_px},
           {"seconds", summary.seconds},
@@ -65,9 +66,13 @@ void printTable(const ProcessSummary& summary) {
     std::printf("Backs without a front: %s\n", joined(summary.unpaired_back).c_str());
   if (!summary.reshoot.empty())
     std::printf("To be photographed again: %s\n", joined(summary.reshoot).c_str());
+  if (!summary.moved.empty())
+    std::printf("Pushed while photographed: %s\n", joined(summary.moved).c_str());
   if (!summary.set_aside.empty()) std::printf("Set aside: %s\n", joined(summary.set_aside).c_str());
   std::printf("%zu sherds, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
               summary.reprojection_rms_px, summary.seconds, summary.report.c_str());
+  if (!summary.warnings.empty())
+    std::printf("%zu warning(s); the report names them.\n", summary.warnings.size());
   if (summary.ambiguous() > 0)
     std::printf("%d pair(s) need a person's eye; the report shows the alternatives.\n",
                 summary.ambiguous());

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "pipeline/register_report.h"
 #include "pipeline/register_scans.h"
 
 namespace ostraka::app {
@@ -16,17 +17,7 @@ using pipeline::RegisterSummary;
 
 ordered_json toJson(const RegisterSummary& summary, int status) {
   ordered_json pairs = ordered_json::array();
-  for (const RegisterSummary::Pair& p : summary.pairs)
-    pairs.push_back({{"number", p.number},
-                     {"front", p.front},
-                     {"back", p.back},
-                     {"score", p.score},
-                     {"margin", p.margin},
-                     {"ambiguous", p.ambiguous},
-                     {"rim_rms_mm", p.rim_rms_mm},
-                     {"rim_overlap", p.rim_overlap},
-                     {"uncertainty_mm", p.uncertainty_mm},
-                     {"reason", p.reason}});
+  for (const RegisterSummary::Pair& p : summary.pairs) pairs.push_back(pipeline::toJson(p));
   return {{"pairs", pairs},
           {"unpaired_front", summary.unpaired_front},
           {"unpaired_back", summary.unpaired_back},

@@ -97,6 +97,7 @@ class Reader {
     const Result<Layout> layout = findLayout();
     if (!layout) return layout.error();
     for (const Side side : {Side::Front, Side::Back}) collectShots(*layout, side);
+    for (const Side side : {Side::Front, Side::Back}) nameAbsent(*layout, side);
     keepOneSizePerCamera();
     for (const Side side : {Side::Front, Side::Back})
       if (const Result<void> enough = checkViews(*layout, side); !enough) return enough.error();
@@ -140,7 +141,6 @@ class Reader {
     std::map<std::string, fs::path> masks;
     for (const fs::path& mask : imagesIn(batch_.folder / layout.masks[s]))
       masks.emplace(lower(mask.stem().string()), mask);
-    std::set<Key> taken;
     for (const fs::path& file : imagesIn(batch_.folder / layout.folder[s])) {
       Shot shot;
       shot.side = side;
@@ -152,7 +152,7 @@ class Reader {
         continue;
       }
       shot.camera -= layout.first_camera;
-      if (!taken.insert({side, shot.camera, shot.stop}).second) {
+      if (!named_.insert({side, shot.camera, shot.stop}).second) {
         warn(file, "Another photograph has the same camera and stop; this one is left out.");
         continue;
       }
@@ -170,6 +170,53 @@ class Reader {
     std::sort(batch_.shots.begin(), batch_.shots.end(), [](const Shot& a, const Shot& b) {
       return Key(a.side, a.camera, a.stop) < Key(b.side, b.camera, b.stop);
     });
+  }
+
+  // The stops of a side. Our own names count them without gaps; the paper's need not.
+  std::set<int> stopsOf(const Layout& layout, Side side) const {
+    std::set<int> stops;
+    for (const auto& [of, camera, stop] : named_)
+      if (of == side) stops.insert(stop);
+    if (layout.first_camera == 0 && !stops.empty())
+      for (int stop = *stops.begin(); stop < *stops.rbegin(); ++stop) stops.insert(stop);
+    return stops;
+  }
+
+  // A camera goes round with the others when it has half of a side's stops at least; one that takes
+  // a single picture from above is meant so.
+  bool goesRound(const Layout& layout, Side side, int camera) const {
+    const std::set<int> stops = stopsOf(layout, side);
+    const auto has = std::count_if(stops.begin(), stops.end(), [&](int stop) {
+      return named_.contains({side, camera, stop});
+    });
+    return 2 * static_cast<std::size_t>(has) >= stops.size() && has > 0;
+  }
+
+  // Names what a camera that goes round has no photograph of on this side.
+  void nameAbsent(const Layout& layout, Side side) {
+    const Side other = side == Side::Front ? Side::Back : Side::Front;
+    std::set<int> cameras;
+    for (const auto& [of, camera, stop] : named_)
+      if (goesRound(layout, side, camera) || goesRound(layout, other, camera))
+        cameras.insert(camera);
+    std::vector<std::string> absent;
+    for (const int stop : stopsOf(layout, side))
+      for (const int camera : cameras) {
+        if (named_.contains({side, camera, stop})) continue;
+        const std::string number = std::to_string(stop);
+        const std::size_t digits = layout.first_camera == 0 ? 2 : 3;
+        absent.push_back("cam" + std::to_string(camera + layout.first_camera) + layout.between +
+                         std::string(digits - std::min(digits, number.size()), '0') + number);
+      }
+    if (absent.empty()) return;
+    constexpr std::size_t kNamed = 6;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(absent.size(), kNamed); ++i)
+      names += (i == 0 ? "" : ", ") + absent[i];
+    if (absent.size() > kNamed) names += " and " + std::to_string(absent.size() - kNamed) + " more";
+    warn(batch_.folder / layout.folder[side == Side::Front ? 0 : 1],
+         "Photographs are missing here: " + names +
+             "; what only they see will be filled in, so take them again if they matter.");
   }
 
   void attachMask(Shot& shot, const std::map<std::string, fs::path>& masks) {
@@ -275,6 +322,7 @@ class Reader {
 
   ReadBatchOptions options_;
   Progress& progress_;
+  std::set<Key> named_;  // photographs by their names, usable or not; cameras from 0
   Batch batch_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,7 @@
 #include "pipeline/no_plate.h"
 #include "pipeline/report.h"
 #include "rig/held_out.h"
+#include "pipeline/stillness.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -22,11 +24,29 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-// Passes everything on and keeps OUT/log.txt.
+// Passes everything on and keeps the warnings.
+class WarningsKept final : public Progress {
+ public:
+  explicit WarningsKept(Progress& outer) : outer_(outer) {}
+  void begin(std::string_view stage, double share) override { outer_.begin(stage, share); }
+  void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
+  void note(NoteLevel level, std::string_view text) override {
+    if (level == NoteLevel::Warning) warnings.emplace_back(text);
+    outer_.note(level, text);
+  }
+  std::vector<std::string> warnings;
+
+ private:
+  Progress& outer_;
+};
+
+// Passes everything on and keeps OUT/log.txt, where the warnings come first that were given before.
 class LoggedProgress final : public Progress {
  public:
-  LoggedProgress(Progress& outer, const fs::path& file)
-      : outer_(outer), log_(file, std::ios::app) {}
+  LoggedProgress(Progress& outer, const fs::path& file, const std::vector<std::string>& before)
+      : outer_(outer), log_(file, std::ios::app) {
+    for (const std::string& warning : before) log_ << "warning: " << warning << std::endl;
+  }
   void begin(std::string_view stage, double share) override {
     log_ << "stage " << stage << std::endl;
     outer_.begin(stage, share);
@@ -91,7 +111,39 @@ Result<void> claimOutput(const fs::path& output, const ordered_json& hashes) {
 struct Sides {
   Staged<Masks> masks;
   Staged<std::vector<scan::Scan>> scans;
+  std::vector<std::string> moved;  ///< scans
 };
+
+// Whether sherds lay still while a side was photographed. Nothing mends a push: what follows goes
+// on with what both halves agree on, and a person hears of it.
+Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                                   const Sides& found) {
+  const auto work = [&](const fs::path&) -> Result<StageNotes> {
+    StageNotes notes;
+    notes.figures["moved"] = ordered_json::array();
+    const std::vector<MovedSherd> moved =
+        findMoved(poses.value.of(side), found.masks.value, found.scans.value,
+                  {.threads = run.options.threads});
+    for (const MovedSherd& sherd : moved) {
+      char text[240];
+      std::snprintf(text, sizeof text,
+                    "%s was pushed by about %.0f mm on the %s side: from stop %d on (pos%02d) it "
+                    "lies elsewhere; photograph this side again.",
+                    sherd.scan.c_str(), sherd.by_mm, batch::name(side), sherd.from_stop + 1,
+                    sherd.from_stop);
+      notes.warnings.emplace_back(text);
+      run.progress.note(NoteLevel::Warning, text);
+      notes.figures["moved"].push_back(
+          {{"scan", sherd.scan}, {"from_stop", sherd.from_stop}, {"by_mm", sherd.by_mm}});
+    }
+    return notes;
+  };
+  return runStage(run.work, std::string("stillness_") + batch::name(side),
+                  {{"poses", poses.record.outputs_hash},
+                   {"masks", found.masks.record.outputs_hash},
+                   {"scans", found.scans.record.outputs_hash}},
+                  work, run.progress);
+}
 
 Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>& poses,
                           std::vector<ReportStage>& stages) {
@@ -111,7 +163,14 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   Result<Staged<std::vector<scan::Scan>>> scans = scanStage(run, side, *cloud);
   if (!scans) return scans.error();
   stages.push_back({"scans, " + name, scans->record});
-  return Sides{std::move(*masks), std::move(*scans)};
+  Sides found{std::move(*masks), std::move(*scans), {}};
+  if (!run.batch.plate) return found;  // without a turntable there are no stops to compare
+  const Result<StageRecord> still = stillnessStage(run, side, poses, found);
+  if (!still) return still.error();
+  stages.push_back({"stillness, " + name, *still});
+  for (const auto& one : still->notes.figures.at("moved"))
+    found.moved.push_back(one.at("scan").get<std::string>());
+  return found;
 }
 
 // Without a known length the backs are brought to the fronts' size: from here on there is one unit.
@@ -190,7 +249,8 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   return line;
 }
 
-Result<ProcessSummary> runChain(const Run& run) {
+// reading: the warnings about the batch itself.
+Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& reading) {
   std::vector<ReportStage> stages;
   run.progress.begin("cameras", 0.05);
   Result<Staged<Poses>> poses = poseStage(run);
@@ -245,6 +305,7 @@ Result<ProcessSummary> runChain(const Run& run) {
   if (const auto r = publishLone(run, report.unpaired_back, back->scans.value, batch::Side::Back);
       !r)
     return r.error();
+  report.warnings = reading;
   for (const ReportStage& stage : stages)
     report.warnings.insert(report.warnings.end(), stage.record.notes.warnings.begin(),
                            stage.record.notes.warnings.end());
@@ -261,6 +322,8 @@ Result<ProcessSummary> runChain(const Run& run) {
   summary.set_aside = pairs->value.set_aside;
   summary.reshoot = pairs->value.reshoot;
   summary.warnings = report.warnings;
+  summary.moved = front->moved;
+  summary.moved.insert(summary.moved.end(), back->moved.begin(), back->moved.end());
   summary.reprojection_rms_px = poses->record.notes.figures.value("reprojection_rms_px", 0.0);
   for (const auto& distance : poses->record.notes.figures.value("held_out", ordered_json::array()))
     summary.scale_doubtful = summary.scale_doubtful || std::abs(distance.value("error_pct", 0.0)) >
@@ -285,15 +348,17 @@ int ProcessSummary::ambiguous() const {
 
 bool ProcessSummary::whole() const {
   return !sherds.empty() && unpaired_front.empty() && unpaired_back.empty() && reshoot.empty() &&
-         std::all_of(sherds.begin(), sherds.end(),
-                     [](const SherdSummary& s) { return s.has_model; });
+         moved.empty() && std::all_of(sherds.begin(), sherds.end(), [](const SherdSummary& s) {
+           return s.has_model;
+         });
 }
 
 Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& progress,
                                     std::stop_token stop) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   const auto begin = std::chrono::steady_clock::now();
-  const Result<batch::Batch> batch = batch::readBatch(options.batch, {}, progress);
+  WarningsKept reading(progress);
+  const Result<batch::Batch> batch = batch::readBatch(options.batch, {}, reading);
   if (!batch) return batch.error();
   const Result<Decisions> decisions = readDecisions(options.output);
   if (!decisions) return decisions.error();
@@ -302,10 +367,10 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (const Result<void> claimed = claimOutput(options.output, hashes); !claimed)
     return claimed.error();
   withdrawResults(options.output);
-  LoggedProgress logged(progress, options.output / "log.txt");
+  LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
   const Run run{options, *batch, options.output / "work", sha256(hashes.dump()), holding,
                 logged,  stop};
-  Result<ProcessSummary> summary = runChain(run);
+  Result<ProcessSummary> summary = runChain(run, reading.warnings);
   if (summary)
     summary->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -41,6 +41,7 @@ struct ProcessSummary {
   std::vector<std::string> unpaired_front, unpaired_back;
   std::vector<std::string> set_aside;  ///< scans that a person took out
   std::vector<std::string> reshoot;    ///< scans that a person wants shot again: not whole
+  std::vector<std::string> moved;      ///< scans pushed while photographed: not whole
   std::vector<std::string> warnings;
   double reprojection_rms_px = 0;
   /// A distance between markers that took no part in the fit is off by more than 0.3 %: the batch

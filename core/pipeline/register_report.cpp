@@ -139,6 +139,19 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
 
 }  // namespace
 
+ordered_json toJson(const RegisterSummary::Pair& pair) {
+  return {{"number", pair.number},
+          {"front", pair.front},
+          {"back", pair.back},
+          {"score", pair.score},
+          {"margin", pair.margin},
+          {"ambiguous", pair.ambiguous},
+          {"reason", pair.reason},
+          {"rim_rms_mm", pair.rim_rms_mm},
+          {"rim_overlap", pair.rim_overlap},
+          {"uncertainty_mm", pair.uncertainty_mm}};
+}
+
 Result<void> writeRegisterReport(const std::filesystem::path& output,
                                  const RegisterSummary& summary, const PairTable& table,
                                  std::span<const scan::Scan> fronts,
@@ -149,18 +162,8 @@ Result<void> writeRegisterReport(const std::filesystem::path& output,
   if (!wrote) return wrote.error();
   ordered_json pairs = ordered_json::array();
   for (std::size_t i = 0; i < summary.pairs.size(); ++i) {
-    const RegisterSummary::Pair& p = summary.pairs[i];
-    pairs.push_back({{"number", p.number},
-                     {"front", p.front},
-                     {"back", p.back},
-                     {"score", p.score},
-                     {"margin", p.margin},
-                     {"ambiguous", p.ambiguous},
-                     {"reason", p.reason},
-                     {"contour_rms_mm", table.pairs[i].contour_rms_mm},
-                     {"rim_rms_mm", p.rim_rms_mm},
-                     {"rim_overlap", p.rim_overlap},
-                     {"uncertainty_mm", p.uncertainty_mm}});
+    pairs.push_back(toJson(summary.pairs[i]));
+    pairs.back()["contour_rms_mm"] = table.pairs[i].contour_rms_mm;
   }
   return writeJson(output / "report.json", {{"command", "register"},
                                             {"inputs_hash", inputs_hash},

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 
@@ -17,5 +18,8 @@ Result<void> writeRegisterReport(const std::filesystem::path& output,
                                  const RegisterSummary& summary, const PairTable& table,
                                  std::span<const scan::Scan> fronts,
                                  std::span<const scan::Scan> backs, const std::string& inputs_hash);
+
+/// One row of the pair table, as in report.json.
+nlohmann::ordered_json toJson(const RegisterSummary::Pair& pair);
 
 }  // namespace ostraka::pipeline

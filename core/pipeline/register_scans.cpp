@@ -229,6 +229,8 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
   if (!fronts) return fronts.error();
   const Result<ReadScans> backs = readSide(options.back, options.threads);
   if (!backs) return backs.error();
+  for (const ReadScans* side : {&*fronts, &*backs})
+    for (const std::string& warning : side->warnings) progress.note(NoteLevel::Warning, warning);
   const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
   if (const Result<void> free = checkOutput(options, inputs_hash); !free) return free.error();
 

@@ -13,6 +13,7 @@
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
 #include "pipeline/no_plate.h"
+#include "pipeline/photo_checks.h"
 #include "pipeline/piece_edits.h"
 #include "rig/calibrate.h"
 #include "rig/colmap_program.h"
@@ -62,21 +63,34 @@ std::vector<cv::Mat> emptyPlates(const batch::Batch& batch) {
   return empties;
 }
 
+// A photograph without a mask, or with one that cannot be read, gets an empty one: it costs that
+// photograph only.
 Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::PosedImage>& images) {
   mask::MaskResult result;
+  std::optional<Error> first;
+  int usable = 0;
   for (const rig::PosedImage& image : images)
     for (const batch::Shot& shot : run.batch.shots) {
       if (shot.file != image.file) continue;
-      if (shot.mask_file.empty())
-        return Error{
-            ErrorCode::UnusableInput,
-            "This photograph has no mask; give one for each photograph that is to be used, "
-            "or leave this one out.",
-            image.file};
-      Result<cv::Mat1b> mask = mask::readGivenMask(shot.mask_file, shot.width, shot.height);
-      if (!mask) return mask.error();
+      Result<cv::Mat1b> mask =
+          shot.mask_file.empty()
+              ? Result<cv::Mat1b>(Error{ErrorCode::UnusableInput,
+                                        "This photograph has no mask; give one for each that is "
+                                        "to be used.",
+                                        image.file})
+              : mask::readGivenMask(shot.mask_file, shot.width, shot.height);
+      if (mask) {
+        ++usable;
+      } else {
+        if (!first) first = mask.error();
+        const std::string warning = mask.error().sentence() + " This photograph is not used.";
+        run.progress.note(NoteLevel::Warning, warning);
+        result.warnings.push_back(warning);
+        mask = cv::Mat1b(shot.height, shot.width, uchar{0});
+      }
       result.masks.push_back(std::move(*mask));
     }
+  if (usable == 0 && first) return *first;
   return result;
 }
 
@@ -175,6 +189,24 @@ ordered_json heldOutOf(const rig::BatchPoses& poses) {
   return list;
 }
 
+// Blurred photographs help the poses, by their markers, and harm all that follows.
+Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
+  const Result<PhotoFindings> found =
+      checkPhotographs(poses.images, *run.batch.plate, {.threads = run.options.threads}, run.stop);
+  if (!found) return found.error();
+  for (const std::string& warning : found->warnings) {
+    run.progress.note(NoteLevel::Warning, warning);
+    notes.warnings.push_back(warning);
+  }
+  for (auto i = found->spoilt.rbegin(); i != found->spoilt.rend(); ++i) {
+    const auto at = static_cast<std::ptrdiff_t>(*i);
+    poses.images.erase(poses.images.begin() + at);
+    poses.rms_per_image_px.erase(poses.rms_per_image_px.begin() + at);
+    poses.markers_per_image.erase(poses.markers_per_image.begin() + at);
+  }
+  return {};
+}
+
 // The share of all photographs' pixels that the masks cover: a figure for the report.
 double coverage(const std::vector<cv::Mat1b>& masks) {
   double inside = 0, all = 0;
@@ -213,16 +245,17 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     if (!run.batch.plate) return poseWithoutPlate(run, folder);
     rig::PoseOptions options;
     options.threads = run.options.threads;
-    const Result<rig::BatchPoses> poses =
+    Result<rig::BatchPoses> poses =
         rig::poseBatch(run.batch, known, options, run.progress, run.stop);
     if (!poses) return poses.error();
+    StageNotes notes;
+    notes.warnings = poses->warnings;
+    if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
         !written)
       return written.error();
     if (const Result<void> written = rig::writeRig(folder / "rig.json", poses->rig); !written)
       return written.error();
-    StageNotes notes;
-    notes.warnings = poses->warnings;
     notes.figures = {{"images", poses->images.size()},
                      {"reprojection_rms_px", poses->reprojection_rms_px},
                      {"rms_per_image_px", poses->rms_per_image_px},
@@ -302,11 +335,38 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
   const std::vector<rig::PosedImage> images = poses.value.of(side);
   const std::string name = std::string("dense_") + batch::name(side);
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.options.threads);
+    // An empty mask would say that nothing is where it looks; it is rather a photograph spoilt.
+    std::vector<rig::PosedImage> used;
+    std::vector<cv::Mat1b> used_masks;
+    StageNotes notes;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (cv::countNonZero(masks.value[i]) > 0) {
+        used.push_back(images[i]);
+        used_masks.push_back(masks.value[i]);
+        continue;
+      }
+      const std::vector<std::string>& told = masks.record.notes.warnings;
+      if (std::any_of(told.begin(), told.end(), [&](const std::string& warning) {
+            return warning.find(images[i].file) != std::string::npos;
+          }))
+        continue;
+      notes.warnings.push_back(images[i].file +
+                               ": No sherd is marked on this photograph; it is left out. If sherds "
+                               "are on it, take it again or mend its mask.");
+      run.progress.note(NoteLevel::Warning, notes.warnings.back());
+    }
+    if (used.size() < 3)
+      return Error{ErrorCode::NotEnough,
+                   "Sherds are marked on " + std::to_string(used.size()) + " photographs of the " +
+                       batch::name(side) +
+                       " side; 3 are needed. Look at the masks, and at whether sherds were on the "
+                       "plate.",
+                   (run.work / (std::string("masks_") + batch::name(side))).string()};
+    const Result<std::vector<cv::Mat>> photographs = photographsOf(used, run.options.threads);
     if (!photographs) return photographs.error();
     std::vector<stereo::View> views;
-    for (std::size_t i = 0; i < images.size(); ++i)
-      views.push_back({images[i], (*photographs)[i], masks.value[i]});
+    for (std::size_t i = 0; i < used.size(); ++i)
+      views.push_back({used[i], (*photographs)[i], used_masks[i]});
     stereo::DenseOptions options;
     options.threads = run.options.threads;
     if (run.batch.plate) options.floor_z_mm = 0.0;
@@ -315,7 +375,8 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     const Result<void> written =
         writePly(folder / "cloud.ply", *cloud, std::string("plate_") + batch::name(side));
     if (!written) return written.error();
-    return StageNotes{{{"points", cloud->size()}}, {}};
+    notes.figures = {{"points", cloud->size()}};
+    return notes;
   };
   const Result<StageRecord> record = runStage(run.work, name,
                                               {{"batch", run.batch_hash},

@@ -35,7 +35,8 @@ TEST(ReadBatch, SortsShotsBySideCameraAndStop) {
   EXPECT_EQ(batch->shots[3].width, 20);
   EXPECT_EQ(batch->shots[4].side, Side::Back);
   EXPECT_FALSE(batch->plate.has_value());
-  EXPECT_THAT(listener.warnings, IsEmpty());
+  EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("front: Photographs are missing here: "
+                                                       "cam0_pos03, cam0_pos04")));
 }
 
 TEST(ReadBatch, ReadsThePapersLayoutWithCamerasFromOneAndItsMasks) {
@@ -121,6 +122,23 @@ TEST(ReadBatch, WarnsOfNamesItDoesNotUnderstandAndOfDoubles) {
   ASSERT_TRUE(batch.has_value());
   EXPECT_EQ(batch->shots.size(), 6U);
   EXPECT_THAT(listener.warnings, ElementsAre(HasSubstr("IMG_1234"), HasSubstr("cam0_pos00.png")));
+}
+
+TEST(ReadBatch, NamesThePhotographsThatAreMissing) {
+  const TemporaryFolder folder("absent");
+  threeViewsPerSide(folder);
+  for (const char* name : {"cam0_pos04", "cam1_pos00", "cam1_pos01", "cam1_pos02", "cam1_pos04"})
+    folder.image(std::string("front/") + name + ".jpg");
+  folder.write("front/cam1_pos03.jpg", "not there as a picture, but by name");
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value());
+  EXPECT_EQ(batch->shots.size(), 11U);
+  ASSERT_EQ(listener.warnings.size(), 3U);
+  EXPECT_THAT(listener.warnings[0], HasSubstr("cam1_pos03.jpg"));
+  EXPECT_THAT(listener.warnings[1], testing::AllOf(HasSubstr("front"), HasSubstr(": cam0_pos03;")));
+  EXPECT_THAT(listener.warnings[2],
+              testing::AllOf(HasSubstr("back"), HasSubstr("cam1_pos00, cam1_pos01, cam1_pos02")));
 }
 
 TEST(ReadBatch, TakesCalibrationAndEmptyPlatesOfItsCamerasOnly) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -122,6 +123,42 @@ TEST_F(ProcessBatch, StoppedAndStartedAgainWithOtherThreadsLeavesTheSameBytes) {
   }
   ASSERT_TRUE(process(folder_ / "again", 1, quiet).has_value());
   EXPECT_EQ(results(folder_ / "again"), results(folder_ / "out"));
+}
+
+TEST_F(ProcessBatch, WhatIsWrongWithOnePhotographOrMaskCostsThatPhotographAndIsNamed) {
+  QuietProgress quiet;
+  copyOfWhole("whole");
+  const fs::path batch = folder_ / "damaged", masks = folder_ / "whole" / "work";
+  fs::copy(folder_ / "batch", batch, fs::copy_options::recursive);
+  for (const char* side : {"front", "back"})
+    fs::copy(masks / (std::string("masks_") + side), batch / (std::string(side) + "_masks"));
+  fs::remove(batch / "front" / "cam0_pos01.jpg");  // nobody took it
+  cv::imwrite((batch / "front" / "cam1_pos03.jpg").string(), cv::Mat3b(300, 400));
+  fs::remove(batch / "front_masks" / "cam1_pos05.png");
+  cv::imwrite((batch / "front_masks" / "cam2_pos06.png").string(), cv::Mat1b(600, 800, uchar{0}));
+  std::stop_source stop;
+  StopsAt back("masks of the back side", stop);
+  ProcessOptions options;
+  options.batch = batch;
+  options.output = folder_ / "damaged_out";
+  options.masks = "given";
+  const Result<ProcessSummary> stopped = processBatch(options, back, stop.get_token());
+  ASSERT_FALSE(stopped.has_value());
+  ASSERT_EQ(stopped.error().code, ErrorCode::Cancelled) << stopped.error().sentence();
+  const Result<std::string> log = readFile(options.output / "log.txt");
+  ASSERT_TRUE(log.has_value());
+  for (const char* words :
+       {"missing here: cam0_pos01", "cam1_pos03.jpg: The image has 400 x 300",
+        "cam1_pos05.jpg: This photograph has no mask", "cam2_pos06.jpg: No sherd is marked"})
+    EXPECT_NE(log->find(words), std::string::npos) << words << " in " << *log;
+  const auto points = [](const fs::path& output) {
+    return readJson(output / "work" / "dense_front" / "stage.json")
+        ->at("figures")
+        .at("points")
+        .get<double>();
+  };
+  // Four of 24 photographs see little that the others do not.
+  EXPECT_GT(points(options.output), 0.8 * points(folder_ / "whole"));
 }
 
 TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {

@@ -1,0 +1,34 @@
+#pragma once
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "batch/batch.h"
+#include "rig/camera.h"
+
+namespace ostraka::pipeline {
+
+struct PhotoCheckOptions {
+  double most_edge_growth = 1.4;  ///< markers' edges wider than the camera's sharpest are a blur
+  double wide_edge_px = 0.5;      ///< and wider by this: edges are known to 0.1 px
+  double most_left_out = 0.25;    ///< of a side's photographs, for a blur; more of them stay in use
+  int least_edge_places = 6;      ///< of the twelve of a marker that is seen
+  double most_covered = 0.1;      ///< share of the markers that no photograph of a side shows
+  int threads = 0;
+};
+
+struct PhotoFindings {
+  std::vector<std::string> warnings;  ///< sentences that name the files
+  std::vector<std::size_t> spoilt;    ///< by index of images, rising: better left out
+};
+
+/// What is wrong with the photographs: which are blurred (masks and stereo are worse with them than
+/// without), and which markers are covered through a whole side. Errors: a photograph that cannot
+/// be read, Cancelled.
+Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
+                                       const batch::Plate& plate, const PhotoCheckOptions& options,
+                                       std::stop_token stop);
+
+}  // namespace ostraka::pipeline

@@ -15,8 +15,8 @@
 #include "pipeline/candidate_table.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/report.h"
-#include "rig/held_out.h"
 #include "pipeline/stillness.h"
+#include "rig/held_out.h"
 
 namespace ostraka::pipeline {
 namespace {

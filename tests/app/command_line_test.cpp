@@ -123,7 +123,7 @@ TEST_F(CommandLine, WhatCannotBeACommandLineGetsOneSentenceThatNamesIt) {
     EXPECT_EQ(refused.status, 2) << line;
     EXPECT_EQ(std::count(refused.text.begin(), refused.text.end(), '\n'), 1) << refused.text;
     for (const char* word : words) EXPECT_TRUE(says(refused, word)) << refused.text;
-    const auto json = nlohmann::json::parse(run(line + std::string(" --json"), "2>/dev/null").text,
+    const auto json = nlohmann::json::parse(run("--json " + std::string(line), "2>/dev/null").text,
                                             nullptr, false);
     ASSERT_TRUE(json.is_object()) << line;
     EXPECT_EQ(json.at("exit_status"), 2);

@@ -20,19 +20,43 @@ struct Look {
   std::vector<int> seen;  ///< ids of the markers with edges
 };
 
+// How much lighter it is outside of a marker's edges than inside: the median of twelve places.
+// Cloth and shadows have edges of their own, but not these.
+double stepAcross(const cv::Mat1b& soft, const std::array<Eigen::Vector2d, 4>& corners) {
+  std::vector<double> steps;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Eigen::Vector2d a = corners[c], along = corners[(c + 1) % 4] - a;
+    const Eigen::Vector2d out = Eigen::Vector2d(along.y(), -along.x()) / 10;  // within the margin
+    for (const double t : {0.3, 0.5, 0.7}) {
+      std::array<double, 2> values{};
+      for (const int side : {0, 1}) {
+        const Eigen::Vector2d p = a + t * along + (side == 1 ? out : Eigen::Vector2d(-out));
+        const cv::Point pixel(cvRound(p.x()), cvRound(p.y()));
+        if (!cv::Rect({0, 0}, soft.size()).contains(pixel)) return 0;
+        values[static_cast<std::size_t>(side)] = soft(pixel);
+      }
+      steps.push_back(values[1] - values[0]);
+    }
+  }
+  std::nth_element(steps.begin(), steps.begin() + 6, steps.end());
+  return steps[6];
+}
+
 Result<Look> lookAt(const rig::PosedImage& image, const batch::Plate& plate,
                     const PhotoCheckOptions& options) {
   const Result<cv::Mat> photograph = batch::readPhotograph(image.file);
   if (!photograph) return photograph.error();
   cv::Mat1b grey;
   cv::cvtColor(*photograph, grey, cv::COLOR_BGR2GRAY);
+  cv::Mat1b soft;
+  cv::blur(grey, soft, {3, 3});
   Look look;
   std::vector<double> widths;
   for (const batch::Marker& marker : plate.markers) {
     std::array<Eigen::Vector2d, 4> corners;
     for (std::size_t c = 0; c < 4; ++c) corners[c] = image.project(marker.corners[c]);
+    if (stepAcross(soft, corners) < options.least_step) continue;
     const std::vector<double> found = rig::edgeWidths(grey, corners);
-    if (static_cast<int>(found.size()) < options.least_edge_places) continue;
     look.seen.push_back(marker.id);
     widths.insert(widths.end(), found.begin(), found.end());
   }

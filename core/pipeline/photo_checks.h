@@ -14,7 +14,7 @@ struct PhotoCheckOptions {
   double most_edge_growth = 1.4;  ///< markers' edges wider than the camera's sharpest are a blur
   double wide_edge_px = 0.5;      ///< and wider by this: edges are known to 0.1 px
   double most_left_out = 0.25;    ///< of a side's photographs, for a blur; more of them stay in use
-  int least_edge_places = 6;      ///< of the twelve of a marker that is seen
+  double least_step = 30;         ///< grey values from a marker's black to its paper, of 255
   double most_covered = 0.1;      ///< share of the markers that no photograph of a side shows
   int threads = 0;
 };

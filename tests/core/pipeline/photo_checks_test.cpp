@@ -57,6 +57,12 @@ class PhotoChecks : public testing::Test {
     }
     cv::Mat1b picture;
     cv::resize(large, picture, {600, 600}, 0, 0, cv::INTER_AREA);
+    for (std::size_t m = 0; m < covered; ++m)  // by cloth with a weave
+      for (int k = 0; k < 3600; ++k) {
+        const Eigen::Vector2d p = image.project(plate_.markers[m].corners[0]);
+        picture(cvRound(p.y()) + k / 60 - 10, cvRound(p.x()) + k % 60 - 10) =
+            static_cast<uchar>(90 + (k * 37 + k / 60 * 11) % 70);
+      }
     if (blur_px > 0) cv::GaussianBlur(picture, picture, {}, blur_px);
     cv::imwrite(image.file, picture);
     images_.push_back(image);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/big_button.h"
+#include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 
@@ -115,10 +116,9 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
   auto* text = new QLabel(words, this);
   text->setAlignment(Qt::AlignCenter);
   text->setWordWrap(true);
-  text->setMaximumWidth(fontMetrics().averageCharWidth() * 70);
-  auto* acts = new QHBoxLayout;
-  acts->addStretch();
-  acts->addStretch();
+  text->setFixedWidth(fontMetrics().averageCharWidth() * 65);  // else it shrinks to a column
+  auto* acts = new FlowRow;
+  acts->setCentred(true);
   acts_ = acts;
   auto* column = new QVBoxLayout(this);
   column->addStretch(2);
@@ -131,16 +131,15 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
 }
 
 QPushButton* EmptyState::addAct(const QString& text, const QString& object_name) {
-  auto* row = static_cast<QHBoxLayout*>(acts_);
   QPushButton* button = nullptr;
-  if (row->count() == 2)
+  if (acts_->count() == 0)
     button = new BigButton(this);
   else
     button = new QPushButton(this);
   button->setText(text);
   button->setObjectName(object_name);
   button->setMinimumHeight(targetSize(*this));
-  row->insertWidget(row->count() - 1, button);
+  acts_->addWidget(button);
   return button;
 }
 

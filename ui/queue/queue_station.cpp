@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QDesktopServices>
-#include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QListView>
 #include <QPlainTextEdit>
@@ -12,6 +11,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
@@ -101,7 +101,7 @@ void QueueStation::buildLayout() {
           &QPushButton::clicked, this,
           [this] { emit wantsStation(QStringLiteral("capture"), {}); });
 
-  auto* bar = new QHBoxLayout;
+  auto* bar = new FlowRow;
   for (QAction* action : {pause_, again_, cancel_, report_, review_, log_action_}) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
@@ -111,7 +111,6 @@ void QueueStation::buildLayout() {
     button->setMinimumHeight(targetSize(*this));
     bar->addWidget(button);
   }
-  bar->addStretch(1);
 
   auto* split = new QSplitter(Qt::Vertical, this);
   split->addWidget(list_);

@@ -3,9 +3,9 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
-#include "ui/review/flow_row.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_words.h"
 

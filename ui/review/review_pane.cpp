@@ -9,11 +9,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 #include "ui/review/candidate_bar.h"
 #include "ui/review/card_list.h"
-#include "ui/review/flow_row.h"
 #include "ui/review/join_mode.h"
 #include "ui/review/outline_plot.h"
 #include "ui/review/pair_review_model.h"

@@ -1,4 +1,4 @@
-#include "ui/review/flow_row.h"
+#include "ui/frame/flow_row.h"
 
 #include <QWidget>
 #include <algorithm>
@@ -51,20 +51,31 @@ void FlowRow::setGeometry(const QRect& where) {
 
 int FlowRow::arrange(const QRect& where, bool place) const {
   const int gap = std::max(0, spacing());
-  int x = where.left(), y = where.top(), line = 0;
-  for (QLayoutItem* item : items_) {
-    if (item->isEmpty()) continue;
-    const QSize size = item->sizeHint().boundedTo(QSize(where.width(), QWIDGETSIZE_MAX));
-    if (x > where.left() && x + size.width() > where.left() + where.width()) {
-      x = where.left();
-      y += line + gap;
-      line = 0;
+  int y = where.top();
+  for (qsizetype begin = 0; begin < items_.size();) {
+    int width = 0, height = 0;
+    qsizetype end = begin;
+    for (; end < items_.size(); ++end) {  // as many as the line takes, one at least
+      const int wanted = width + (width > 0 ? gap : 0) + sizeOf(end, where).width();
+      if (width > 0 && wanted > where.width()) break;
+      width = wanted;
+      height = std::max(height, sizeOf(end, where).height());
     }
-    if (place) item->setGeometry({QPoint(x, y), size});
-    x += size.width() + gap;
-    line = std::max(line, size.height());
+    int x = where.left() + (centred_ ? std::max(0, (where.width() - width) / 2) : 0);
+    for (qsizetype i = begin; place && i < end; ++i) {
+      items_[i]->setGeometry({QPoint(x, y), sizeOf(i, where)});
+      x += sizeOf(i, where).width() + gap;
+    }
+    y += height + (end < items_.size() ? gap : 0);
+    begin = end;
   }
-  return y + line - where.top();
+  return y - where.top();
+}
+
+QSize FlowRow::sizeOf(qsizetype item, const QRect& where) const {
+  return items_[item]->isEmpty()
+             ? QSize(0, 0)
+             : items_[item]->sizeHint().boundedTo(QSize(where.width(), QWIDGETSIZE_MAX));
 }
 
 }  // namespace ostraka::ui

@@ -10,6 +10,7 @@ class FlowRow final : public QLayout {
   explicit FlowRow(QWidget* parent = nullptr);
   ~FlowRow() override;
 
+  void setCentred(bool centred) { centred_ = centred; }
   void insertWidget(int index, QWidget* widget);
 
   void addItem(QLayoutItem* item) override;
@@ -26,7 +27,10 @@ class FlowRow final : public QLayout {
  private:
   int arrange(const QRect& where, bool place) const;  ///< returns the height
 
+  QSize sizeOf(qsizetype item, const QRect& where) const;
+
   QList<QLayoutItem*> items_;
+  bool centred_ = false;
 };
 
 }  // namespace ostraka::ui

@@ -1,0 +1,88 @@
+// The window in every language: it fits a laptop's screen, and no button's words are cut off.
+#include <QAbstractButton>
+#include <QTranslator>
+
+#include "person.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/station.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/main/new_project.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+
+// What is narrower than its words.
+QStringList cutIn(const QWidget& screen) {
+  QStringList cut;
+  for (const QAbstractButton* button : screen.findChildren<QAbstractButton*>())
+    if (button->isVisible() && !button->text().isEmpty() &&
+        button->width() < button->minimumSizeHint().width())
+      cut << button->text();
+  return cut;
+}
+
+}  // namespace
+
+class LanguagesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theWindowFitsALaptop_data() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "de", "fr", "es", "el", "tr", "hy"})
+      QTest::newRow(language) << language;
+  }
+  void theWindowFitsALaptop() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral("ostraka_") + language, QStringLiteral(OSTRAKA_QM)));
+    QVERIFY(QApplication::installTranslator(&translator));
+    const Home home;
+    ThreadedJobRunner jobs;
+    MainWindow window(jobs);
+    window.resize(kWidth, kHeight);
+    activate(window);
+    fits(window, window, "start");
+    {
+      auto made = makeVirtualProject(home.path("Virtual"));
+      QVERIFY(made.has_value());
+    }
+    window.openProject(home.path("Virtual"));
+    QVERIFY(window.session() != nullptr);
+    activate(window);
+    for (std::size_t i = 0; i < window.stations().size(); ++i) {
+      window.showStation(static_cast<int>(i));
+      QTRY_VERIFY(window.stations()[i]->isVisible());
+      fits(window, *window.stations()[i], window.stations()[i]->iconName());
+    }
+    window.showSettings();
+    fits(window, window, "settings");
+    QApplication::removeTranslator(&translator);
+  }
+
+ private:
+  static void fits(const MainWindow& window, const QWidget& screen, const QString& name) {
+    QTest::qWait(0);
+    QString widths = name;
+    for (const Station* station : window.stations())
+      widths +=
+          QStringLiteral(", %1 %2").arg(station->title()).arg(station->minimumSizeHint().width());
+    QVERIFY2(window.minimumSizeHint().width() <= kWidth, qPrintable(widths));
+    const QStringList cut = cutIn(screen);
+    QVERIFY2(cut.isEmpty(), qPrintable(name + ": " + cut.join(QStringLiteral(" | "))));
+  }
+};
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  applyLook(application, Theme::Light, 100);
+  LanguagesTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "languages_test.moc"

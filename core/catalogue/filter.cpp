@@ -63,9 +63,26 @@ bool isComparison(Condition::Is is) {
   return is == Is::Less || is == Is::LessEqual || is == Is::Greater || is == Is::GreaterEqual;
 }
 
+// The number in the code of a printed label, as a code reader types it: OST1:S:<number>:<end of
+// the identifier>. Empty: it is none.
+std::string numberOnLabel(const std::string& typed) {
+  const std::string start = "OST1:S:";
+  if (typed.size() <= start.size() || uniqueKey(typed.substr(0, start.size())) != uniqueKey(start))
+    return {};
+  const std::size_t end = typed.find(':', start.size());
+  return end == std::string::npos ? std::string() : typed.substr(start.size(), end - start.size());
+}
+
 Result<Condition> conditionOf(Piece piece) {
   Condition condition;
   condition.text = piece.text;
+  if (const std::string number = numberOnLabel(piece.plain); !number.empty()) {
+    condition.text = "number:" + number;
+    condition.field = "number";
+    condition.is = Condition::Is::Equal;
+    condition.value = composed(number);
+    return condition;
+  }
   if (piece.plain.size() > 1 && piece.plain[0] == '-' && piece.text[0] == '-') {
     condition.negated = true;
     piece.plain.erase(0, 1);

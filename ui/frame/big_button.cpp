@@ -8,7 +8,7 @@
 namespace ostraka::ui {
 
 BigButton::BigButton(QWidget* parent) : QPushButton(parent) {
-  setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setFocusPolicy(Qt::StrongFocus);
 }
 
@@ -24,8 +24,14 @@ QSize BigButton::sizeHint() const {
   return {large.horizontalAdvance(text()) + small.horizontalAdvance(key_) + height * 2, height};
 }
 
+// Long words of another language go into two lines before they make the window wider.
 QSize BigButton::minimumSizeHint() const {
-  return sizeHint();
+  const QFontMetrics large(scaledFont(*this, 1.5));
+  int longest = 0;
+  for (const QString& word : text().split(QLatin1Char(' ')))
+    longest = qMax(longest, large.horizontalAdvance(word));
+  const int whole = large.horizontalAdvance(text());
+  return sizeHint() - QSize(whole - qMax(longest, whole * 6 / 10), 0);
 }
 
 void BigButton::paintEvent(QPaintEvent*) {

@@ -95,6 +95,15 @@ TEST_F(Filters, FieldsAreComparedWhole) {
   EXPECT_EQ(letters("surface_out:*"), "a");
 }
 
+TEST_F(Filters, TheCodeOfAPrintedLabelFindsItsSherd) {
+  EXPECT_EQ(letters("OST1:S:ARM1-T3-0012-0002:9F3A77C1"), "b");
+  EXPECT_EQ(letters("ost1:s:arm1-t3-0013-0001:9f3a77c1"), "c") << "a reader set to small letters";
+  const Result<Filter> filter = parseFilter("OST1:S:ARM1-T3-0012-0002:9F3A77C1");
+  ASSERT_TRUE(filter);
+  EXPECT_EQ(filter->text(), "number:ARM1-T3-0012-0002");
+  EXPECT_FALSE(parseFilter("OST1:S:ARM1")) << "half a code";
+}
+
 TEST_F(Filters, AMinusTurnsAConditionRound) {
   EXPECT_EQ(letters("-grey"), "bd");
   EXPECT_EQ(letters("-part:rim"), "cd");

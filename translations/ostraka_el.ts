@@ -917,7 +917,7 @@
     <message>
       <source>Stop the table</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σταμάτημα του τραπεζιού</translation>
+      <translation>Στάση τραπεζιού</translation>
     </message>
     <message>
       <source>Photograph again</source>

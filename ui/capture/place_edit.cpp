@@ -17,6 +17,7 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   edit_->setAccessibleDescription(tr("Site, trench, context and bag"));
   edit_->setMinimumHeight(targetSize(*this));
   edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
+  note_->setWordWrap(true);  // long words of another language would widen the window
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(label);

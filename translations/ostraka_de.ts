@@ -843,6 +843,16 @@
         <numerusform>%n Scherben ändern</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Progress of the changes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fortschritt der Änderungen</translation>
+    </message>
+    <message>
+      <source>Stop and take back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anhalten und zurücknehmen</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -993,6 +1003,11 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>antwortet nicht</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Getippt, vom Codeleser, oder vom Beuteletikett unter der Kamera</translation>
     </message>
   </context>
   <context>
@@ -1229,6 +1244,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Licht stimmt</translation>
     </message>
+    <message>
+      <source>Read from the label: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vom Etikett gelesen: %1</translation>
+    </message>
+    <message>
+      <source>No room for more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Platz für weitere</translation>
+    </message>
+    <message numerus="yes">
+      <source>Room for about %n more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Platz für etwa eine weitere</numerusform>
+        <numerusform>Platz für etwa %n weitere</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 und %2 berühren sich fast</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -1332,6 +1370,260 @@
       <source>The sherds that are chosen have their numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die gewählten Scherben haben ihre Nummern.</translation>
+    </message>
+    <message>
+      <source>changes by the import of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Änderungen durch das Einlesen von %1</translation>
+    </message>
+    <message>
+      <source>Imported %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 eingelesen: %2</translation>
+    </message>
+    <message>
+      <source>Import …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einlesen …</translation>
+    </message>
+    <message>
+      <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummern, Befunde und Beschreibungen aus einer Tabelle, oder eine Ausgabe (%1)</translation>
+    </message>
+    <message>
+      <source>About what is chosen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zum Gewählten</translation>
+    </message>
+    <message>
+      <source>Details</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einzelheiten</translation>
+    </message>
+    <message>
+      <source>Drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeichnung</translation>
+    </message>
+    <message>
+      <source>Details or drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einzelheiten oder Zeichnung</translation>
+    </message>
+    <message>
+      <source>enter the rim's diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>den Randdurchmesser eintragen</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einlesen</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::DrawingPage</name>
+    <message>
+      <source>Scale of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab der Zeichnung</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>How surfaces are drawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wie Oberflächen gezeichnet werden</translation>
+    </message>
+    <message>
+      <source>Light and shade of the form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Licht und Schatten der Form</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mit Bemalung und Engobe</translation>
+    </message>
+    <message>
+      <source>Whether it is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ob es ein Randstück ist</translation>
+    </message>
+    <message>
+      <source>As the parts say, or as is likely</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wie es die Teile sagen, oder wie es wahrscheinlich ist</translation>
+    </message>
+    <message>
+      <source>It is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es ist ein Randstück</translation>
+    </message>
+    <message>
+      <source>It is no rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es ist kein Randstück</translation>
+    </message>
+    <message>
+      <source>Scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab</translation>
+    </message>
+    <message>
+      <source>Surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oberfläche</translation>
+    </message>
+    <message>
+      <source>Rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rand</translation>
+    </message>
+    <message>
+      <source>Enter the diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durchmesser eintragen</translation>
+    </message>
+    <message>
+      <source>Save …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Speichern …</translation>
+    </message>
+    <message>
+      <source>Print …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Drucken …</translation>
+    </message>
+    <message>
+      <source>Print the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zeichnung drucken</translation>
+    </message>
+    <message>
+      <source>Progress of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fortschritt der Zeichnung</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>The sheet before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Blatt davor</translation>
+    </message>
+    <message>
+      <source>The next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das nächste Blatt</translation>
+    </message>
+    <message>
+      <source>What the drawing says</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was die Zeichnung sagt</translation>
+    </message>
+    <message>
+      <source>Drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeichnungen</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Angehalten; nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+      <source>A sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Blatt</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe wird gezeichnet …</numerusform>
+        <numerusform>%n Scherben werden gezeichnet …</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Choose a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen Sie eine Scherbe.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mündung %1 cm weit (95 %: %2 bis %3), %4 % des Randes erhalten.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mündung %1 cm weit (95 %: über %2), %3 % des Randes erhalten.</translation>
+    </message>
+    <message>
+      <source>%1 drawn, %2 left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 gezeichnet, %2 ausgelassen.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Draw plates of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Tafel einer Scherbe zeichnen</numerusform>
+        <numerusform>Tafeln von %n Scherben zeichnen</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Sheet %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Blatt %1 von %2</translation>
+    </message>
+    <message>
+      <source>plates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tafeln</translation>
+    </message>
+    <message>
+      <source>Save the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zeichnung speichern</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, alle Blätter (*.pdf);;SVG, eine Datei je Blatt (*.svg)</translation>
+    </message>
+    <message>
+      <source>Saving a drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Zeichnung wird gespeichert</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+      <source>Printing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird gedruckt</translation>
+    </message>
+    <message>
+      <source>The drawing is sent to the printer; print it at 100 %.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zeichnung geht an den Drucker; drucken Sie mit 100 %.</translation>
     </message>
   </context>
   <context>
@@ -1542,6 +1834,11 @@
         <numerusform>Die %n im Katalog gewählten</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeichnungen für den Druck (SVG und PDF), 1 : 1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>
@@ -1643,6 +1940,180 @@
       <source>Nothing leaves this computer: there is no network in it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nichts verlässt diesen Rechner: es benutzt kein Netz.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportDialog</name>
+    <message>
+      <source>new</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>neu</translation>
+    </message>
+    <message>
+      <source>changed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>verändert</translation>
+    </message>
+    <message>
+      <source>refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgelehnt</translation>
+    </message>
+    <message>
+      <source>as it is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wie es ist</translation>
+    </message>
+    <message>
+      <source>Import into the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In den Katalog einlesen</translation>
+    </message>
+    <message>
+      <source>A table (CSV) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Tabelle (CSV) …</translation>
+    </message>
+    <message>
+      <source>An export folder …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Ausgabeordner …</translation>
+    </message>
+    <message>
+      <source>Make sites, trenches, contexts and bags that are not there yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fundorte, Schnitte, Befunde und Beutel anlegen, die es noch nicht gibt</translation>
+    </message>
+    <message>
+      <source>What each row would do</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was jede Zeile bewirken würde</translation>
+    </message>
+    <message>
+      <source>Progress of the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fortschritt des Einlesens</translation>
+    </message>
+    <message>
+      <source>Save what is refused …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgelehntes speichern …</translation>
+    </message>
+    <message>
+      <source>Which table?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Welche Tabelle?</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv *.tsv *.txt);;All (*)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabellen (*.csv *.tsv *.txt);;Alle (*)</translation>
+    </message>
+    <message>
+      <source>Which export?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Welche Ausgabe?</translation>
+    </message>
+    <message>
+      <source>Save what is refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgelehntes speichern</translation>
+    </message>
+    <message>
+      <source>refused.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgelehnt.csv</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile</translation>
+    </message>
+    <message>
+      <source>what happens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>was geschieht</translation>
+    </message>
+    <message>
+      <source>why not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>warum nicht</translation>
+    </message>
+    <message>
+      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbentabelle hat eine Spalte number oder uuid; eine Befundtabelle hat site, context und, wenn Sie wollen, trench und bag.</translation>
+    </message>
+    <message>
+      <source>Looking at it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird angesehen …</translation>
+    </message>
+    <message>
+      <source>Entered: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eingetragen: %1</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schließen</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>Take nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nichts übernehmen</translation>
+    </message>
+    <message numerus="yes">
+      <source>Enter %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Zeile eintragen</numerusform>
+        <numerusform>%n Zeilen eintragen</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportModel</name>
+    <message>
+      <source>%1 '%2': %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 „%2“: %3</translation>
+    </message>
+    <message>
+      <source>Preview of an import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorschau eines Einlesens</translation>
+    </message>
+    <message>
+      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 neu, %2 verändert, %3 wie sie sind, %4 abgelehnt.</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einlesen</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Angehalten; nichts wurde eingetragen.</translation>
     </message>
   </context>
   <context>
@@ -1853,6 +2324,39 @@
       <source>All right</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gut</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ModelPane</name>
+    <message>
+      <source>Picture of the sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild der Scherbe</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schnitt</translation>
+    </message>
+    <message>
+      <source>Cut the model open; Shift and the wheel move the plane</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Modell aufschneiden; Umschalt und das Mausrad bewegen die Ebene</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von oben</translation>
+    </message>
+    <message>
+      <source>Picture of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild einer Scherbe</translation>
+    </message>
+    <message>
+      <source>Model of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modell einer Scherbe</translation>
     </message>
   </context>
   <context>
@@ -2666,6 +3170,14 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::SheetView</name>
+    <message>
+      <source>The drawing on its sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zeichnung auf ihrem Blatt</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -2832,6 +3344,26 @@
         <numerusform>Eine Scherbe nummerieren</numerusform>
         <numerusform>%n Scherben nummerieren</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Other changes are still being saved; wait for them, or stop them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Andere Änderungen werden noch gespeichert; warten Sie, oder halten Sie sie an.</translation>
+    </message>
+    <message>
+      <source>The sherds that are chosen have their numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die gewählten Scherben haben ihre Nummern.</translation>
+    </message>
+    <message>
+      <source>Numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummern</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Angehalten; nichts wurde geändert.</translation>
     </message>
   </context>
   <context>

@@ -843,6 +843,16 @@
         <numerusform>Αλλαγή %n οστράκων</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Progress of the changes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόοδος των αλλαγών</translation>
+    </message>
+    <message>
+      <source>Stop and take back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή και ανάκληση</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -993,6 +1003,11 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>δεν απαντά</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Με πληκτρολόγηση, από αναγνώστη κωδικών, ή από την ετικέτα της σακούλας κάτω από την κάμερα</translation>
     </message>
   </context>
   <context>
@@ -1229,6 +1244,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φως είναι σωστό</translation>
     </message>
+    <message>
+      <source>Read from the label: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από την ετικέτα: %1</translation>
+    </message>
+    <message>
+      <source>No room for more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν χωρά άλλο</translation>
+    </message>
+    <message numerus="yes">
+      <source>Room for about %n more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Χωρά περίπου %n ακόμη</numerusform>
+        <numerusform>Χωρούν περίπου %n ακόμη</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 και το %2 σχεδόν ακουμπούν</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -1332,6 +1370,260 @@
       <source>The sherds that are chosen have their numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα επιλεγμένα όστρακα έχουν τους αριθμούς τους.</translation>
+    </message>
+    <message>
+      <source>changes by the import of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αλλαγές από την εισαγωγή του %1</translation>
+    </message>
+    <message>
+      <source>Imported %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή του %1: %2</translation>
+    </message>
+    <message>
+      <source>Import …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή …</translation>
+    </message>
+    <message>
+      <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αριθμοί, πλαίσια και περιγραφές από πίνακα, ή μια εξαγωγή (%1)</translation>
+    </message>
+    <message>
+      <source>About what is chosen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για τα επιλεγμένα</translation>
+    </message>
+    <message>
+      <source>Details</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στοιχεία</translation>
+    </message>
+    <message>
+      <source>Drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σχέδιο</translation>
+    </message>
+    <message>
+      <source>Details or drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στοιχεία ή σχέδιο</translation>
+    </message>
+    <message>
+      <source>enter the rim's diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>καταχώριση διαμέτρου χείλους</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::DrawingPage</name>
+    <message>
+      <source>Scale of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα του σχεδίου</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>How surfaces are drawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πώς σχεδιάζονται οι επιφάνειες</translation>
+    </message>
+    <message>
+      <source>Light and shade of the form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φως και σκιά της μορφής</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Με γραπτή διακόσμηση και επίχρισμα</translation>
+    </message>
+    <message>
+      <source>Whether it is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αν είναι χείλος</translation>
+    </message>
+    <message>
+      <source>As the parts say, or as is likely</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όπως λένε τα μέρη, ή όπως είναι πιθανό</translation>
+    </message>
+    <message>
+      <source>It is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι χείλος</translation>
+    </message>
+    <message>
+      <source>It is no rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι χείλος</translation>
+    </message>
+    <message>
+      <source>Scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα</translation>
+    </message>
+    <message>
+      <source>Surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιφάνεια</translation>
+    </message>
+    <message>
+      <source>Rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χείλος</translation>
+    </message>
+    <message>
+      <source>Enter the diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καταχώριση διαμέτρου</translation>
+    </message>
+    <message>
+      <source>Save …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση …</translation>
+    </message>
+    <message>
+      <source>Print …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση …</translation>
+    </message>
+    <message>
+      <source>Print the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση του σχεδίου</translation>
+    </message>
+    <message>
+      <source>Progress of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόοδος του σχεδίου</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή</translation>
+    </message>
+    <message>
+      <source>The sheet before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το προηγούμενο φύλλο</translation>
+    </message>
+    <message>
+      <source>The next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το επόμενο φύλλο</translation>
+    </message>
+    <message>
+      <source>What the drawing says</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τι λέει το σχέδιο</translation>
+    </message>
+    <message>
+      <source>Drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σχέδια</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε· δεν σχεδιάστηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>A sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα φύλλο</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Σχεδίαση %n οστράκου …</numerusform>
+        <numerusform>Σχεδίαση %n οστράκων …</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Choose a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλέξτε όστρακο.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στόμιο %1 cm (95 %: %2 έως %3), σώζεται το %4 % του χείλους.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στόμιο %1 cm (95 %: πάνω από %2), σώζεται το %3 % του χείλους.</translation>
+    </message>
+    <message>
+      <source>%1 drawn, %2 left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σχεδιάστηκαν %1, παραλείφθηκαν %2.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Draw plates of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Πίνακες %n οστράκου</numerusform>
+        <numerusform>Πίνακες %n οστράκων</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Sheet %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φύλλο %1 από %2</translation>
+    </message>
+    <message>
+      <source>plates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πίνακες</translation>
+    </message>
+    <message>
+      <source>Save the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση του σχεδίου</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, όλα τα φύλλα (*.pdf);;SVG, ένα αρχείο ανά φύλλο (*.svg)</translation>
+    </message>
+    <message>
+      <source>Saving a drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση σχεδίου</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε: %1</translation>
+    </message>
+    <message>
+      <source>Printing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση</translation>
+    </message>
+    <message>
+      <source>The drawing is sent to the printer; print it at 100 %.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το σχέδιο στέλνεται στον εκτυπωτή· τυπώστε το στο 100 %.</translation>
     </message>
   </context>
   <context>
@@ -1542,6 +1834,11 @@
         <numerusform>Τα %n επιλεγμένα στον κατάλογο</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σχέδια για εκτύπωση (SVG και PDF), 1 : 1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>
@@ -1643,6 +1940,180 @@
       <source>Nothing leaves this computer: there is no network in it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: δεν έχει δίκτυο μέσα.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportDialog</name>
+    <message>
+      <source>new</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>νέο</translation>
+    </message>
+    <message>
+      <source>changed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άλλαξε</translation>
+    </message>
+    <message>
+      <source>refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>απορρίφθηκε</translation>
+    </message>
+    <message>
+      <source>as it is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ως έχει</translation>
+    </message>
+    <message>
+      <source>Import into the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή στον κατάλογο</translation>
+    </message>
+    <message>
+      <source>A table (CSV) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας πίνακας (CSV) …</translation>
+    </message>
+    <message>
+      <source>An export folder …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας φάκελος εξαγωγής …</translation>
+    </message>
+    <message>
+      <source>Make sites, trenches, contexts and bags that are not there yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δημιουργία θέσεων, τομών, πλαισίων και σακουλών που λείπουν</translation>
+    </message>
+    <message>
+      <source>What each row would do</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τι θα έκανε κάθε γραμμή</translation>
+    </message>
+    <message>
+      <source>Progress of the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόοδος της εισαγωγής</translation>
+    </message>
+    <message>
+      <source>Save what is refused …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση όσων απορρίφθηκαν …</translation>
+    </message>
+    <message>
+      <source>Which table?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ποιος πίνακας;</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv *.tsv *.txt);;All (*)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίνακες (*.csv *.tsv *.txt);;Όλα (*)</translation>
+    </message>
+    <message>
+      <source>Which export?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ποια εξαγωγή;</translation>
+    </message>
+    <message>
+      <source>Save what is refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθήκευση όσων απορρίφθηκαν</translation>
+    </message>
+    <message>
+      <source>refused.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refused.csv</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίνακες (*.csv)</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε: %1</translation>
+    </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γραμμή</translation>
+    </message>
+    <message>
+      <source>what happens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τι γίνεται</translation>
+    </message>
+    <message>
+      <source>why not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γιατί όχι</translation>
+    </message>
+    <message>
+      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας πίνακας οστράκων έχει στήλη number ή uuid· ένας πλαισίων έχει site, context και, αν θέλετε, trench και bag.</translation>
+    </message>
+    <message>
+      <source>Looking at it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εξέταση …</translation>
+    </message>
+    <message>
+      <source>Entered: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καταχωρίστηκαν: %1</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλείσιμο</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή</translation>
+    </message>
+    <message>
+      <source>Take nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία καταχώριση</translation>
+    </message>
+    <message numerus="yes">
+      <source>Enter %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Καταχώριση %n γραμμής</numerusform>
+        <numerusform>Καταχώριση %n γραμμών</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportModel</name>
+    <message>
+      <source>%1 '%2': %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 «%2»: %3</translation>
+    </message>
+    <message>
+      <source>Preview of an import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Προεπισκόπηση εισαγωγής</translation>
+    </message>
+    <message>
+      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 νέα, %2 άλλαξαν, %3 ως έχουν, %4 απορρίφθηκαν.</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε· δεν καταχωρίστηκε τίποτα.</translation>
     </message>
   </context>
   <context>
@@ -1853,6 +2324,39 @@
       <source>All right</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εντάξει</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ModelPane</name>
+    <message>
+      <source>Picture of the sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα του οστράκου</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τομή</translation>
+    </message>
+    <message>
+      <source>Cut the model open; Shift and the wheel move the plane</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τομή του μοντέλου· το Shift και ο τροχός μετακινούν το επίπεδο</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από πάνω</translation>
+    </message>
+    <message>
+      <source>Picture of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνα ενός οστράκου</translation>
+    </message>
+    <message>
+      <source>Model of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μοντέλο ενός οστράκου</translation>
     </message>
   </context>
   <context>
@@ -2666,6 +3170,14 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::SheetView</name>
+    <message>
+      <source>The drawing on its sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το σχέδιο στο φύλλο του</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -2832,6 +3344,26 @@
         <numerusform>αρίθμηση %n οστράκου</numerusform>
         <numerusform>αρίθμηση %n οστράκων</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Other changes are still being saved; wait for them, or stop them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύονται ακόμη άλλες αλλαγές· περιμένετε, ή διακόψτε τες.</translation>
+    </message>
+    <message>
+      <source>The sherds that are chosen have their numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα επιλεγμένα όστρακα έχουν τους αριθμούς τους.</translation>
+    </message>
+    <message>
+      <source>Numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αριθμοί</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σταμάτησε· δεν άλλαξε τίποτα.</translation>
     </message>
   </context>
   <context>

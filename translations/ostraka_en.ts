@@ -116,6 +116,13 @@
         <numerusform>%n sherds seen</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+      <source>Room for about %n more</source>
+      <translation>
+        <numerusform>Room for about %n more</numerusform>
+        <numerusform>Room for about %n more</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -131,6 +138,23 @@
       <translation>
         <numerusform>%n sherd</numerusform>
         <numerusform>%n sherds</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::DrawingPage</name>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s) …</source>
+      <translation>
+        <numerusform>Drawing %n sherd …</numerusform>
+        <numerusform>Drawing %n sherds …</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>Draw plates of %n sherd(s)</source>
+      <translation>
+        <numerusform>Draw plates of %n sherd</numerusform>
+        <numerusform>Draw plates of %n sherds</numerusform>
       </translation>
     </message>
   </context>
@@ -189,6 +213,16 @@
       <translation>
         <numerusform>Disk: room for %n batch</numerusform>
         <numerusform>Disk: room for %n batches</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportDialog</name>
+    <message numerus="yes">
+      <source>Enter %n row(s)</source>
+      <translation>
+        <numerusform>Enter %n row</numerusform>
+        <numerusform>Enter %n rows</numerusform>
       </translation>
     </message>
   </context>

@@ -843,6 +843,16 @@
         <numerusform>Cambiar %n fragmentos</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Progress of the changes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avance de los cambios</translation>
+    </message>
+    <message>
+      <source>Stop and take back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener y deshacer</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -993,6 +1003,11 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>no responde</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escrito, con un lector de códigos, o con la etiqueta de la bolsa bajo la cámara</translation>
     </message>
   </context>
   <context>
@@ -1229,6 +1244,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La luz está bien</translation>
     </message>
+    <message>
+      <source>Read from the label: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leído de la etiqueta: %1</translation>
+    </message>
+    <message>
+      <source>No room for more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No cabe ninguno más</translation>
+    </message>
+    <message numerus="yes">
+      <source>Room for about %n more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Cabe alrededor de %n más</numerusform>
+        <numerusform>Caben alrededor de %n más</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 y %2 casi se tocan</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -1332,6 +1370,260 @@
       <source>The sherds that are chosen have their numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los fragmentos elegidos tienen sus números.</translation>
+    </message>
+    <message>
+      <source>changes by the import of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambios por la importación de %1</translation>
+    </message>
+    <message>
+      <source>Imported %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 importado: %2</translation>
+    </message>
+    <message>
+      <source>Import …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar …</translation>
+    </message>
+    <message>
+      <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Números, contextos y descripciones de una tabla, o una exportación (%1)</translation>
+    </message>
+    <message>
+      <source>About what is chosen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sobre lo elegido</translation>
+    </message>
+    <message>
+      <source>Details</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detalles</translation>
+    </message>
+    <message>
+      <source>Drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dibujo</translation>
+    </message>
+    <message>
+      <source>Details or drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detalles o dibujo</translation>
+    </message>
+    <message>
+      <source>enter the rim's diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>anotar el diámetro del borde</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::DrawingPage</name>
+    <message>
+      <source>Scale of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala del dibujo</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>How surfaces are drawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cómo se dibujan las superficies</translation>
+    </message>
+    <message>
+      <source>Light and shade of the form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Luz y sombra de la forma</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Con pintura y engobe</translation>
+    </message>
+    <message>
+      <source>Whether it is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Si es un borde</translation>
+    </message>
+    <message>
+      <source>As the parts say, or as is likely</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Según las partes, o según lo probable</translation>
+    </message>
+    <message>
+      <source>It is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un borde</translation>
+    </message>
+    <message>
+      <source>It is no rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un borde</translation>
+    </message>
+    <message>
+      <source>Scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala</translation>
+    </message>
+    <message>
+      <source>Surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Superficie</translation>
+    </message>
+    <message>
+      <source>Rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Borde</translation>
+    </message>
+    <message>
+      <source>Enter the diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anotar el diámetro</translation>
+    </message>
+    <message>
+      <source>Save …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar …</translation>
+    </message>
+    <message>
+      <source>Print …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimir …</translation>
+    </message>
+    <message>
+      <source>Print the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimir el dibujo</translation>
+    </message>
+    <message>
+      <source>Progress of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avance del dibujo</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener</translation>
+    </message>
+    <message>
+      <source>The sheet before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La hoja anterior</translation>
+    </message>
+    <message>
+      <source>The next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La hoja siguiente</translation>
+    </message>
+    <message>
+      <source>What the drawing says</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que dice el dibujo</translation>
+    </message>
+    <message>
+      <source>Drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dibujos</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido; no se dibujó nada.</translation>
+    </message>
+    <message>
+      <source>A sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una hoja</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Dibujando %n fragmento …</numerusform>
+        <numerusform>Dibujando %n fragmentos …</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Choose a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elija un fragmento.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boca de %1 cm (95 %: %2 a %3), se conserva el %4 % del borde.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boca de %1 cm (95 %: más de %2), se conserva el %3 % del borde.</translation>
+    </message>
+    <message>
+      <source>%1 drawn, %2 left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 dibujados, %2 omitidos.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Draw plates of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Dibujar lámina de %n fragmento</numerusform>
+        <numerusform>Dibujar láminas de %n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Sheet %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hoja %1 de %2</translation>
+    </message>
+    <message>
+      <source>plates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>láminas</translation>
+    </message>
+    <message>
+      <source>Save the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar el dibujo</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, todas las hojas (*.pdf);;SVG, un archivo por hoja (*.svg)</translation>
+    </message>
+    <message>
+      <source>Saving a drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardando un dibujo</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado: %1</translation>
+    </message>
+    <message>
+      <source>Printing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimiendo</translation>
+    </message>
+    <message>
+      <source>The drawing is sent to the printer; print it at 100 %.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El dibujo va a la impresora; imprímalo al 100 %.</translation>
     </message>
   </context>
   <context>
@@ -1542,6 +1834,11 @@
         <numerusform>Los %n elegidos en el catálogo</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dibujos para imprimir (SVG y PDF), 1 : 1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>
@@ -1643,6 +1940,180 @@
       <source>Nothing leaves this computer: there is no network in it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nada sale de este ordenador: no hay red en él.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportDialog</name>
+    <message>
+      <source>new</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nuevo</translation>
+    </message>
+    <message>
+      <source>changed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiado</translation>
+    </message>
+    <message>
+      <source>refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rechazado</translation>
+    </message>
+    <message>
+      <source>as it is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>como está</translation>
+    </message>
+    <message>
+      <source>Import into the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar al catálogo</translation>
+    </message>
+    <message>
+      <source>A table (CSV) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una tabla (CSV) …</translation>
+    </message>
+    <message>
+      <source>An export folder …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una carpeta de exportación …</translation>
+    </message>
+    <message>
+      <source>Make sites, trenches, contexts and bags that are not there yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Crear los yacimientos, cortes, contextos y bolsas que aún no existen</translation>
+    </message>
+    <message>
+      <source>What each row would do</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que haría cada fila</translation>
+    </message>
+    <message>
+      <source>Progress of the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avance de la importación</translation>
+    </message>
+    <message>
+      <source>Save what is refused …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar lo rechazado …</translation>
+    </message>
+    <message>
+      <source>Which table?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Qué tabla?</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv *.tsv *.txt);;All (*)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablas (*.csv *.tsv *.txt);;Todos (*)</translation>
+    </message>
+    <message>
+      <source>Which export?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Qué exportación?</translation>
+    </message>
+    <message>
+      <source>Save what is refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar lo rechazado</translation>
+    </message>
+    <message>
+      <source>refused.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rechazados.csv</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablas (*.csv)</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado: %1</translation>
+    </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>línea</translation>
+    </message>
+    <message>
+      <source>what happens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>qué ocurre</translation>
+    </message>
+    <message>
+      <source>why not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>por qué no</translation>
+    </message>
+    <message>
+      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una tabla de fragmentos tiene una columna number o uuid; una de contextos tiene site, context y, si quiere, trench y bag.</translation>
+    </message>
+    <message>
+      <source>Looking at it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mirándola …</translation>
+    </message>
+    <message>
+      <source>Entered: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anotado: %1</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cerrar</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener</translation>
+    </message>
+    <message>
+      <source>Take nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No tomar nada</translation>
+    </message>
+    <message numerus="yes">
+      <source>Enter %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Anotar %n fila</numerusform>
+        <numerusform>Anotar %n filas</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportModel</name>
+    <message>
+      <source>%1 '%2': %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 «%2»: %3</translation>
+    </message>
+    <message>
+      <source>Preview of an import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vista previa de una importación</translation>
+    </message>
+    <message>
+      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 nuevos, %2 cambiados, %3 como están, %4 rechazados.</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido; no se anotó nada.</translation>
     </message>
   </context>
   <context>
@@ -1853,6 +2324,39 @@
       <source>All right</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De acuerdo</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ModelPane</name>
+    <message>
+      <source>Picture of the sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imagen del fragmento</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sección</translation>
+    </message>
+    <message>
+      <source>Cut the model open; Shift and the wheel move the plane</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cortar el modelo; Mayús y la rueda mueven el plano</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Desde arriba</translation>
+    </message>
+    <message>
+      <source>Picture of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imagen de un fragmento</translation>
+    </message>
+    <message>
+      <source>Model of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelo de un fragmento</translation>
     </message>
   </context>
   <context>
@@ -2666,6 +3170,14 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::SheetView</name>
+    <message>
+      <source>The drawing on its sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El dibujo en su hoja</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -2832,6 +3344,26 @@
         <numerusform>numerar %n fragmento</numerusform>
         <numerusform>numerar %n fragmentos</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Other changes are still being saved; wait for them, or stop them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todavía se guardan otros cambios; espere, o deténgalos.</translation>
+    </message>
+    <message>
+      <source>The sherds that are chosen have their numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los fragmentos elegidos tienen sus números.</translation>
+    </message>
+    <message>
+      <source>Numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Números</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido; no cambió nada.</translation>
     </message>
   </context>
   <context>

@@ -843,6 +843,16 @@
         <numerusform>Փոխել %n բեկոր</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Progress of the changes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոփոխությունների ընթացքը</translation>
+    </message>
+    <message>
+      <source>Stop and take back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել և հետ վերցնել</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -993,6 +1003,11 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>չի պատասխանում</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպելով, կոդ կարդացողով կամ տեսախցիկի տակ դրված տոպրակի պիտակից</translation>
     </message>
   </context>
   <context>
@@ -1229,6 +1244,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լույսը ճիշտ է</translation>
     </message>
+    <message>
+      <source>Read from the label: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարդացված է պիտակից՝ %1</translation>
+    </message>
+    <message>
+      <source>No room for more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլևս տեղ չկա</translation>
+    </message>
+    <message numerus="yes">
+      <source>Room for about %n more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Տեղ կա մոտ %n-ի համար</numerusform>
+        <numerusform>Տեղ կա մոտ %n-ի համար</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը և %2-ը գրեթե հպվում են</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -1332,6 +1370,260 @@
       <source>The sherds that are chosen have their numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընտրված բեկորներն ունեն իրենց համարները։</translation>
+    </message>
+    <message>
+      <source>changes by the import of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի ներմուծման փոփոխությունները</translation>
+    </message>
+    <message>
+      <source>Imported %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը ներմուծված է՝ %2</translation>
+    </message>
+    <message>
+      <source>Import …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել …</translation>
+    </message>
+    <message>
+      <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարներ, համատեքստեր և նկարագրություններ աղյուսակից կամ արտահանում (%1)</translation>
+    </message>
+    <message>
+      <source>About what is chosen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրվածի մասին</translation>
+    </message>
+    <message>
+      <source>Details</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մանրամասներ</translation>
+    </message>
+    <message>
+      <source>Drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկար</translation>
+    </message>
+    <message>
+      <source>Details or drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մանրամասներ կամ գծանկար</translation>
+    </message>
+    <message>
+      <source>enter the rim's diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գրանցել շուրթի տրամագիծը</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծում</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::DrawingPage</name>
+    <message>
+      <source>Scale of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարի մասշտաբը</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>How surfaces are drawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչպես են գծվում մակերեսները</translation>
+    </message>
+    <message>
+      <source>Light and shade of the form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևի լույս և ստվեր</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներկով և անգոբով</translation>
+    </message>
+    <message>
+      <source>Whether it is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյոք շուրթ է</translation>
+    </message>
+    <message>
+      <source>As the parts say, or as is likely</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ըստ մասերի կամ ըստ հավանականության</translation>
+    </message>
+    <message>
+      <source>It is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շուրթ է</translation>
+    </message>
+    <message>
+      <source>It is no rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շուրթ չէ</translation>
+    </message>
+    <message>
+      <source>Scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ</translation>
+    </message>
+    <message>
+      <source>Surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մակերես</translation>
+    </message>
+    <message>
+      <source>Rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շուրթ</translation>
+    </message>
+    <message>
+      <source>Enter the diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրանցել տրամագիծը</translation>
+    </message>
+    <message>
+      <source>Save …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել …</translation>
+    </message>
+    <message>
+      <source>Print …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել …</translation>
+    </message>
+    <message>
+      <source>Print the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել գծանկարը</translation>
+    </message>
+    <message>
+      <source>Progress of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարի ընթացքը</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել</translation>
+    </message>
+    <message>
+      <source>The sheet before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ թերթը</translation>
+    </message>
+    <message>
+      <source>The next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդ թերթը</translation>
+    </message>
+    <message>
+      <source>What the drawing says</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ է ասում գծանկարը</translation>
+    </message>
+    <message>
+      <source>Drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարներ</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. ոչինչ չի գծվել։</translation>
+    </message>
+    <message>
+      <source>A sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ թերթ</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Գծվում է %n բեկոր …</numerusform>
+        <numerusform>Գծվում է %n բեկոր …</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Choose a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրեք բեկոր։</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բերանը %1 cm (95 %՝ %2-ից %3), պահպանված է շուրթի %4 %-ը։</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բերանը %1 cm (95 %՝ %2-ից ավելի), պահպանված է շուրթի %3 %-ը։</translation>
+    </message>
+    <message>
+      <source>%1 drawn, %2 left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը գծված է, %2-ը դուրս է թողնված։</translation>
+    </message>
+    <message numerus="yes">
+      <source>Draw plates of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Գծել %n բեկորի աղյուսակներ</numerusform>
+        <numerusform>Գծել %n բեկորի աղյուսակներ</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Sheet %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթ %1՝ %2-ից</translation>
+    </message>
+    <message>
+      <source>plates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>աղյուսակներ</translation>
+    </message>
+    <message>
+      <source>Save the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել գծանկարը</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, բոլոր թերթերը (*.pdf);;SVG, մեկ ֆայլ ամեն թերթի համար (*.svg)</translation>
+    </message>
+    <message>
+      <source>Saving a drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարը պահվում է</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է՝ %1</translation>
+    </message>
+    <message>
+      <source>Printing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպվում է</translation>
+    </message>
+    <message>
+      <source>The drawing is sent to the printer; print it at 100 %.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարն ուղարկվում է տպիչին. տպեք 100 % չափով։</translation>
     </message>
   </context>
   <context>
@@ -1542,6 +1834,11 @@
         <numerusform>Կատալոգում ընտրված %n-ը</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարներ տպագրության համար (SVG և PDF), 1 : 1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>
@@ -1643,6 +1940,180 @@
       <source>Nothing leaves this computer: there is no network in it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչինչ դուրս չի գալիս այս համակարգչից. այն ցանց չունի։</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportDialog</name>
+    <message>
+      <source>new</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նոր</translation>
+    </message>
+    <message>
+      <source>changed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխված է</translation>
+    </message>
+    <message>
+      <source>refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մերժված</translation>
+    </message>
+    <message>
+      <source>as it is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչպես կա</translation>
+    </message>
+    <message>
+      <source>Import into the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել կատալոգ</translation>
+    </message>
+    <message>
+      <source>A table (CSV) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակ (CSV) …</translation>
+    </message>
+    <message>
+      <source>An export folder …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանման պանակ …</translation>
+    </message>
+    <message>
+      <source>Make sites, trenches, contexts and bags that are not there yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստեղծել դեռ չեղած հուշարձաններ, խրամատներ, համատեքստեր և տոպրակներ</translation>
+    </message>
+    <message>
+      <source>What each row would do</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ կաներ ամեն տողը</translation>
+    </message>
+    <message>
+      <source>Progress of the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծման ընթացքը</translation>
+    </message>
+    <message>
+      <source>Save what is refused …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել մերժվածը …</translation>
+    </message>
+    <message>
+      <source>Which table?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ո՞ր աղյուսակը։</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv *.tsv *.txt);;All (*)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակներ (*.csv *.tsv *.txt);;Բոլորը (*)</translation>
+    </message>
+    <message>
+      <source>Which export?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ո՞ր արտահանումը։</translation>
+    </message>
+    <message>
+      <source>Save what is refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել մերժվածը</translation>
+    </message>
+    <message>
+      <source>refused.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refused.csv</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակներ (*.csv)</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է՝ %1</translation>
+    </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տող</translation>
+    </message>
+    <message>
+      <source>what happens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչ է լինում</translation>
+    </message>
+    <message>
+      <source>why not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչու ոչ</translation>
+    </message>
+    <message>
+      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորների աղյուսակն ունի number կամ uuid սյունակ. համատեքստերինը՝ site, context և, եթե ցանկանում եք, trench և bag։</translation>
+    </message>
+    <message>
+      <source>Looking at it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիտվում է …</translation>
+    </message>
+    <message>
+      <source>Entered: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրանցված է՝ %1</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փակել</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել</translation>
+    </message>
+    <message>
+      <source>Take nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չվերցնել</translation>
+    </message>
+    <message numerus="yes">
+      <source>Enter %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Գրանցել %n տող</numerusform>
+        <numerusform>Գրանցել %n տող</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportModel</name>
+    <message>
+      <source>%1 '%2': %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 «%2»՝ %3</translation>
+    </message>
+    <message>
+      <source>Preview of an import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծման նախադիտում</translation>
+    </message>
+    <message>
+      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 նոր, %2 փոխված, %3 ինչպես կան, %4 մերժված։</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծում</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. ոչինչ չի գրանցվել։</translation>
     </message>
   </context>
   <context>
@@ -1853,6 +2324,39 @@
       <source>All right</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լավ</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ModelPane</name>
+    <message>
+      <source>Picture of the sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի պատկերը</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրվածք</translation>
+    </message>
+    <message>
+      <source>Cut the model open; Shift and the wheel move the plane</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրել մոդելը. Shift-ը և անիվը շարժում են հարթությունը</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերևից</translation>
+    </message>
+    <message>
+      <source>Picture of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի պատկեր</translation>
+    </message>
+    <message>
+      <source>Model of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի մոդել</translation>
     </message>
   </context>
   <context>
@@ -2666,6 +3170,14 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::SheetView</name>
+    <message>
+      <source>The drawing on its sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարն իր թերթին</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -2832,6 +3344,26 @@
         <numerusform>համարակալել %n բեկոր</numerusform>
         <numerusform>համարակալել %n բեկոր</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Other changes are still being saved; wait for them, or stop them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ փոփոխություններ դեռ պահվում են. սպասեք կամ կանգնեցրեք։</translation>
+    </message>
+    <message>
+      <source>The sherds that are chosen have their numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրված բեկորներն ունեն իրենց համարները։</translation>
+    </message>
+    <message>
+      <source>Numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարներ</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. ոչինչ չի փոխվել։</translation>
     </message>
   </context>
   <context>

@@ -834,6 +834,16 @@
         <numerusform>%n parçayı değiştir</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Progress of the changes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değişikliklerin ilerlemesi</translation>
+    </message>
+    <message>
+      <source>Stop and take back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durdur ve geri al</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CandidateBar</name>
@@ -983,6 +993,11 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yanıt vermiyor</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazarak, kod okuyucuyla ya da kameranın altına konan torba etiketinden</translation>
     </message>
   </context>
   <context>
@@ -1215,6 +1230,28 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Işık uygun</translation>
     </message>
+    <message>
+      <source>Read from the label: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Etiketten okundu: %1</translation>
+    </message>
+    <message>
+      <source>No room for more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka yer yok</translation>
+    </message>
+    <message numerus="yes">
+      <source>Room for about %n more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Yaklaşık %n tane daha sığar</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1 and %2 nearly touch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ile %2 neredeyse değiyor</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -1316,6 +1353,258 @@
       <source>The sherds that are chosen have their numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seçilen parçaların numaraları var.</translation>
+    </message>
+    <message>
+      <source>changes by the import of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 alımıyla gelen değişiklikler</translation>
+    </message>
+    <message>
+      <source>Imported %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 alındı: %2</translation>
+    </message>
+    <message>
+      <source>Import …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Al …</translation>
+    </message>
+    <message>
+      <source>Numbers, contexts and descriptions from a table, or an export (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir tablodan numaralar, kontekstler ve tanımlar ya da bir dışa aktarma (%1)</translation>
+    </message>
+    <message>
+      <source>About what is chosen</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seçilenler hakkında</translation>
+    </message>
+    <message>
+      <source>Details</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayrıntılar</translation>
+    </message>
+    <message>
+      <source>Drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizim</translation>
+    </message>
+    <message>
+      <source>Details or drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayrıntılar ya da çizim</translation>
+    </message>
+    <message>
+      <source>enter the rim's diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ağız çapını gir</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Al</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::DrawingPage</name>
+    <message>
+      <source>Scale of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizimin ölçeği</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>How surfaces are drawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yüzeyler nasıl çizilir</translation>
+    </message>
+    <message>
+      <source>Light and shade of the form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Biçimin ışık ve gölgesi</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boya ve astarla</translation>
+    </message>
+    <message>
+      <source>Whether it is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız parçası mı</translation>
+    </message>
+    <message>
+      <source>As the parts say, or as is likely</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bölümlerin dediği gibi ya da olası olduğu gibi</translation>
+    </message>
+    <message>
+      <source>It is a rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız parçasıdır</translation>
+    </message>
+    <message>
+      <source>It is no rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız parçası değildir</translation>
+    </message>
+    <message>
+      <source>Scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek</translation>
+    </message>
+    <message>
+      <source>Surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yüzey</translation>
+    </message>
+    <message>
+      <source>Rim</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız</translation>
+    </message>
+    <message>
+      <source>Enter the diameter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çapı gir</translation>
+    </message>
+    <message>
+      <source>Save …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydet …</translation>
+    </message>
+    <message>
+      <source>Print …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazdır …</translation>
+    </message>
+    <message>
+      <source>Print the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizimi yazdır</translation>
+    </message>
+    <message>
+      <source>Progress of the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizimin ilerlemesi</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durdur</translation>
+    </message>
+    <message>
+      <source>The sheet before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önceki yaprak</translation>
+    </message>
+    <message>
+      <source>The next sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonraki yaprak</translation>
+    </message>
+    <message>
+      <source>What the drawing says</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizim ne diyor</translation>
+    </message>
+    <message>
+      <source>Drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizimler</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was drawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; hiçbir şey çizilmedi.</translation>
+    </message>
+    <message>
+      <source>A sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir yaprak</translation>
+    </message>
+    <message numerus="yes">
+      <source>Drawing %n sherd(s) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça çiziliyor …</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Choose a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parça seçin.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız çapı %1 cm (% 95: %2 ile %3 arası), ağzın %4 kadarı (yüzde) korunmuş.</translation>
+    </message>
+    <message>
+      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız çapı %1 cm (% 95: %2 üstü), ağzın %3 kadarı (yüzde) korunmuş.</translation>
+    </message>
+    <message>
+      <source>%1 drawn, %2 left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 çizildi, %2 dışarıda kaldı.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Draw plates of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parçanın levhalarını çiz</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Sheet %1 of %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yaprak %1 / %2</translation>
+    </message>
+    <message>
+      <source>plates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>levhalar</translation>
+    </message>
+    <message>
+      <source>Save the drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizimi kaydet</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, bütün yapraklar (*.pdf);;SVG, yaprak başına bir dosya (*.svg)</translation>
+    </message>
+    <message>
+      <source>Saving a drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizim kaydediliyor</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi: %1</translation>
+    </message>
+    <message>
+      <source>Printing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazdırılıyor</translation>
+    </message>
+    <message>
+      <source>The drawing is sent to the printer; print it at 100 %.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizim yazıcıya gönderiliyor; % 100 boyutta yazdırın.</translation>
     </message>
   </context>
   <context>
@@ -1520,6 +1809,11 @@
         <numerusform>Katalogda seçilen %n parça</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Baskı için çizimler (SVG ve PDF), 1 : 1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>
@@ -1620,6 +1914,179 @@
       <source>Nothing leaves this computer: there is no network in it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bilgisayardan hiçbir şey çıkmaz: içinde ağ yoktur.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportDialog</name>
+    <message>
+      <source>new</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yeni</translation>
+    </message>
+    <message>
+      <source>changed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>değişmiş</translation>
+    </message>
+    <message>
+      <source>refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geri çevrildi</translation>
+    </message>
+    <message>
+      <source>as it is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>olduğu gibi</translation>
+    </message>
+    <message>
+      <source>Import into the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kataloğa al</translation>
+    </message>
+    <message>
+      <source>A table (CSV) …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir tablo (CSV) …</translation>
+    </message>
+    <message>
+      <source>An export folder …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir dışa aktarma klasörü …</translation>
+    </message>
+    <message>
+      <source>Make sites, trenches, contexts and bags that are not there yet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz olmayan alan, açma, kontekst ve torbaları oluştur</translation>
+    </message>
+    <message>
+      <source>What each row would do</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her satır ne yapardı</translation>
+    </message>
+    <message>
+      <source>Progress of the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alımın ilerlemesi</translation>
+    </message>
+    <message>
+      <source>Save what is refused …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri çevrilenleri kaydet …</translation>
+    </message>
+    <message>
+      <source>Which table?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hangi tablo?</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv *.tsv *.txt);;All (*)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablolar (*.csv *.tsv *.txt);;Hepsi (*)</translation>
+    </message>
+    <message>
+      <source>Which export?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hangi dışa aktarma?</translation>
+    </message>
+    <message>
+      <source>Save what is refused</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri çevrilenleri kaydet</translation>
+    </message>
+    <message>
+      <source>refused.csv</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geri-cevrilen.csv</translation>
+    </message>
+    <message>
+      <source>Tables (*.csv)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablolar (*.csv)</translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi: %1</translation>
+    </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>satır</translation>
+    </message>
+    <message>
+      <source>what happens</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ne olur</translation>
+    </message>
+    <message>
+      <source>why not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>neden olmaz</translation>
+    </message>
+    <message>
+      <source>A table of sherds has a column number or uuid; one of contexts has site, context and, if you like, trench and bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça tablosunda number ya da uuid sütunu vardır; kontekst tablosunda site, context ve isterseniz trench ile bag.</translation>
+    </message>
+    <message>
+      <source>Looking at it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bakılıyor …</translation>
+    </message>
+    <message>
+      <source>Entered: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Girildi: %1</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kapat</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durdur</translation>
+    </message>
+    <message>
+      <source>Take nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbirini alma</translation>
+    </message>
+    <message numerus="yes">
+      <source>Enter %n row(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n satırı gir</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportModel</name>
+    <message>
+      <source>%1 '%2': %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ‘%2’: %3</translation>
+    </message>
+    <message>
+      <source>Preview of an import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alımın önizlemesi</translation>
+    </message>
+    <message>
+      <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 yeni, %2 değişmiş, %3 olduğu gibi, %4 geri çevrildi.</translation>
+    </message>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Al</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; hiçbir şey girilmedi.</translation>
     </message>
   </context>
   <context>
@@ -1830,6 +2297,39 @@
       <source>All right</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tamam</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ModelPane</name>
+    <message>
+      <source>Picture of the sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçanın resmi</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kesit</translation>
+    </message>
+    <message>
+      <source>Cut the model open; Shift and the wheel move the plane</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modeli kes; Shift ve tekerlek düzlemi kaydırır</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Üstten</translation>
+    </message>
+    <message>
+      <source>Picture of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parçanın resmi</translation>
+    </message>
+    <message>
+      <source>Model of a sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parçanın modeli</translation>
     </message>
   </context>
   <context>
@@ -2640,6 +3140,14 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::SheetView</name>
+    <message>
+      <source>The drawing on its sheet</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yaprağındaki çizim</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -2805,6 +3313,26 @@
       <translation>
         <numerusform>%n parçaya numara ver</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Other changes are still being saved; wait for them, or stop them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka değişiklikler hâlâ kaydediliyor; bekleyin ya da durdurun.</translation>
+    </message>
+    <message>
+      <source>The sherds that are chosen have their numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seçilen parçaların numaraları var.</translation>
+    </message>
+    <message>
+      <source>Numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numaralar</translation>
+    </message>
+    <message>
+      <source>Stopped; nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; hiçbir şey değişmedi.</translation>
     </message>
   </context>
   <context>

@@ -245,7 +245,8 @@ void addCatalogue(CLI::App& root, Command& chosen) {
                                                               {"glb", Form::Glb},
                                                               {"obj", Form::Obj},
                                                               {"pictures", Form::Pictures},
-                                                              {"photographs", Form::Photographs}}))
+                                                              {"photographs", Form::Photographs},
+                                                              {"drawings", Form::Drawings}}))
       ->default_str("csv,json,ply,glb,pictures");
   CLI::App* enter = add("enter", "Enter the results of 'ostraka process' of a batch", runEnter);
   addProject(enter, *options);

@@ -5,10 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/files.h"
 #include "cloud/ply.h"
 #include "command.h"
 #include "drawing/drawing.h"
+#include "drawing/drawing_files.h"
 
 namespace ostraka::app {
 namespace {
@@ -30,28 +30,6 @@ std::string idOf(const fs::path& model) {
   return model.stem() == "model" && model.has_parent_path()
              ? fs::absolute(model).parent_path().filename().string()
              : model.stem().string();
-}
-
-bool isSvg(const fs::path& file) {
-  return file.extension() == ".svg" || file.extension() == ".SVG";
-}
-
-// A PDF holds all pages, an SVG one: further ones get -2, -3 behind the name.
-Result<std::vector<fs::path>> writePages(const fs::path& output, const std::vector<Page>& pages) {
-  if (!isSvg(output)) {
-    if (Result<void> r = writeFileAtomically(output, formatPdf(pages, output.stem().string())); !r)
-      return r.error();
-    return std::vector<fs::path>{output};
-  }
-  std::vector<fs::path> files;
-  for (std::size_t i = 0; i < pages.size(); ++i) {
-    fs::path file = output;
-    if (i > 0) file.replace_filename(output.stem().string() + "-" + std::to_string(i + 1) + ".svg");
-    if (Result<void> r = writeFileAtomically(file, formatSvg(pages[i], file.stem().string())); !r)
-      return r.error();
-    files.push_back(file);
-  }
-  return files;
 }
 
 ordered_json toJson(const SherdDrawing& drawing) {
@@ -102,7 +80,7 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     drawings.push_back(std::move(*drawing));
   }
   const Result<std::vector<fs::path>> files =
-      writePages(arguments.output, layOut(drawings, arguments.drawing.scale, arguments.sheets));
+      writeSheets(arguments.output, layOut(drawings, arguments.drawing.scale, arguments.sheets));
   if (!files) return fail(session, files.error());
   session.finishProgress();
   if (session.json) {

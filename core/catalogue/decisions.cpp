@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "catalogue/history.h"
 #include "catalogue/names.h"
+#include "catalogue/restore.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/words.h"
 
@@ -29,6 +30,19 @@ void checkSide(Database& database, BatchRow batch, ScanRow scan, const char* sid
   Statement row = database.sql("SELECT 1 FROM scan WHERE row = ? AND batch = ? AND side = ?");
   if (!row.with(scan, batch, side).next())
     refuse(std::string("The scan is no ") + side + " of this batch.");
+}
+
+DecisionRow insertDecision(Database& database, const PairDecision& d, const std::string& id) {
+  database
+      .sql(
+          "INSERT INTO pair_decision (id, at, person, batch, front, back, front_from_back, "
+          "score, margin, ambiguous, rim_rms_mm, rim_overlap, verdict, replaces, note) VALUES "
+          "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .with(id, d.at_ms, d.by, d.batch, d.front, d.back, poseText(d.front_from_back), d.score,
+            d.margin, d.ambiguous, d.rim_rms_mm, d.rim_overlap, wordOf(d.verdict), d.replaces,
+            d.note)
+      .run();
+  return {database.lastRow()};
 }
 
 using Pair = std::pair<ScanRow, ScanRow>;
@@ -212,18 +226,23 @@ Result<DecisionRow> Catalogue::decide(const PairDecision& d, const Act& act) {
     } else if (!d.front && !d.back) {
       refuse("A decision names a front, a back, or both.");
     }
-    database_
-        ->sql(
-            "INSERT INTO pair_decision (id, at, person, batch, front, back, front_from_back, "
-            "score, margin, ambiguous, rim_rms_mm, rim_overlap, verdict, replaces, note) VALUES "
-            "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(newId(now()), now(), act.person, d.batch, d.front, d.back,
-              poseText(d.front_from_back), d.score, d.margin, d.ambiguous, d.rim_rms_mm,
-              d.rim_overlap, wordOf(d.verdict), d.replaces, d.note)
-        .run();
-    const DecisionRow row{database_->lastRow()};
+    PairDecision decided = d;
+    decided.at_ms = now();
+    decided.by = act.person;
+    const DecisionRow row = insertDecision(*database_, decided, newId(now()));
     settleSherds(*this, d.batch, act);
     return row;
+  });
+}
+
+Result<DecisionRow> restoreDecision(Catalogue& catalogue, const PairDecision& d,
+                                    const std::string& id) {
+  Database& database = catalogue.database();
+  return database.inTransaction([&] {
+    checkSide(database, d.batch, d.front, "front");
+    checkSide(database, d.batch, d.back, "back");
+    if (!isUuid(id)) refuse("The uuid of a decision is not well formed.", id);
+    return insertDecision(database, d, id);
   });
 }
 
@@ -232,7 +251,8 @@ Result<std::vector<PairDecision>> Catalogue::decisions(BatchRow batch) const {
     std::vector<PairDecision> all;
     Statement rows = database_->sql(
         "SELECT row, batch, front, back, front_from_back, score, margin, rim_rms_mm, rim_overlap, "
-        "ambiguous, person, verdict, replaces, note, at FROM pair_decision WHERE batch = ? ORDER "
+        "ambiguous, person, verdict, replaces, note, at FROM pair_decision WHERE batch = ? "
+        "ORDER "
         "BY row");
     rows.with(batch);
     while (rows.next()) {

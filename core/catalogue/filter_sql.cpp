@@ -3,6 +3,7 @@
 
 #include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
+#include "catalogue/sherd_order.h"
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
@@ -118,33 +119,6 @@ std::string conditionSql(Query& query, const Condition& condition) {
   return equalSql(query, *column, condition.value);
 }
 
-std::string orderSql(const SherdOrder& order) {
-  const std::string ties = ", s.number_sort, s.row";
-  const std::string way = order.descending ? " DESC" : "";
-  if (order.field == "number") return "s.number_sort" + way + ", s.row";
-  if (order.field == "updated") return "s.updated_at" + way + ties;
-  const SherdColumn* column = sherdColumn(order.field);
-  if (!column || !column->sql) refuse("The table cannot be ordered by '" + order.field + "'.");
-  // What is not recorded comes last, whichever way the order goes.
-  if (column->measure || column->field.kind == FieldKind::Place)
-    return std::string(column->sql) + way + " NULLS LAST" + ties;
-  const std::string nothing = column->terms ? "'[]'" : "''";
-  return "nullif(" + std::string(column->sql) + ", " + nothing + ")" + way + " NULLS LAST" + ties;
-}
-
-std::string joinsFor(const std::string& order) {
-  std::string joins;
-  if (order.starts_with("m.")) joins += " JOIN sherd_measure m ON m.sherd = s.row";
-  const bool site = order.starts_with("site."), trench = order.starts_with("trench.");
-  if (site || trench || order.starts_with("context."))
-    joins += " LEFT JOIN context ON context.row = s.context";
-  if (site) joins += " LEFT JOIN site ON site.row = context.site";
-  if (trench) joins += " LEFT JOIN trench ON trench.row = context.trench";
-  if (order.starts_with("bag.")) joins += " LEFT JOIN bag ON bag.row = s.bag";
-  if (order.find("batch.") != std::string::npos) joins += " LEFT JOIN batch ON batch.row = s.batch";
-  return joins;
-}
-
 }  // namespace
 
 Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
@@ -156,9 +130,10 @@ Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
       const std::string sql = conditionSql(query, condition);
       query.where += condition.negated ? " AND NOT ifnull(" + sql + ", 0)" : " AND " + sql;
     }
-    const std::string by = orderSql(order);
-    Statement statement = database_->sql("SELECT s.row FROM sherd s" + joinsFor(by) + " WHERE " +
-                                         query.where + " ORDER BY " + by);
+    // Drafts share one sort key, so their rows run up whichever way the numbers go.
+    const char* way = order.field == "number" && order.descending ? " DESC" : "";
+    Statement statement = database_->sql("SELECT s.row FROM sherd s WHERE " + query.where +
+                                         " ORDER BY s.number_sort" + way + ", s.row");
     for (const std::string& text : query.texts) statement.with(text);
     std::vector<SherdRow> rows;
     while (statement.next()) {
@@ -166,7 +141,7 @@ Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
       statement >> row;
       rows.push_back(row);
     }
-    return rows;
+    return order.field == "number" ? rows : inOrder(*database_, rows, order);
   });
 }
 

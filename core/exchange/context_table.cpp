@@ -200,13 +200,16 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
           refusal.value = values.raw("context");
           refusal.reason = entered.error().sentence();
         } else {
-          ++(fresh                                ? report.fresh
-             : catalogue.historyLength() > before ? report.changed
-                                                  : report.same);
+          const bool changed = catalogue.historyLength() > before;
+          ++(fresh ? report.fresh : changed ? report.changed : report.same);
+          report.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
+                                             : changed ? RowFate::Changed
+                                                       : RowFate::Same);
         }
       }
       if (refusal.reason.empty()) continue;
       ++report.refused;
+      report.rows.emplace_back(row.line, RowFate::Refused);
       report.refusals.push_back(std::move(refusal));
     }
     return {};

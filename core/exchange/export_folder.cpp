@@ -9,6 +9,7 @@
 #include "catalogue/values.h"
 #include "catalogue/words.h"
 #include "exchange/bagit.h"
+#include "exchange/drawn_sherds.h"
 #include "exchange/metadata.h"
 #include "exchange/model_files.h"
 #include "exchange/sherd_json.h"
@@ -18,6 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace catalogue;
+
+constexpr int kDrawingAsCopies = 20;             // for the progress: a drawing takes its time
+constexpr std::int64_t kDrawingBytes = 300'000;  // SVG and PDF of a sherd of 60 mm together
 
 std::string slugOf(const SherdRecord& sherd) {
   return slug(sherd.number.empty() ? "draft-" + sherd.id : sherd.number);
@@ -62,13 +66,17 @@ class Plan {
              drawing,
              {},
              Form::Drawings});
+    else if (options_.forms.contains(Form::Drawings) && !sherd.model_path.empty())
+      drawn_.push_back(&sherd);
     if (options_.forms.contains(Form::Photographs) && sherd.batch &&
         batches_.insert(sherd.batch).second)
       return photographs(sherd.batch, sherd.batch_number);
     return {};
   }
   const std::vector<Wanted>& files() const { return files_; }
-  const std::set<BatchRow>& batches() const { return batches_; }
+  const fs::path& project() const { return project_; }
+  /// To be drawn; the records outlive the plan.
+  const std::vector<const SherdRecord*>& drawn() const { return drawn_; }
   int without_model = 0;
 
  private:
@@ -101,6 +109,7 @@ class Plan {
   const fs::path& project_;
   const ExportOptions& options_;
   std::vector<Wanted> files_;
+  std::vector<const SherdRecord*> drawn_;
   std::set<BatchRow> batches_;
   std::map<std::string, std::string> hashes_;
 };
@@ -146,7 +155,10 @@ class Exporting {
                        std::span<const SherdRow> rows) {
     const Result<ProjectRecord> project = catalogue_.project();
     if (!project) return project.error();
+    total_ =
+        static_cast<std::int64_t>(plan.files().size() + kDrawingAsCopies * plan.drawn().size());
     if (Result<void> copied = copy(sherds, plan, project->licence); !copied) return copied.error();
+    if (Result<void> drawn = draw(plan, project->title); !drawn) return drawn.error();
     if (Result<void> written = records(sherds, rows); !written) return written.error();
     const Result<void> beside = writeMetadata(catalogue_, sherds, *project, options_.program, bag_);
     if (!beside) return beside.error();
@@ -175,10 +187,9 @@ class Exporting {
                     const std::string& licence) {
     std::map<SherdRow, const SherdRecord*> by_row;
     for (const SherdRecord& sherd : sherds) by_row[sherd.row] = &sherd;
-    std::int64_t done = 0;
     for (const Wanted& file : plan.files()) {
       if (stop_.stop_requested()) return Error::cancelled();
-      progress_.report(done++, static_cast<std::int64_t>(plan.files().size()));
+      progress_.report(done_++, total_);
       std::error_code code;
       if (!fs::is_regular_file(file.from, code)) {
         exported_.warnings.push_back(file.from.string() + " is not there and was left out.");
@@ -192,12 +203,43 @@ class Exporting {
       if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
         exported_.warnings.push_back(file.from.string() +
                                      " is not the photograph that was entered; check it.");
-      if (!file.sherd) continue;
-      files_[file.sherd].push_back({file.role, file.to, added->sha256, added->bytes});
-      auto& named = named_[file.sherd];
-      if (file.role == "model") named.try_emplace("model_file", file.to);
-      if (file.role == "preview") named["image_file"] = file.to;
-      if (file.role == "drawing") named["drawing_file"] = file.to;
+      if (file.sherd) name(file.sherd, file.role, file.to, *added);
+    }
+    return {};
+  }
+
+  void name(SherdRow sherd, const std::string& role, const std::string& to, const BagFile& added) {
+    files_[sherd].push_back({role, to, added.sha256, added.bytes});
+    auto& named = named_[sherd];
+    if (role == "model") named.try_emplace("model_file", to);
+    if (role == "preview") named["image_file"] = to;
+    if (role == "drawing") named["drawing_file"] = to;
+  }
+
+  Result<void> draw(const Plan& plan, const std::string& title) {
+    DrawSherdsOptions how;
+    how.drawing.scale = options_.drawing_scale;
+    drawing::SheetOptions sheet;
+    sheet.title = title;
+    for (const SherdRecord* sherd : plan.drawn()) {
+      if (stop_.stop_requested()) return Error::cancelled();
+      progress_.report(done_, total_);
+      done_ += kDrawingAsCopies;
+      Result<drawing::SherdDrawing> drawn = drawSherd(*sherd, plan.project(), how);
+      if (!drawn) {
+        exported_.warnings.push_back("Not drawn: " + drawn.error().sentence());
+        continue;
+      }
+      const std::vector<Page> pages =
+          drawing::layOut({std::move(*drawn)}, options_.drawing_scale, sheet);
+      const std::string to = "drawings/" + slugOf(*sherd);
+      for (const auto& [path, bytes] :
+           {std::pair(to + ".svg", formatSvg(pages.front(), sherd->number)),
+            std::pair(to + ".pdf", formatPdf(pages, sherd->number))}) {
+        const Result<BagFile> added = bag_.add(path, bytes);
+        if (!added) return added.error();
+        name(sherd->row, "drawing", path, *added);
+      }
     }
     return {};
   }
@@ -233,6 +275,7 @@ class Exporting {
   Progress& progress_;
   std::stop_token stop_;
   Exported exported_;
+  std::int64_t done_ = 0, total_ = 0;
   std::map<SherdRow, std::vector<SherdFile>> files_;
   std::map<SherdRow, std::map<std::string, std::string>> named_;
 };
@@ -246,7 +289,9 @@ Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& proj
   if (!sherds) return sherds.error();
   ExportSize size;
   size.sherds = static_cast<int>(sherds->size());
-  size.files = static_cast<int>(plan.files().size());
+  size.drawings = static_cast<int>(plan.drawn().size());
+  size.files = static_cast<int>(plan.files().size()) + 2 * size.drawings;
+  size.bytes = size.drawings * kDrawingBytes;
   size.without_model = plan.without_model;
   for (const Wanted& file : plan.files()) {
     std::error_code code;

@@ -18,8 +18,10 @@ enum class Form { Csv, Json, Ply, Glb, Obj, Pictures, Photographs, Drawings };
 struct ExportOptions {
   std::filesystem::path target;  ///< new folder
   std::set<Form> forms = {Form::Csv, Form::Json, Form::Ply, Form::Glb, Form::Pictures};
-  /// Drawings made for sherds beforehand; each is copied to drawings/SLUG.ending.
+  /// Drawings made for sherds beforehand; each is copied to drawings/SLUG.ending. Sherds that have
+  /// none here are drawn when drawings are wanted: SVG and PDF, a sheet each.
   std::map<catalogue::SherdRow, std::vector<std::filesystem::path>> drawings;
+  double drawing_scale = 1;         ///< mm on paper per mm
   std::string program = "ostraka";  ///< with its version
 };
 
@@ -27,6 +29,7 @@ struct ExportSize {
   int sherds = 0, files = 0;
   std::int64_t bytes = 0;  ///< of the copied files; records add about 2 kB a sherd
   int without_model = 0;
+  int drawings = 0;  ///< sherds that will be drawn, two of the files each
 };
 /// What the export will take, before it starts.
 Result<ExportSize> sizeOfExport(const catalogue::Catalogue& catalogue,
@@ -37,7 +40,8 @@ Result<ExportSize> sizeOfExport(const catalogue::Catalogue& catalogue,
 struct Exported {
   int sherds = 0, files = 0;
   std::int64_t bytes = 0;
-  std::vector<std::string> warnings;  ///< models or photographs that are not there
+  std::vector<std::string>
+      warnings;  ///< models or photographs that are not there, sherds not drawn
 };
 /// A folder after BagIt with a checksum for every file; nothing half-written, ever. Errors: the
 /// target is there, a file changed since it was entered, a full disk, Cancelled.

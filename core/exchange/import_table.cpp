@@ -46,8 +46,10 @@ class Importing {
   }
 
   Result<void> row(const ImportRow& row) {
-    enum class What { Fresh, Same, Changed } what = What::Same;
+    RowFate fate = RowFate::Same;
     Refusal refusal{row.line, {}, {}, {}};
+    done_.clear();
+    undo_.clear();
     const Result<void> done = catalogue_.together([&]() -> Result<void> {
       const Result<SherdRow> sherd = find(row, refusal);
       if (!sherd) return sherd.error();
@@ -56,7 +58,7 @@ class Importing {
       if (!target) return target.error();
       const Result<bool> changed = change(row, *target, refusal);
       if (!changed) return changed.error();
-      what = fresh ? What::Fresh : *changed ? What::Changed : What::Same;
+      fate = fresh ? RowFate::Fresh : *changed ? RowFate::Changed : RowFate::Same;
       return {};
     });
     if (!done && done.error().code != ErrorCode::UnusableInput) return done;
@@ -65,11 +67,16 @@ class Importing {
       if (refusal.reason.empty()) refusal.reason = done.error().sentence();
       report_.refusals.push_back(std::move(refusal));
       ++report_.refused;
+      report_.rows.emplace_back(row.line, RowFate::Refused);
       return {};
     }
-    ++(what == What::Fresh     ? report_.fresh
-       : what == What::Changed ? report_.changed
-                               : report_.same);
+    report_.rows.emplace_back(row.line, fate);
+    ++(fate == RowFate::Fresh     ? report_.fresh
+       : fate == RowFate::Changed ? report_.changed
+                                  : report_.same);
+    if (fate != RowFate::Changed) return {};
+    report_.changes.insert(report_.changes.end(), done_.begin(), done_.end());
+    report_.undo.insert(report_.undo.begin(), undo_.begin(), undo_.end());
     return {};
   }
 
@@ -147,6 +154,8 @@ class Importing {
       const Result<std::vector<FieldChange>> undo = catalogue_.change(changes, act_);
       if (!undo) return named(changes, undo.error(), refusal);
       changed = !undo->empty();
+      done_ = std::move(changes);
+      undo_ = *undo;
     }
     for (const auto& [measurement, initials] : row.measured) {
       catalogue::Measurement m = measurement;
@@ -176,6 +185,7 @@ class Importing {
   bool makes_places_;
   const Act& act_;
   ImportReport& report_;
+  std::vector<FieldChange> done_, undo_;  ///< of the present row
   std::map<std::string, std::set<std::string>> seen_;
   std::map<std::string, catalogue::PersonRow> persons_;
 };
@@ -260,6 +270,8 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   Result<ImportReport> report = importSherds(catalogue, rows, options, act, progress, stop);
   if (!report) return report;
   report->refused += static_cast<int>(broken.size());
+  for (const Refusal& refusal : broken) report->rows.emplace_back(refusal.line, RowFate::Refused);
+  std::sort(report->rows.begin(), report->rows.end());
   report->refusals.insert(report->refusals.end(), broken.begin(), broken.end());
   std::stable_sort(report->refusals.begin(), report->refusals.end(),
                    [](const Refusal& a, const Refusal& b) { return a.line < b.line; });

@@ -32,10 +32,14 @@ struct Refusal {
   int line = 0;
   std::string column, value, reason;
 };
+enum class RowFate { Fresh, Same, Changed, Refused };
 struct ImportReport {
   int fresh = 0, same = 0, changed = 0, refused = 0;
   std::vector<Refusal> refusals;
   std::vector<std::string> warnings;
+  std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
+  /// Of sherds that were there before: what is changed, and what takes it back, in order.
+  std::vector<catalogue::FieldChange> changes, undo;
 };
 
 /// One transaction; refused rows stay out, the others enter. Doing it twice changes nothing.

@@ -1,11 +1,11 @@
 #include "exchange/metadata.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/json.h"
 #include "catalogue/names.h"
-#include "catalogue/words.h"
 #include "exchange/bagit.h"
 
 namespace ostraka::exchange {
@@ -49,16 +49,12 @@ constexpr const char* kReadMe =
     "images/          a picture of each model\n"
     "photographs/     the photographs that the models were made from, unchanged\n"
     "drawings/        drawings for print\n"
-    "metadata/        the project, its places, its batches\n\n"
+    "metadata/        the project, its places, its batches with scans and decisions\n\n"
     "In a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
     "does\n"
     "not take it for a formula.\n\n"
     "The folder is a bag after RFC 8493. In the folder above this one, `sha256sum -c\n"
     "manifest-sha256.txt` checks every file.\n";
-
-std::string word(BatchState state) {
-  return wordOf(state);
-}
 
 ordered_json stamp(const std::string& id) {
   return {{"id", id}};
@@ -151,37 +147,16 @@ Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<Conte
   return out;
 }
 
-Result<ordered_json> batchesJson(const Catalogue& catalogue, const std::set<BatchRow>& wanted) {
-  ordered_json list = ordered_json::array();
-  for (const BatchRow row : wanted) {
-    const Result<BatchRecord> b = catalogue.batch(row);
-    if (!b) return b.error();
-    ordered_json one = stamp(b->id);
-    one["number"] = b->number;
-    one["state"] = word(b->state);
-    one["counted"] = b->counted;
-    if (b->started_ms) one["started_ms"] = *b->started_ms;
-    if (b->ended_ms) one["ended_ms"] = *b->ended_ms;
-    if (b->reprojection_px) one["reprojection_px"] = *b->reprojection_px;
-    if (b->scale_error_pct) one["scale_error_pct"] = *b->scale_error_pct;
-    put(one, "rig_sha256", b->rig_sha256);
-    put(one, "program", b->program);
-    put(one, "settings_sha256", b->settings_sha256);
-    put(one, "note", b->note);
-    list.push_back(std::move(one));
-  }
-  return ordered_json{{"batches", list}};
-}
-
-// Adds what is not there yet, known by its id.
+// Adds what is not there yet, known by its id, or by what no two of them share: initials, codes,
+// numbers. What the project has already stays, and the others' records refer to it.
 class Reading {
  public:
   Reading(Catalogue& catalogue, const Act& act) : catalogue_(catalogue), act_(act) {
-    for (const auto& p : orEmpty(catalogue.persons())) known_[p.id] = p.row.value;
-    for (const auto& s : orEmpty(catalogue.sites())) known_[s.id] = s.row.value;
-    for (const auto& t : orEmpty(catalogue.trenches())) known_[t.id] = t.row.value;
-    for (const auto& c : orEmpty(catalogue.contexts())) known_[c.id] = c.row.value;
-    for (const auto& b : orEmpty(catalogue.bags())) known_[b.id] = b.row.value;
+    for (const auto& p : orEmpty(catalogue.persons())) know(p, keyOf(p));
+    for (const auto& s : orEmpty(catalogue.sites())) know(s, keyOf(s));
+    for (const auto& t : orEmpty(catalogue.trenches())) know(t, keyOf(t));
+    for (const auto& c : orEmpty(catalogue.contexts())) know(c, keyOf(c));
+    for (const auto& b : orEmpty(catalogue.bags())) know(b, keyOf(b));
   }
 
   Result<void> places(const json& places) {
@@ -238,35 +213,8 @@ class Reading {
     return {};
   }
 
-  Result<void> batches(const json& list) {
-    for (const json& b : list.at("batches")) {
-      BatchRecord batch;
-      batch.id = text(b, "id");
-      batch.number = text(b, "number");
-      const Result<BatchRecord> there = catalogue_.batchByNumber(batch.number);
-      if (there && there->id == batch.id) continue;
-      if (there)
-        return Error{ErrorCode::UnusableInput,
-                     "The project has another batch " + batch.number +
-                         "; read this export into a project of its own.",
-                     {}};
-      batch.state = fromWord<BatchState>(text(b, "state"));
-      batch.counted = b.value("counted", 0);
-      if (b.contains("started_ms")) batch.started_ms = b.at("started_ms").get<std::int64_t>();
-      if (b.contains("ended_ms")) batch.ended_ms = b.at("ended_ms").get<std::int64_t>();
-      if (b.contains("reprojection_px"))
-        batch.reprojection_px = b.at("reprojection_px").get<double>();
-      if (b.contains("scale_error_pct"))
-        batch.scale_error_pct = b.at("scale_error_pct").get<double>();
-      batch.rig_sha256 = text(b, "rig_sha256");
-      batch.program = text(b, "program");
-      batch.settings_sha256 = text(b, "settings_sha256");
-      batch.note = text(b, "note");
-      const auto added = catalogue_.addBatch(batch, act_);
-      if (!added) return added.error();
-    }
-    return {};
-  }
+  /// id -> row of everything that is there now.
+  const std::map<std::string, std::int64_t>& rows() const { return known_; }
 
  private:
   template <class T>
@@ -278,18 +226,41 @@ class Reading {
     const auto found = known_.find(text(object, key));
     return found == known_.end() ? 0 : found->second;
   }
+  static std::string key(const char* kind, std::int64_t in, std::int64_t also,
+                         const std::string& name) {
+    return std::string(kind) + " " + std::to_string(in) + " " + std::to_string(also) + " " +
+           uniqueKey(name);
+  }
+  static std::string keyOf(const PersonRecord& p) { return key("person", 0, 0, p.initials); }
+  static std::string keyOf(const SiteRecord& s) { return key("site", 0, 0, s.code); }
+  static std::string keyOf(const TrenchRecord& t) { return key("trench", t.site.value, 0, t.code); }
+  static std::string keyOf(const ContextRecord& c) {
+    return key("context", c.site.value, c.trench.value, c.number);
+  }
+  static std::string keyOf(const BagRecord& b) { return key("bag", b.context.value, 0, b.number); }
+
+  template <class Record>
+  void know(const Record& record, const std::string& key) {
+    known_[record.id] = record.row.value;
+    named_[key] = record.row.value;
+  }
   template <class Record>
   Result<void> add(const Record& record) {
     if (known_.contains(record.id)) return {};
+    const std::string key = keyOf(record);
+    if (const auto same = named_.find(key); same != named_.end()) {
+      known_[record.id] = same->second;
+      return {};
+    }
     const auto row = catalogue_.save(record, act_);
     if (!row) return row.error();
-    known_[record.id] = row->value;
+    known_[record.id] = named_[key] = row->value;
     return {};
   }
 
   Catalogue& catalogue_;
   const Act& act_;
-  std::map<std::string, std::int64_t> known_;
+  std::map<std::string, std::int64_t> known_, named_;
 };
 
 }  // namespace
@@ -303,9 +274,19 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
     if (sherd.context) contexts.insert(sherd.context);
     if (sherd.batch) batches.insert(sherd.batch);
   }
+  // And of the bags that the batches were made of, wherever their sherds are now.
+  const Result<std::vector<BagRecord>> bags = catalogue.bags();
+  if (!bags) return bags.error();
+  for (const BatchRow row : batches) {
+    const Result<BatchRecord> batch = catalogue.batch(row);
+    if (!batch) return batch.error();
+    for (const BagRecord& of : *bags)
+      if (std::find(batch->bags.begin(), batch->bags.end(), of.row) != batch->bags.end())
+        contexts.insert(of.context);
+  }
   const Result<ordered_json> places = placesJson(catalogue, contexts);
   if (!places) return places.error();
-  const Result<ordered_json> digitised = batchesJson(catalogue, batches);
+  const Result<ordered_json> digitised = batchesJson(catalogue, batches, bag.files());
   if (!digitised) return digitised.error();
   const ordered_json dublin_core = {{"identifier", project.id},
                                     {"code", project.code},
@@ -328,16 +309,16 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
   return {};
 }
 
-Result<void> readMetadata(Catalogue& catalogue, const std::filesystem::path& metadata,
-                          const Act& act) {
+Result<std::vector<FileCopy>> readMetadata(Catalogue& catalogue,
+                                           const std::filesystem::path& metadata, const Act& act) {
   const Result<json> places = readJson(metadata / "places.json");
   if (!places) return places.error();
   const Result<json> batches = readJson(metadata / "batches.json");
   if (!batches) return batches.error();
   try {
     Reading reading(catalogue, act);
-    if (Result<void> done = reading.places(*places); !done) return done;
-    return reading.batches(*batches);
+    if (Result<void> done = reading.places(*places); !done) return done.error();
+    return readBatches(catalogue, *batches, reading.rows(), act);
   } catch (const json::exception&) {
     return Error{ErrorCode::UnusableInput,
                  "These places and batches are not written as Ostraka writes them.",

@@ -5,10 +5,9 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "exchange/batch_records.h"
 
 namespace ostraka::exchange {
-
-class BagWriter;
 
 /// What travels beside the records: metadata/project.json (Dublin Core), metadata/places.json,
 /// metadata/batches.json, context.jsonld and README.txt.
@@ -17,9 +16,11 @@ Result<void> writeMetadata(const catalogue::Catalogue& catalogue,
                            const catalogue::ProjectRecord& project, const std::string& program,
                            BagWriter& bag);
 
-/// Persons, sites, trenches, contexts, bags and batches of metadata/, with their ids, into a
-/// catalogue that does not have them yet; what is there stays as it is.
-Result<void> readMetadata(catalogue::Catalogue& catalogue, const std::filesystem::path& metadata,
-                          const catalogue::Act& act);
+/// Persons, sites, trenches, contexts, bags and batches with their photographs, scans and decisions
+/// of metadata/, with their ids, into a catalogue that does not have them yet; what is there stays
+/// as it is. Returns the files that belong to what entered.
+Result<std::vector<FileCopy>> readMetadata(catalogue::Catalogue& catalogue,
+                                           const std::filesystem::path& metadata,
+                                           const catalogue::Act& act);
 
 }  // namespace ostraka::exchange

@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "catalogue/names.h"
+#include "catalogue/restore.h"
 #include "catalogue/values.h"
 #include "exchange/bagit.h"
 #include "exchange/metadata.h"
@@ -44,11 +45,14 @@ bool sameAs(const SherdRecord& sherd, const ImportRow& row, const Catalogue& cat
 
 class ReadingBack {
  public:
-  ReadingBack(Project& project, const fs::path& folder, const Act& act)
+  ReadingBack(Project& project, const fs::path& folder, const std::vector<BagFile>& files,
+              const Act& act)
       : project_(project),
         folder_(folder),
         act_(act),
-        into_("imported/" + slug(folder.filename().string())) {}
+        into_("imported/" + slug(folder.filename().string())) {
+    for (const BagFile& file : files) listed_.insert(file.path);
+  }
 
   /// All records, read before anything is changed.
   Result<void> records() {
@@ -75,8 +79,10 @@ class ReadingBack {
   Result<ImportReport> enter(const ImportOptions& options, Progress& progress,
                              std::stop_token stop) {
     Catalogue& catalogue = project_.catalogue();
-    if (Result<void> done = readMetadata(catalogue, folder_ / "data" / "metadata", act_); !done)
-      return done.error();
+    Result<std::vector<FileCopy>> beside =
+        readMetadata(catalogue, folder_ / "data" / "metadata", act_);
+    if (!beside) return beside.error();
+    copies_ = std::move(*beside);
     ImportReport kept;
     std::vector<ImportRow> fresh;
     std::vector<std::pair<SherdRow, std::string>> joins;
@@ -113,12 +119,15 @@ class ReadingBack {
 
   /// Files of sherds that are new; those that are there already are not touched.
   Result<void> copyFiles(std::stop_token stop) {
-    for (const std::string& path : copies_) {
+    for (const FileCopy& file : copies_) {
       if (stop.stop_requested()) return Error::cancelled();
-      const fs::path to = project_.folder() / into_ / path;
+      if (!listed_.contains("data/" + file.from))
+        return Error{ErrorCode::UnusableInput, "This file is not among the files of the export.",
+                     file.from};
+      const fs::path to = project_.folder() / file.to;
       std::error_code code;
       fs::create_directories(to.parent_path(), code);
-      if (!fs::exists(to, code)) fs::copy_file(folder_ / "data" / path, to, code);
+      if (!fs::exists(to, code)) fs::copy_file(folder_ / "data" / file.from, to, code);
       if (code)
         return Error{ErrorCode::CannotWrite, "This file cannot be copied into the project.",
                      to.string()};
@@ -148,6 +157,7 @@ class ReadingBack {
         if (const auto done = catalogue.change(std::span(&change, 1), act_); !done)
           return done.error();
     }
+    if (const Result<void> done = scansOf(*sherd, record); !done) return done;
     const Result<std::vector<FileRecord>> had = catalogue.files(*sherd);
     if (!had) return had.error();
     if (!had->empty()) return {};
@@ -162,11 +172,27 @@ class ReadingBack {
       f.sherd = *sherd;
       const auto saved = catalogue.save(f, act_);
       if (!saved) return saved.error();
-      copies_.push_back(file.path);
+      copies_.push_back({file.path, f.path});
       if (file.role == "model" && file.path.ends_with(".ply")) model = f.path;
       if (file.role == "preview") preview = f.path;
     }
     return catalogue.setModel(*sherd, model, preview);
+  }
+
+  // From which scans of its batch it was made, unless that is known already.
+  Result<void> scansOf(SherdRow row, const ReadSherdJson& record) {
+    Catalogue& catalogue = project_.catalogue();
+    const Result<SherdRecord> sherd = catalogue.sherd(row);
+    if (!sherd) return sherd.error();
+    if (record.front.empty() || sherd->front || !sherd->batch) return {};
+    const Result<std::vector<ScanRecord>> scans = catalogue.scans(sherd->batch);
+    if (!scans) return scans.error();
+    ScanRow front, back;
+    for (const ScanRecord& scan : *scans) {
+      if (scan.side == batch::Side::Front && scan.name == record.front) front = scan.row;
+      if (scan.side == batch::Side::Back && scan.name == record.back) back = scan.row;
+    }
+    return front ? restoreScans(catalogue, row, front, back) : Result<void>();
   }
 
   Project& project_;
@@ -174,7 +200,8 @@ class ReadingBack {
   const Act& act_;
   std::string into_;
   std::vector<ReadSherdJson> records_;
-  std::vector<std::string> copies_;
+  std::vector<FileCopy> copies_;
+  std::set<std::string> listed_;  ///< the export's files, whose hashes agreed
 };
 
 }  // namespace
@@ -183,7 +210,7 @@ Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMo
                               const Act& act, Progress& progress, std::stop_token stop) {
   const Result<std::vector<BagFile>> files = checkBag(folder, progress, stop);
   if (!files) return files.error();
-  ReadingBack reading(project, folder, act);
+  ReadingBack reading(project, folder, *files, act);
   if (Result<void> read = reading.records(); !read) return read.error();
   if (mode == ImportMode::Enter)
     if (const auto saved = project.backUp(); !saved) return saved.error();

@@ -11,8 +11,9 @@ namespace ostraka::exchange {
 
 /// Reads a folder that exportFolder wrote (with JSON records) into a project. All hashes are
 /// checked first; if a file is missing, changed or not listed, nothing enters. Records are known by
-/// their uuid; what the project has already stays, and differences are counted and listed. The
-/// files of new sherds go to PROJECT/imported/NAME.
+/// their uuid; what the project has already stays, and differences are counted and listed. Batches
+/// come with their photographs, scans and decisions. The files of new sherds go to
+/// PROJECT/imported/NAME, exported photographs to where they were.
 Result<ImportReport> readBack(catalogue::Project& project, const std::filesystem::path& folder,
                               ImportMode mode, const catalogue::Act& act, Progress& progress,
                               std::stop_token stop);

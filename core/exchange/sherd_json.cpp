@@ -207,6 +207,9 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
     for (const json& f : value->value("files", json::array()))
       read.files.push_back({f.at("role").get<std::string>(), f.at("path").get<std::string>(),
                             f.at("sha256").get<std::string>(), f.at("bytes").get<std::int64_t>()});
+    const json pairing = value->value("pairing", json::object());
+    read.front = pairing.value("front", "");
+    read.back = pairing.value("back", "");
     const json extra = value->value("extra", json::object());
     for (const auto& [key, own] : extra.items())
       read.row.values["extra." + key] = own.is_string() ? own.get<std::string>() : own.dump();

@@ -23,6 +23,7 @@ Result<std::string> sherdJson(const catalogue::Catalogue& catalogue,
 struct ReadSherdJson {
   ImportRow row;
   std::vector<SherdFile> files;
+  std::string front, back;  ///< names of the scans that it was made from
 };
 /// Unknown keys survive as the user's own fields. Errors: another format, a value of a wrong type.
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where);

@@ -1,0 +1,107 @@
+#include "catalogue/restore.h"
+
+#include "catalogue/database.h"
+#include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/words.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+template <class Row>
+std::map<Row, std::string> idsIn(Database& database, const char* query, BatchRow batch) {
+  std::map<Row, std::string> ids;
+  Statement rows = database.sql(query);
+  rows.with(batch);
+  while (rows.next()) {
+    Row row;
+    std::string id;
+    rows >> row >> id;
+    ids[row] = id;
+  }
+  return ids;
+}
+
+const std::string& wellFormed(const std::string& id) {
+  if (!isUuid(id)) refuse("A uuid of the export is not well formed.", id);
+  return id;
+}
+
+}  // namespace
+
+Result<BatchIds> idsOf(const Catalogue& catalogue, BatchRow batch) {
+  Database& database = catalogue.database();
+  return database.door([&] {
+    return BatchIds{
+        idsIn<PhotographRow>(database, "SELECT row, id FROM photograph WHERE batch = ?", batch),
+        idsIn<ScanRow>(database, "SELECT row, id FROM scan WHERE batch = ?", batch),
+        idsIn<DecisionRow>(database, "SELECT row, id FROM pair_decision WHERE batch = ?", batch)};
+  });
+}
+
+Result<PhotographRow> restorePhotograph(Catalogue& catalogue, const PhotographRecord& photograph,
+                                        const std::string& id, const Act& act) {
+  Database& database = catalogue.database();
+  return database.inTransaction([&] {
+    const PhotographRow row = orRefuse(catalogue.save(photograph, act));
+    database.sql("UPDATE photograph SET id = ? WHERE row = ?").with(wellFormed(id), row).run();
+    return row;
+  });
+}
+
+Result<ScanRow> restoreScan(Catalogue& catalogue, const ScanRecord& scan, const std::string& id,
+                            const Act& act) {
+  Database& database = catalogue.database();
+  return database.inTransaction([&] {
+    const ScanRow row = orRefuse(catalogue.save(scan, act));
+    database.sql("UPDATE scan SET id = ?, state = ? WHERE row = ?")
+        .with(wellFormed(id), wordOf(scan.state), row)
+        .run();
+    return row;
+  });
+}
+
+Result<std::vector<PieceRow>> pieceRows(const Catalogue& catalogue, BatchRow batch) {
+  Database& database = catalogue.database();
+  return database.door([&] {
+    std::vector<PieceRow> all;
+    Statement rows = database.sql(
+        "SELECT d.id, p.id, d.side, d.verdict, d.pieces, d.cut_mm, r.id, d.note, d.at FROM "
+        "piece_decision d LEFT JOIN person p ON p.row = d.person LEFT JOIN piece_decision r ON "
+        "r.row = d.replaces WHERE d.batch = ? ORDER BY d.row");
+    rows.with(batch);
+    while (rows.next()) {
+      PieceRow row;
+      rows >> row.id >> row.by >> row.side >> row.verdict >> row.pieces_json >> row.cut_json >>
+          row.replaces >> row.note >> row.at_ms;
+      all.push_back(std::move(row));
+    }
+    return all;
+  });
+}
+
+Result<void> restorePieceRow(Catalogue& catalogue, BatchRow batch, PersonRow by,
+                             const PieceRow& row) {
+  Database& database = catalogue.database();
+  return database.inTransaction([&] {
+    database
+        .sql(
+            "INSERT INTO piece_decision (id, at, person, batch, side, verdict, pieces, cut_mm, "
+            "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, (SELECT row FROM piece_decision WHERE "
+            "id = ?), ?)")
+        .with(wellFormed(row.id), row.at_ms, by, batch, row.side, row.verdict, row.pieces_json,
+              row.cut_json, row.replaces, row.note)
+        .run();
+  });
+}
+
+Result<void> restoreScans(Catalogue& catalogue, SherdRow sherd, ScanRow front, ScanRow back) {
+  Database& database = catalogue.database();
+  return database.inTransaction([&] {
+    database.sql("UPDATE sherd SET front = ?, back = ? WHERE row = ?")
+        .with(front, back, sherd)
+        .run();
+  });
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+#include "catalogue/database.h"
+#include "catalogue/sherd.h"
+
+namespace ostraka::catalogue {
+
+/// For filter_sql.cpp: rows that come by number put into another order. What is not recorded comes
+/// last, whichever way the order goes; ties go by number. The order's values come from an index in
+/// one sweep over all sherds, so this pays for many rows. Throws Refused for a field that orders
+/// nothing.
+std::vector<SherdRow> inOrder(Database& database, const std::vector<SherdRow>& by_number,
+                              const SherdOrder& order);
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,355 @@
+#include "exchange/batch_records.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/json.h"
+#include "catalogue/restore.h"
+#include "catalogue/words.h"
+
+namespace ostraka::exchange {
+namespace {
+
+using namespace catalogue;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+void put(ordered_json& object, const char* key, const std::string& value) {
+  if (!value.empty()) object[key] = value;
+}
+template <class T>
+void put(ordered_json& object, const char* key, const std::optional<T>& value) {
+  if (value) object[key] = *value;
+}
+template <class T>
+void take(const json& object, const char* key, std::optional<T>& value) {
+  if (object.contains(key)) value = object.at(key).get<T>();
+}
+std::string text(const json& object, const char* key) {
+  return object.value(key, "");
+}
+const json& listOf(const json& object, const char* key) {
+  static const json none = json::array();
+  return object.contains(key) ? object.at(key) : none;  // exports before there were any
+}
+
+// Where a photograph of the batch goes in an export.
+std::string exportedAs(const std::string& path, const std::string& batch) {
+  const std::string folder = "batches/" + batch + "/";
+  const std::string inside =
+      path.starts_with(folder) ? path.substr(folder.size()) : path.substr(path.rfind('/') + 1);
+  return "photographs/" + batch + "/" + inside;
+}
+
+class Writing {
+ public:
+  Writing(const Catalogue& catalogue, const std::vector<BagFile>& exported)
+      : catalogue_(catalogue) {
+    for (const BagFile& file : exported) exported_.insert(file.path);
+  }
+
+  Result<ordered_json> batch(BatchRow row) {
+    const Result<BatchRecord> b = catalogue_.batch(row);
+    if (!b) return b.error();
+    if (persons_.empty()) {
+      const auto persons = catalogue_.persons();
+      if (!persons) return persons.error();
+      for (const PersonRecord& p : *persons) persons_[p.row] = p.id;
+      const auto bags = catalogue_.bags();
+      if (!bags) return bags.error();
+      for (const BagRecord& bag : *bags) bag_ids_[bag.row] = bag.id;
+    }
+    ordered_json one = {{"id", b->id}, {"number", b->number}};
+    one["state"] = wordOf(b->state);
+    one["counted"] = b->counted;
+    put(one, "operator", persons_[b->operator_]);
+    for (const BagRow& bag : b->bags) one["bags"].push_back(bag_ids_[bag]);
+    put(one, "started_ms", b->started_ms);
+    put(one, "ended_ms", b->ended_ms);
+    put(one, "reprojection_px", b->reprojection_px);
+    put(one, "scale_error_pct", b->scale_error_pct);
+    put(one, "rig_sha256", b->rig_sha256);
+    put(one, "program", b->program);
+    put(one, "settings_sha256", b->settings_sha256);
+    put(one, "note", b->note);
+    const Result<BatchIds> ids = idsOf(catalogue_, row);
+    if (!ids) return ids.error();
+    ids_ = *ids;
+    for (const auto& part : {&Writing::photographs, &Writing::scans, &Writing::decisions,
+                             &Writing::pieces, &Writing::files})
+      if (const Result<void> done = (this->*part)(*b, one); !done) return done.error();
+    return one;
+  }
+
+ private:
+  std::string scanId(ScanRow row) const { return row ? ids_.scans.at(row) : std::string(); }
+
+  Result<void> photographs(const BatchRecord& b, ordered_json& one) {
+    const auto all = catalogue_.photographs(b.row);
+    if (!all) return all.error();
+    for (const PhotographRecord& p : *all) {
+      ordered_json out = {{"id", ids_.photographs[p.row]},
+                          {"side", wordOf(p.side)},
+                          {"camera", std::string(1, p.camera)},
+                          {"stop", p.stop},
+                          {"take", p.take},
+                          {"path", p.path},
+                          {"used", p.used}};
+      put(out, "serial", p.serial);
+      if (p.exif_json != "{}") put(out, "exif", p.exif_json);
+      put(out, "angle_deg", p.angle_deg);
+      put(out, "sharpness", p.sharpness);
+      put(out, "reason", p.reason);
+      one["photographs"].push_back(std::move(out));
+    }
+    return {};
+  }
+
+  Result<void> scans(const BatchRecord& b, ordered_json& one) {
+    const auto all = catalogue_.scans(b.row);
+    if (!all) return all.error();
+    for (const ScanRecord& s : *all) {
+      ordered_json out = {{"id", ids_.scans[s.row]}, {"side", wordOf(s.side)},
+                          {"index", s.index},        {"name", s.name},
+                          {"path", s.path},          {"state", wordOf(s.state)}};
+      put(out, "points", s.points);
+      put(out, "coverage_pct", s.coverage_pct);
+      put(out, "plate_x_mm", s.plate_x_mm);
+      put(out, "plate_y_mm", s.plate_y_mm);
+      one["scans"].push_back(std::move(out));
+    }
+    return {};
+  }
+
+  Result<void> decisions(const BatchRecord& b, ordered_json& one) {
+    const auto all = catalogue_.decisions(b.row);
+    if (!all) return all.error();
+    for (const PairDecision& d : *all) {
+      ordered_json out = {
+          {"id", ids_.decisions[d.row]}, {"at_ms", d.at_ms}, {"verdict", wordOf(d.verdict)}};
+      put(out, "by", persons_[d.by]);
+      put(out, "front", scanId(d.front));
+      put(out, "back", scanId(d.back));
+      if (d.replaces) put(out, "replaces", ids_.decisions[d.replaces]);
+      if (d.front_from_back) out["T_front_from_back"] = toJson(*d.front_from_back);
+      put(out, "score", d.score);
+      put(out, "margin", d.margin);
+      put(out, "rim_rms_mm", d.rim_rms_mm);
+      put(out, "rim_overlap", d.rim_overlap);
+      if (d.ambiguous) out["ambiguous"] = true;
+      put(out, "note", d.note);
+      one["decisions"].push_back(std::move(out));
+    }
+    return {};
+  }
+
+  Result<void> pieces(const BatchRecord& b, ordered_json& one) {
+    const auto all = pieceRows(catalogue_, b.row);
+    if (!all) return all.error();
+    for (const PieceRow& d : *all) {
+      ordered_json out = {
+          {"id", d.id}, {"at_ms", d.at_ms}, {"side", d.side}, {"verdict", d.verdict}};
+      put(out, "by", d.by);
+      put(out, "pieces", d.pieces_json);
+      put(out, "cut_mm", d.cut_json);
+      put(out, "replaces", d.replaces);
+      put(out, "note", d.note);
+      one["piece_decisions"].push_back(std::move(out));
+    }
+    return {};
+  }
+
+  Result<void> files(const BatchRecord& b, ordered_json& one) {
+    const auto all = catalogue_.files(b.row);
+    if (!all) return all.error();
+    for (const FileRecord& f : *all) {
+      const std::string at = exportedAs(f.path, b.number);
+      if (f.role != "photo" || !exported_.contains("data/" + at)) continue;
+      one["files"].push_back({{"id", f.id},
+                              {"path", f.path},
+                              {"sha256", f.sha256},
+                              {"bytes", f.bytes},
+                              {"media_type", f.media_type},
+                              {"at", at}});
+    }
+    return {};
+  }
+
+  const Catalogue& catalogue_;
+  std::set<std::string> exported_;
+  std::map<PersonRow, std::string> persons_;
+  std::map<BagRow, std::string> bag_ids_;
+  BatchIds ids_;  ///< of the present batch
+};
+
+class Entering {
+ public:
+  Entering(Catalogue& catalogue, const std::map<std::string, std::int64_t>& rows, const Act& act)
+      : catalogue_(catalogue), rows_(rows), act_(act) {}
+
+  Result<void> batch(const json& b) {
+    BatchRecord batch;
+    batch.id = text(b, "id");
+    batch.number = text(b, "number");
+    const Result<BatchRecord> there = catalogue_.batchByNumber(batch.number);
+    if (there && there->id == batch.id) return {};
+    if (there)
+      return Error{ErrorCode::UnusableInput,
+                   "The project has another batch " + batch.number +
+                       "; read this export into a project of its own.",
+                   {}};
+    batch.state = fromWord<BatchState>(text(b, "state"));
+    batch.counted = b.value("counted", 0);
+    batch.operator_ = {row(b, "operator")};
+    for (const json& id : listOf(b, "bags")) {
+      const auto bag = rows_.find(id.get<std::string>());
+      if (bag != rows_.end()) batch.bags.push_back({bag->second});
+    }
+    take(b, "started_ms", batch.started_ms);
+    take(b, "ended_ms", batch.ended_ms);
+    take(b, "reprojection_px", batch.reprojection_px);
+    take(b, "scale_error_pct", batch.scale_error_pct);
+    batch.rig_sha256 = text(b, "rig_sha256");
+    batch.program = text(b, "program");
+    batch.settings_sha256 = text(b, "settings_sha256");
+    batch.note = text(b, "note");
+    const Result<BatchRow> added = catalogue_.addBatch(batch, act_);
+    if (!added) return added.error();
+    for (const json& p : listOf(b, "photographs"))
+      if (const Result<void> done = photograph(p, *added); !done) return done;
+    for (const json& s : listOf(b, "scans"))
+      if (const Result<void> done = scan(s, *added); !done) return done;
+    for (const json& d : listOf(b, "decisions"))
+      if (const Result<void> done = decision(d, *added); !done) return done;
+    for (const json& d : listOf(b, "piece_decisions")) {
+      const PieceRow piece{
+          text(d, "id"),       text(d, "by"),     text(d, "side"),
+          text(d, "verdict"),  text(d, "pieces"), text(d, "cut_mm"),
+          text(d, "replaces"), text(d, "note"),   d.at("at_ms").get<std::int64_t>()};
+      const auto done = restorePieceRow(catalogue_, *added, {row(d, "by")}, piece);
+      if (!done) return done;
+    }
+    for (const json& f : listOf(b, "files"))
+      if (const Result<void> done = file(f, *added); !done) return done;
+    return {};
+  }
+
+  std::vector<FileCopy> copies;
+
+ private:
+  std::int64_t row(const json& object, const char* key) const {
+    const auto found = rows_.find(text(object, key));
+    return found == rows_.end() ? 0 : found->second;
+  }
+  std::int64_t own(const json& object, const char* key) const {
+    const auto found = own_.find(text(object, key));
+    return found == own_.end() ? 0 : found->second;
+  }
+
+  Result<void> photograph(const json& p, BatchRow batch) {
+    PhotographRecord photograph;
+    photograph.batch = batch;
+    photograph.side = fromWord<batch::Side>(text(p, "side"));
+    const std::string camera = text(p, "camera");
+    photograph.camera = camera.empty() ? 'A' : camera[0];
+    photograph.stop = p.at("stop").get<int>();
+    photograph.take = p.at("take").get<int>();
+    photograph.path = text(p, "path");
+    photograph.serial = text(p, "serial");
+    photograph.exif_json = text(p, "exif");
+    take(p, "angle_deg", photograph.angle_deg);
+    take(p, "sharpness", photograph.sharpness);
+    photograph.used = p.value("used", true);
+    photograph.reason = text(p, "reason");
+    const auto saved = restorePhotograph(catalogue_, photograph, text(p, "id"), act_);
+    return saved ? Result<void>() : saved.error();
+  }
+
+  Result<void> scan(const json& s, BatchRow batch) {
+    ScanRecord scan;
+    scan.batch = batch;
+    scan.side = fromWord<batch::Side>(text(s, "side"));
+    scan.index = s.at("index").get<int>();
+    scan.name = text(s, "name");
+    scan.path = text(s, "path");
+    take(s, "points", scan.points);
+    take(s, "coverage_pct", scan.coverage_pct);
+    take(s, "plate_x_mm", scan.plate_x_mm);
+    take(s, "plate_y_mm", scan.plate_y_mm);
+    scan.state = fromWord<ScanState>(text(s, "state"));
+    const Result<ScanRow> saved = restoreScan(catalogue_, scan, text(s, "id"), act_);
+    if (!saved) return saved.error();
+    own_[text(s, "id")] = saved->value;
+    return {};
+  }
+
+  Result<void> decision(const json& d, BatchRow batch) {
+    PairDecision decision;
+    decision.at_ms = d.at("at_ms").get<std::int64_t>();
+    decision.batch = batch;
+    decision.by = {row(d, "by")};
+    decision.front = {own(d, "front")};
+    decision.back = {own(d, "back")};
+    decision.replaces = {own(d, "replaces")};
+    decision.verdict = fromWord<Verdict>(text(d, "verdict"));
+    if (d.contains("T_front_from_back")) {
+      const auto pose = isometryFromJson(d.at("T_front_from_back"), "metadata/batches.json");
+      if (!pose) return pose.error();
+      decision.front_from_back = *pose;
+    }
+    take(d, "score", decision.score);
+    take(d, "margin", decision.margin);
+    take(d, "rim_rms_mm", decision.rim_rms_mm);
+    take(d, "rim_overlap", decision.rim_overlap);
+    decision.ambiguous = d.value("ambiguous", false);
+    decision.note = text(d, "note");
+    const Result<DecisionRow> saved = restoreDecision(catalogue_, decision, text(d, "id"));
+    if (!saved) return saved.error();
+    own_[text(d, "id")] = saved->value;
+    return {};
+  }
+
+  Result<void> file(const json& f, BatchRow batch) {
+    FileRecord file;
+    file.id = text(f, "id");
+    file.path = text(f, "path");
+    file.sha256 = text(f, "sha256");
+    file.bytes = f.at("bytes").get<std::int64_t>();
+    file.media_type = text(f, "media_type");
+    file.role = "photo";
+    file.batch = batch;
+    const auto saved = catalogue_.save(file, act_);  // refuses a path that leads out of the project
+    if (!saved) return saved.error();
+    copies.push_back({text(f, "at"), file.path});
+    return {};
+  }
+
+  Catalogue& catalogue_;
+  const std::map<std::string, std::int64_t>& rows_;
+  const Act& act_;
+  std::map<std::string, std::int64_t> own_;  ///< id -> row of scans and decisions
+};
+
+}  // namespace
+
+Result<ordered_json> batchesJson(const Catalogue& catalogue, const std::set<BatchRow>& batches,
+                                 const std::vector<BagFile>& exported) {
+  ordered_json list = ordered_json::array();
+  Writing writing(catalogue, exported);
+  for (const BatchRow row : batches) {
+    Result<ordered_json> one = writing.batch(row);
+    if (!one) return one.error();
+    list.push_back(std::move(*one));
+  }
+  return ordered_json{{"batches", list}};
+}
+
+Result<std::vector<FileCopy>> readBatches(Catalogue& catalogue, const json& batches,
+                                          const std::map<std::string, std::int64_t>& rows,
+                                          const Act& act) {
+  Entering entering(catalogue, rows, act);
+  for (const json& b : batches.at("batches"))
+    if (const Result<void> done = entering.batch(b); !done) return done.error();
+  return std::move(entering.copies);
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,32 @@
+#pragma once
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+#include "exchange/bagit.h"
+
+namespace ostraka::exchange {
+
+/// metadata/batches.json: batches with their bags, photographs, scans and all decisions about their
+/// pairs. `exported`: the files of the bag so far; photographs that travel along are named.
+Result<nlohmann::ordered_json> batchesJson(const catalogue::Catalogue& catalogue,
+                                           const std::set<catalogue::BatchRow>& batches,
+                                           const std::vector<BagFile>& exported);
+
+struct FileCopy {
+  std::string from;  ///< relative to data/ of the export
+  std::string to;    ///< relative to the project
+};
+/// Batches that are not there yet enter whole, with their ids; the others stay as they are.
+/// rows: id -> row of persons and bags. Returns the files that belong to what entered. Errors:
+/// another batch of the same number; throws json::exception where something is not as written.
+Result<std::vector<FileCopy>> readBatches(catalogue::Catalogue& catalogue,
+                                          const nlohmann::json& batches,
+                                          const std::map<std::string, std::int64_t>& rows,
+                                          const catalogue::Act& act);
+
+}  // namespace ostraka::exchange

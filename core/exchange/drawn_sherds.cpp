@@ -1,0 +1,68 @@
+#include "exchange/drawn_sherds.h"
+
+#include <algorithm>
+
+#include "cloud/ply.h"
+
+namespace ostraka::exchange {
+
+using catalogue::SherdRecord;
+using drawing::RimChoice;
+
+drawing::RimChoice rimChoiceOf(const SherdRecord& sherd) {
+  const auto names = [&](const char* part) {
+    return std::find(sherd.part.begin(), sherd.part.end(), part) != sherd.part.end();
+  };
+  if (names("rim") || names("profile") || names("whole")) return RimChoice::Yes;
+  return sherd.part.empty() || names("lid") ? RimChoice::Propose : RimChoice::No;
+}
+
+Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
+                                        const std::filesystem::path& project,
+                                        const DrawSherdsOptions& options) {
+  const std::string id = sherd.number.empty() ? "draft " + sherd.id : sherd.number;
+  if (sherd.model_path.empty())
+    return Error{ErrorCode::UnusableInput,
+                 "This sherd has no model yet, so it cannot be drawn; compute its batch first.",
+                 id};
+  const Result<PlyContents> model = readPly(project / sherd.model_path);
+  if (!model) return model.error();
+  drawing::DrawingOptions how = options.drawing;
+  if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
+  Result<drawing::SherdDrawing> drawn = drawing::drawSherd(model->mesh, id, how);
+  if (drawn || how.rim != RimChoice::Yes) return drawn;
+  // No stretch of the edge can be a lip, or the model itself is at fault: then this fails, too.
+  how.rim = RimChoice::No;
+  drawn = drawing::drawSherd(model->mesh, id, how);
+  if (drawn)
+    drawn->remarks.push_back(
+        "It is said to be a rim, but no stretch of its edge can be one; drawn without.");
+  return drawn;
+}
+
+Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
+                               const std::filesystem::path& project,
+                               std::span<const catalogue::SherdRow> rows,
+                               const DrawSherdsOptions& options, Progress& progress,
+                               std::stop_token stop) {
+  if (const Result<void> good = options.drawing.check(); !good) return good.error();
+  const Result<std::vector<SherdRecord>> sherds = catalogue.sherds(rows);
+  if (!sherds) return sherds.error();
+  DrawnSherds all;
+  std::int64_t done = 0;
+  for (const SherdRecord& sherd : *sherds) {
+    if (stop.stop_requested()) return Error::cancelled();
+    progress.report(done++, static_cast<std::int64_t>(sherds->size()));
+    Result<drawing::SherdDrawing> drawn = drawSherd(sherd, project, options);
+    if (!drawn) {
+      all.left_out.push_back({sherd.row, sherd.number, drawn.error().sentence()});
+      continue;
+    }
+    all.drawings.push_back(std::move(*drawn));
+    all.rows.push_back(sherd.row);
+  }
+  progress.report(done, done);
+  return all;
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,49 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+#include "drawing/drawing.h"
+
+namespace ostraka::exchange {
+
+/// Yes where the parts name a rim, a whole profile or a whole vessel; No where they name others
+/// only; Propose where nothing is said, or a lid.
+drawing::RimChoice rimChoiceOf(const catalogue::SherdRecord& sherd);
+
+struct DrawSherdsOptions {
+  drawing::DrawingOptions drawing;  ///< its rim counts only where the next line says so
+  bool rim_from_catalogue = true;   ///< rimChoiceOf decides; what a person entered is trusted
+};
+
+/// A drawing of the catalogue's model, named by the sherd's number. Where a person says rim and no
+/// stretch of the edge can be one it is drawn without, and a remark says so. Errors: no model, a
+/// file that cannot be read, a model that is not closed.
+Result<drawing::SherdDrawing> drawSherd(const catalogue::SherdRecord& sherd,
+                                        const std::filesystem::path& project,
+                                        const DrawSherdsOptions& options);
+
+struct SherdLeftOut {
+  catalogue::SherdRow sherd;
+  std::string id, why;  ///< a sentence
+};
+struct DrawnSherds {
+  std::vector<drawing::SherdDrawing> drawings;
+  std::vector<catalogue::SherdRow> rows;  ///< of the drawings, in the same order
+  std::vector<SherdLeftOut> left_out;
+};
+/// In the order of the rows; what cannot be drawn is left out and named. Errors: Cancelled, the
+/// catalogue cannot be read.
+Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
+                               const std::filesystem::path& project,
+                               std::span<const catalogue::SherdRow> rows,
+                               const DrawSherdsOptions& options, Progress& progress,
+                               std::stop_token stop);
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,97 @@
+#include "exchange/drawn_sherds.h"
+
+#include <gmock/gmock.h>
+
+#include "closed_shell.h"
+#include "exchange/bagit.h"
+#include "exported_project.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using catalogue::SherdRecord;
+using drawing::RimChoice;
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+
+TEST(RimChoice, FollowsWhatThePartsSay) {
+  SherdRecord sherd;
+  EXPECT_EQ(rimChoiceOf(sherd), RimChoice::Propose);
+  sherd.part = {"body"};
+  EXPECT_EQ(rimChoiceOf(sherd), RimChoice::No);
+  sherd.part = {"neck", "rim"};
+  EXPECT_EQ(rimChoiceOf(sherd), RimChoice::Yes);
+  sherd.part = {"profile"};
+  EXPECT_EQ(rimChoiceOf(sherd), RimChoice::Yes);
+  sherd.part = {"lid"};
+  EXPECT_EQ(rimChoiceOf(sherd), RimChoice::Propose);
+}
+
+class DrawnSherds : public ExportedProject {
+ protected:
+  DrawnSherds() {
+    // The second is a body sherd with a model worth drawing; the third's has a hole.
+    TriangleMesh mesh = closedShell();
+    EXPECT_TRUE(set(rows[1], "part", "body"));
+    model(1, mesh);
+    mesh.triangles.pop_back();
+    model(2, mesh);
+  }
+  void model(std::size_t i, const TriangleMesh& mesh) {
+    const std::string path = "results/drawn/" + std::to_string(i) + ".ply";
+    put(project_->folder() / path, formatPly(mesh, "plate_front"));
+    EXPECT_TRUE(catalogue().setModel(rows[i], path, {}));
+  }
+};
+
+TEST_F(DrawnSherds, AreNamedByTheirNumbersAndWhatCannotBeDrawnIsNamed) {
+  const std::vector<catalogue::SherdRow> two = {rows[1], rows[2]};
+  const auto drawn = drawSherds(catalogue(), project_->folder(), two, {}, quiet, {});
+  ASSERT_TRUE(drawn) << drawn.error().sentence();
+  ASSERT_EQ(drawn->drawings.size(), 1u);
+  EXPECT_EQ(drawn->rows.front(), rows[1]);
+  EXPECT_EQ(drawn->drawings.front().id, "ARM1-T3-0012-0002");
+  EXPECT_FALSE(drawn->drawings.front().drawn_as_rim);
+  ASSERT_EQ(drawn->left_out.size(), 1u);
+  EXPECT_EQ(drawn->left_out.front().id, "ARM1-T3-0012-0003");
+  EXPECT_THAT(drawn->left_out.front().why, HasSubstr("closed model"));
+}
+
+TEST_F(DrawnSherds, StopBetweenTwoSherds) {
+  std::stop_source stop;
+  stop.request_stop();
+  const auto drawn = drawSherds(catalogue(), project_->folder(), rows, {}, quiet, stop.get_token());
+  ASSERT_FALSE(drawn);
+  EXPECT_EQ(drawn.error().code, ErrorCode::Cancelled);
+}
+
+TEST_F(DrawnSherds, TravelInTheExportWithTheirChecksums) {
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Drawings, Form::Csv, Form::Json};
+  const std::vector<catalogue::SherdRow> two = {rows[1], rows[2]};
+  const auto size = sizeOfExport(catalogue(), project_->folder(), two, options);
+  ASSERT_TRUE(size);
+  EXPECT_EQ(size->drawings, 2);
+  EXPECT_EQ(size->files, 4);
+  const auto done = exportFolder(catalogue(), project_->folder(), two, options, quiet, {});
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_THAT(done->warnings, testing::ElementsAre(HasSubstr("Not drawn: ARM1-T3-0012-0003")));
+  const auto files = checkBag(options.target, quiet, {});
+  ASSERT_TRUE(files) << files.error().sentence();
+  for (const char* ending : {"svg", "pdf"})
+    EXPECT_THAT(*files, Contains(Field(&BagFile::path, std::string("data/drawings/") +
+                                                           "ARM1-T3-0012-0002." + ending)));
+  const std::string svg = *readFile(options.target / "data/drawings/ARM1-T3-0012-0002.svg");
+  EXPECT_THAT(svg, HasSubstr(">ARM1-T3-0012-0002</text>"));
+  EXPECT_THAT(svg, HasSubstr(">1 : 1</text>"));
+  EXPECT_THAT(*readFile(options.target / "data/sherds.csv"),
+              HasSubstr(",drawings/ARM1-T3-0012-0002.pdf,"));
+  EXPECT_THAT(*readFile(options.target / "data/sherds/ARM1-T3-0012-0002.json"),
+              HasSubstr("\"role\": \"drawing\""));
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -8,7 +9,8 @@ namespace ostraka {
 
 struct Neighbour {
   int index = -1;
-  float squared_distance = 0;  ///< mm^2
+  /// mm^2; infinite where nothing was found, so that it is never taken for a hit
+  float squared_distance = std::numeric_limits<float>::infinity();
 };
 
 /// A k-d tree over points that it copies. Queries are const and may run on several threads.
@@ -19,7 +21,8 @@ class KdTree {
   KdTree(KdTree&&) noexcept;
   KdTree& operator=(KdTree&&) noexcept;
 
-  /// index -1 when the tree is empty or nothing lies within max_distance_mm.
+  /// index -1 and an infinite distance when the tree is empty or nothing lies within
+  /// max_distance_mm.
   Neighbour nearest(const Eigen::Vector3f& query, float max_distance_mm = 1e18f) const;
   /// At most k, nearest first.
   void nearest(const Eigen::Vector3f& query, int k, std::vector<Neighbour>& found) const;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace ostraka {
@@ -41,6 +42,7 @@ TEST(KdTree, FindsWhatTryingAllPointsFinds) {
 TEST(KdTree, KeepsWithinTheGreatestDistance) {
   const KdTree tree(std::vector<Eigen::Vector3f>{{0, 0, 0}});
   EXPECT_EQ(tree.nearest({3, 4, 0}, 4.9f).index, -1);
+  EXPECT_TRUE(std::isinf(tree.nearest({3, 4, 0}, 4.9f).squared_distance));
   EXPECT_EQ(tree.nearest({3, 4, 0}, 5.1f).index, 0);
   EXPECT_FLOAT_EQ(tree.nearest({3, 4, 0}).squared_distance, 25);
 }
@@ -49,6 +51,7 @@ TEST(KdTree, OfNothingFindsNothing) {
   const KdTree tree(std::vector<Eigen::Vector3f>{});
   std::vector<Neighbour> found{{1, 1}};
   EXPECT_EQ(tree.nearest({0, 0, 0}).index, -1);
+  EXPECT_TRUE(std::isinf(tree.nearest({0, 0, 0}).squared_distance));
   tree.nearest({0, 0, 0}, 3, found);
   EXPECT_TRUE(found.empty());
   tree.within({0, 0, 0}, 10, found);

@@ -21,9 +21,9 @@ struct BilateralBoundaryFit {
   int pairs = 0;
 };
 
-/// Wang et al., ICCV 2023, equation 2: the ends of each scan go to the closest points of the
-/// other side's strip, in both directions at once, point to point. Errors: Cancelled, NotEnough
-/// (fewer than 10 pairs).
+/// Wang et al., ICCV 2023, equation 2: the boundary of each scan's strip goes to the closest
+/// points of the other scan, in both directions at once, point to point. Errors: Cancelled,
+/// NotEnough (fewer than 10 pairs).
 Result<BilateralBoundaryFit> bilateralBoundaryIcp(const Strip& front, const Strip& back,
                                                   const Eigen::Isometry3d& start,
                                                   const BilateralBoundaryIcpOptions& options,

@@ -10,6 +10,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double kFacesPlate = 0.5;  // cosine: 60 degrees
+// A smooth surface touches where it is parallel to the plate; the shell's normals hold to some 5
+// degrees on scans of stereo. A face that leans by more than 14 ends nearby.
+constexpr double kLiesOnPlate = 0.97;
+
 double crossOf(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
@@ -31,7 +36,13 @@ Contact restingFacet(const Strip& side, const Eigen::Isometry3d& plate_from_side
                      const Vector3d& centre_plate) {
   std::vector<Vector3d> points;
   points.reserve(side.shell.size());
-  for (const Eigen::Vector3f& p : side.shell) points.push_back(plate_from_side * p.cast<double>());
+  std::vector<int> indices;
+  const Vector3d down = -(plate_from_side.linear().transpose() * Vector3d::UnitZ());
+  for (std::size_t i = 0; i < side.shell.size(); ++i) {
+    if (side.shell_normals[i].cast<double>().dot(down) < kFacesPlate) continue;
+    points.push_back(plate_from_side * side.shell[i].cast<double>());
+    indices.push_back(static_cast<int>(i));
+  }
   const Vector2d c = centre_plate.head<2>();
   const double far = 1e4, high = 1e6;  // mm: a start far outside any sherd
   std::array<Vector3d, 3> t = {Vector3d(c.x() - far, c.y() - far, high),
@@ -60,7 +71,7 @@ Contact restingFacet(const Strip& side, const Eigen::Isometry3d& plate_from_side
       next[k] = points[deepest];
       if (!holds(next, c)) continue;
       t = next;
-      contact.points[k] = deepest;
+      contact.points[k] = indices[static_cast<std::size_t>(deepest)];
       replaced = true;
     }
     if (!replaced) break;
@@ -71,24 +82,50 @@ Contact restingFacet(const Strip& side, const Eigen::Isometry3d& plate_from_side
 
 namespace {
 
+struct HeightError {
+  double sigma_mm, gap_mm;
+};
+
+HeightError errorOf(bool inside, bool leans, const ContactOptions& options) {
+  if (options.grain_mm <= 0)
+    return inside ? HeightError{options.scanned_face_sigma_mm, options.scanned_face_gap_mm}
+                  : HeightError{options.scanned_edge_sigma_mm, options.scanned_edge_gap_mm};
+  if (inside && !leans) return {options.grain_mm * options.face_sigma, options.plate_gap_mm};
+  return {options.grain_mm * options.edge_sigma,
+          options.plate_gap_mm + options.grain_mm * options.edge_gap};
+}
+
 void addRest(const Strip& side, const Eigen::Isometry3d& plate_from_side, const Vector3d& centre,
              const Eigen::Isometry3d& front_from_back, const Vector3d& pivot, bool side_is_back,
              double widened, const ContactOptions& options, Evidence& evidence) {
   const Contact contact = restingFacet(side, plate_from_side, centre);
   if (!contact.found) return;
-  for (int i : contact.points) {
+  const Vector3d down = -(plate_from_side.linear().transpose() * Vector3d::UnitZ());
+  // Where the front stands on the back's plate, z_back = e_z . inv(T) p: moving the back by x moves
+  // the front's point against it, so the derivative is that of -n . p, n = R e_z.
+  const Vector3d n =
+      side_is_back ? Vector3d::UnitZ() : Vector3d(-front_from_back.linear() * Vector3d::UnitZ());
+  Evidence rest;
+  Vector6 shared = Vector6::Zero();  // the error in height that all three share, marginalised
+  const double common = options.grain_mm > 0 ? options.plate_sigma_mm : 0.001;
+  double weights = 1 / (common * common), slope = 0;
+  for (const int i : contact.points) {
     const Vector3d p_side = side.shell[i].cast<double>();
-    const bool face = side.shell_inside[i] != 0;
-    const double sigma = std::max(widened, face ? options.face_sigma_mm : options.edge_sigma_mm);
-    const double gap = face ? options.face_gap_mm : options.edge_gap_mm;
+    const bool leans = side.shell_normals[i].cast<double>().dot(down) < kLiesOnPlate;
+    const auto [own, gap] = errorOf(side.shell_inside[i] != 0, leans, options);
+    const double sigma = std::max(widened, own);
     const double height = (plate_from_side * p_side).z() - gap;
-    // Where the front stands on the back's plate, z_back = e_z . inv(T) p: moving the back by x
-    // moves the front's point against it, so the derivative is that of -n . p, n = R e_z.
-    const Vector3d n =
-        side_is_back ? Vector3d::UnitZ() : Vector3d(-front_from_back.linear() * Vector3d::UnitZ());
-    const Vector3d at = side_is_back ? plate_from_side * p_side : p_side;
-    evidence.add(height / sigma, rowOf(at, n, pivot) / sigma);
+    const Vector6 row = rowOf(side_is_back ? Vector3d(plate_from_side * p_side) : p_side, n, pivot);
+    const double w = 1 / (sigma * sigma);
+    rest.add(height / sigma, row / sigma);
+    shared += w * row;
+    weights += w;
+    slope += w * height;
   }
+  rest.information -= shared * shared.transpose() / weights;
+  rest.gradient -= shared * (slope / weights);
+  rest.cost -= 0.5 * slope * slope / weights;
+  evidence += rest;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "registration/pair_fit.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,17 @@ Evidence startEvidence(const FittedPose& pose, const Vector3d& at) {
   return evidence;
 }
 
+// Of the nearest camera, on the sherd; 0 without photographs.
+double pixelMm(std::span<const SilhouetteView> views, const Vector3d& centre) {
+  double least = 0;
+  for (const SilhouetteView& view : views) {
+    const double depth = (view.camera.camera_from_plate * centre).z();
+    const double pixel = depth / view.camera.intrinsics.fx;
+    if (pixel > 0 && (least == 0 || pixel < least)) least = pixel;
+  }
+  return least;
+}
+
 }  // namespace
 
 PairFit::PairFit(const Strip& front, const Strip& back, const Witnesses& witnesses,
@@ -44,6 +56,9 @@ PairFit::PairFit(const Strip& front, const Strip& back, const Witnesses& witness
     : front_(front), back_(back), witnesses_(witnesses), options_(options) {
   radius_mm_ = 0.5 * (front.radius_mm + back.radius_mm);
   spacing_mm_ = std::max(front.spacing_mm, back.spacing_mm);
+  const double pixel_mm =
+      std::max(pixelMm(witnesses.front, front.centre), pixelMm(witnesses.back, back.centre));
+  if (pixel_mm > 0) contact_.grain_mm = std::max(spacing_mm_, pixel_mm);
   const double noise = std::max(front.noise_mm, back.noise_mm);
   last_radius_mm_ = std::max({options.last_radius_mm, 4.0 * noise, 0.9 * spacing_mm_});
 }
@@ -89,7 +104,7 @@ void PairFit::coarse(FittedPose& pose) const {
     pose.evidence = rim(pose, false, radius, radius, 0.3 * radius).evidence;
     pose.evidence +=
         contactEvidence(front_, back_, pose.front_from_back, at, witnesses_.front_on_plate,
-                        witnesses_.back_on_plate, 0.2 * radius, {});
+                        witnesses_.back_on_plate, 0.2 * radius, contact_);
     pose.evidence += startEvidence(pose, at);
     solve(pose, at);
   }
@@ -101,15 +116,21 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteWitne
   const Vector3d at = pivot(pose.front_from_back);
   const double robust = std::max(0.12, std::min(radius, 3.0 * pose.sigma_mm));
   const RimFit strip = rim(pose, true, radius, robust, pose.sigma_mm);
-  pose.evidence = strip.evidence;
-  pose.evidence += contactEvidence(front_, back_, pose.front_from_back, at,
-                                   witnesses_.front_on_plate, witnesses_.back_on_plate, 0, {});
+  const auto rest = [&](bool on_front) {
+    return contactEvidence(front_, back_, pose.front_from_back, at,
+                           on_front && witnesses_.front_on_plate,
+                           !on_front && witnesses_.back_on_plate, 0, contact_);
+  };
   const Vector3d seen = (front_.up - pose.front_from_back.linear() * back_.up).normalized();
-  pose.evidence +=
-      fitOutlines(front_.all, back_.all, spacing_mm_, pose.front_from_back, seen, at, {}).evidence;
-  if (silhouettes != nullptr) {
-    pose.evidence += silhouettes->evidence(pose.front_from_back, at, reach_px).evidence;
-  }
+  std::array<Evidence, 5> said = {
+      strip.evidence, rest(true), rest(false),
+      fitOutlines(front_.all, back_.all, spacing_mm_, pose.front_from_back, seen, at, {}).evidence,
+      silhouettes == nullptr ? Evidence{}
+                             : silhouettes->evidence(pose.front_from_back, at, reach_px).evidence};
+  for (std::size_t k = 0; k < said.size(); ++k) pose.witnesses[k].evidence = said[k];
+  // Only at the end of the way: before, all are far off together.
+  if (pose.alike > 0) learnTrust(pose.witnesses, startEvidence(pose, at).information);
+  pose.evidence = together(pose.witnesses);
   // Few pairs tell little of their own noise: half of what strips of photographs show is assumed.
   pose.sigma_mm = strip.pairs < 100 ? 0.15 : std::clamp(strip.sigma_mm, 0.02, 0.3);
   pose.rim = strip;
@@ -147,10 +168,50 @@ void PairFit::withSilhouettes(FittedPose& pose, const SilhouetteWitness& silhoue
   judge(pose);
 }
 
-double PairFit::uncertainty(const Evidence& evidence) const {
-  Matrix6 damped = evidence.information;
-  damped.diagonal().array() += 1e-9;
-  const Matrix6 covariance = damped.inverse();
+// How fast the strip's gradient really grows. Closest pairs slide along with the pose, so it grows
+// more slowly than the rows say, most of all in height, where walls are near vertical.
+Matrix6 PairFit::stripStiffness(const FittedPose& pose) const {
+  constexpr double kOffMm = 0.05;  // of the size of the errors
+  const double robust = std::max(0.12, std::min(last_radius_mm_, 3.0 * pose.sigma_mm));
+  const auto said = [&](const FittedPose& at) {
+    return rim(at, true, last_radius_mm_, robust, pose.sigma_mm).evidence;
+  };
+  const Evidence here = said(pose);
+  Matrix6 stiffness;
+  for (int k = 0; k < 6; ++k) {
+    const double off = k < 3 ? kOffMm / std::max(1.0, radius_mm_) : kOffMm;
+    FittedPose moved = pose;
+    moved.front_from_back =
+        changed(pose.front_from_back, off * Vector6::Unit(k), pivot(pose.front_from_back));
+    stiffness.col(k) = (said(moved).gradient - here.gradient) / off;
+  }
+  // Between next to nothing and what the rows say, in each direction.
+  const Matrix6 claimed = here.information + 1e-9 * Matrix6::Identity();
+  const Eigen::LLT<Matrix6> root(claimed);
+  const Matrix6 lower = root.matrixL();
+  const Matrix6 half = root.matrixL().solve(0.5 * (stiffness + stiffness.transpose()));
+  const Matrix6 relative = root.matrixL().solve(Matrix6(half.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Matrix6> own(0.5 * (relative + relative.transpose()));
+  const Vector6 kept = own.eigenvalues().cwiseMax(0.05).cwiseMin(1.0);
+  const Matrix6 turned = own.eigenvectors() * kept.asDiagonal() * own.eigenvectors().transpose();
+  return lower * turned * lower.transpose();
+}
+
+// Where the gradient grows by H and scatters by I, the pose scatters by H^-1 I H^-1.
+Matrix6 PairFit::covariance(const FittedPose& pose) const {
+  const double apart =
+      strain(pose.witnesses, startEvidence(pose, pivot(pose.front_from_back)).information);
+  Matrix6 scatter = pose.evidence.information;
+  scatter.diagonal().array() += 1e-9;
+  // Strips of scanners hold what their rows say: errors are 0.6 to 0.9 of what is stated.
+  if (contact_.grain_mm <= 0) return apart * apart * scatter.inverse();
+  const Testimony& strip = pose.witnesses[0];
+  const Matrix6 soft =
+      (scatter + strip.trust * (stripStiffness(pose) - strip.evidence.information)).inverse();
+  return apart * apart * soft * scatter * soft.transpose();
+}
+
+double PairFit::uncertainty(const Matrix6& covariance) const {
   // RMS over points spread by the radius: each turn moves two of three coordinates.
   return std::sqrt(covariance.bottomRightCorner<3, 3>().trace() +
                    covariance.topLeftCorner<3, 3>().trace() * radius_mm_ * radius_mm_ * 2.0 / 3.0);

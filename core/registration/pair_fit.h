@@ -1,11 +1,13 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <array>
 
 #include "registration/contact.h"
 #include "registration/outline.h"
 #include "registration/register_sides.h"
 #include "registration/rim_icp.h"
 #include "registration/silhouettes.h"
+#include "registration/testimony.h"
 
 namespace ostraka::registration {
 
@@ -14,8 +16,10 @@ struct FittedPose {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d begun = Eigen::Isometry3d::Identity();
   int start = -1;
-  RimFit rim;              ///< rms and overlap within 1 mm once fine() has run
-  Evidence evidence;       ///< of all witnesses together
+  RimFit rim;         ///< rms and overlap within 1 mm once fine() has run
+  Evidence evidence;  ///< of all witnesses together
+  /// Strip, rest of the back, rest of the front, outline, photographs.
+  std::array<Testimony, 5> witnesses;
   double sigma_mm = 0.15;  ///< of one pair of strip points
   double alike = 0;        ///< strip points that err together; 0: as many as a good scanner's
   double score = 1e9;      ///< share of strip points that do not fit, lower is better
@@ -36,8 +40,10 @@ class PairFit {
   /// Goes on from weighed() with the photographs' outlines.
   void withSilhouettes(FittedPose& pose, const SilhouetteWitness& silhouettes) const;
 
+  /// Of a small change of the pose about its pivot, once weighed() has run.
+  Matrix6 covariance(const FittedPose& pose) const;
   /// 1-sigma RMS displacement over the sherd.
-  double uncertainty(const Evidence& evidence) const;
+  double uncertainty(const Matrix6& covariance) const;
   /// RMS displacement of the back between two poses.
   double distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) const;
   Eigen::Vector3d pivot(const Eigen::Isometry3d& pose) const;
@@ -49,10 +55,12 @@ class PairFit {
   double fineRound(FittedPose& pose, double radius, const SilhouetteWitness* silhouettes,
                    double reach_px) const;
   void judge(FittedPose& pose) const;
+  Matrix6 stripStiffness(const FittedPose& pose) const;
 
   const Strip &front_, &back_;
   const Witnesses& witnesses_;
   const RegistrationOptions& options_;
+  ContactOptions contact_;
   double radius_mm_ = 1, last_radius_mm_ = 0.35, spacing_mm_ = 0.4;
 };
 

@@ -1,5 +1,6 @@
 #include "registration/register_sides.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -73,18 +74,23 @@ std::vector<FittedPose> alongTheRim(const FittedPose& best, const PairFit& pair,
   return poses;
 }
 
+double rimsAreOne(const FittedPose& pose, const Strip& front, const Strip& back) {
+  return rimLogLikelihood(pose.rim.rms_mm, std::hypot(front.noise_mm, back.noise_mm),
+                          pose.rim.pairs);
+}
+
 Registration reported(const FittedPose& best, const PairFit& pair, const Strip& front,
                       const Strip& back) {
   Registration found;
   found.front_from_back = best.front_from_back;
   found.rim_rms_mm = best.rim.rms_mm;
   found.rim_overlap = best.rim.overlap;
-  found.information = best.evidence.information;
+  const Matrix6 covariance = pair.covariance(best);
+  found.information = covariance.inverse();
   found.pivot = pair.pivot(best.front_from_back);
-  found.uncertainty_mm = pair.uncertainty(best.evidence);
+  found.uncertainty_mm = pair.uncertainty(covariance);
   found.start = best.start;
-  const double noise = std::hypot(front.noise_mm, back.noise_mm);
-  found.log_likelihood = rimLogLikelihood(best.rim.rms_mm, noise, best.rim.pairs);
+  found.log_likelihood = rimsAreOne(best, front, back);
   found.runner_up_gap = 1e9;
   return found;
 }
@@ -184,7 +190,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   best = *std::min_element(rivals.begin(), rivals.end(), better);
 
   pair.weighed(best);
-  const bool hopeless = reported(best, pair, front, back).log_likelihood < kNoPairLogLikelihood;
+  const bool hopeless = rimsAreOne(best, front, back) < kNoPairLogLikelihood;
   if (!hopeless && (!witnesses.front.empty() || !witnesses.back.empty())) {
     const SilhouetteWitness silhouettes(front, back, witnesses.front, witnesses.back,
                                         best.front_from_back, {}, options.threads);

@@ -76,6 +76,23 @@ Outline madeByTheMoving(const Outline& mask, const Coverage& still, double margi
   return free;
 }
 
+// How far the still side's own end lies outside the mask where it made the outline: pictures of
+// points are wider than photographs by half a cell or so, scans and masks end where they end. The
+// pose has no part in it, and the moving side's end errs alike.
+void addExcess(const Outline& mask, const Outline& still, double margin_px,
+               std::vector<double>& excess_px) {
+  const std::vector<Vector3f> ends = flatPoints(still.points);
+  const KdTree tree(ends);
+  for (std::size_t i = 0; i < mask.points.size(); ++i) {
+    const Neighbour near = tree.nearest(flatPoint(mask.points[i]), 3.0f);
+    if (near.index < 0) continue;
+    const auto k = static_cast<std::size_t>(near.index);
+    if (still.normals[k].dot(mask.normals[i]) < 0.7071) continue;
+    const double out = mask.normals[i].dot(still.points[k] - mask.points[i]);
+    if (out > -margin_px) excess_px.push_back(out);
+  }
+}
+
 // Pixels within `near` of the outline. The ends that leaving out the others makes lie farther away
 // than any match reaches.
 std::vector<std::size_t> nearOutline(const Outline& outline, std::span<const Vector2f> pixels,
@@ -103,6 +120,12 @@ std::vector<std::size_t> nearOutline(const Outline& outline, std::span<const Vec
   return kept;
 }
 
+double medianOf(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 // One fatness for all views of a side (a fat strip, a soft mask), unknown and marginalised. It must
 // not be one per view: what moves in a low view is mostly the lower edge, and taking out each
 // view's own mean would take out the height.
@@ -111,11 +134,6 @@ OutlineFit sideEvidence(std::span<const OutlineMatch> matches, const SilhouetteO
   OutlineFit fit;
   fit.pairs = static_cast<int>(matches.size());
   if (fit.pairs < 50) return fit;
-  const auto medianOf = [](std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
   std::vector<double> sizes;
   for (const OutlineMatch& m : matches) sizes.push_back(m.residual);
   const double median = medianOf(sizes);
@@ -147,7 +165,8 @@ struct SilhouetteWitness::View {
   Coverage still;  // the side that made this shot's scan
   Outline mask;
   KdTree mask_tree{{}};
-  std::vector<Vector3f> moving;  // the points of the other side that may come near the mask's end
+  std::vector<double> excess_px;  // of the still side over the mask
+  std::vector<Vector3f> moving;   // the points of the other side that may come near the mask's end
 };
 
 SilhouetteWitness::~SilhouetteWitness() = default;
@@ -180,14 +199,22 @@ SilhouetteWitness::SilhouetteWitness(const Strip& front, const Strip& back,
     const std::vector<Vector2f> pixels = project(given.camera, moving.all, plate_from_moving);
     const Coverage around = coverageOf(pixels, view.cell, view.blur);
     if (view.still.picture.empty() || around.picture.empty()) return;
-    view.mask = madeByTheMoving(outlineOf(cutOut(given.mask, around, view.blur)), view.still,
-                                options.margin_px);
+    const Outline whole = outlineOf(cutOut(given.mask, around, view.blur));
+    addExcess(whole, outlineOf(view.still), options.margin_px, view.excess_px);
+    view.mask = madeByTheMoving(whole, view.still, options.margin_px);
     view.mask_tree = KdTree(flatPoints(view.mask.points));
     // A millimetre that the pose may still move, the reach, and what the blur looks at.
     const double near = px_per_mm + options.reach_px + 4 * view.blur;
     for (const std::size_t k : nearOutline(view.mask, pixels, near))
       view.moving.push_back(moving.all[k]);
   });
+  for (const bool back_moves : {true, false}) {
+    std::vector<double> all;
+    for (const View& view : views_)
+      if (view.back_moves == back_moves)
+        all.insert(all.end(), view.excess_px.begin(), view.excess_px.end());
+    excess_px_[back_moves ? 0 : 1] = all.size() < 50 ? 0 : medianOf(all);
+  }
 }
 
 OutlineFit SilhouetteWitness::evidence(const Eigen::Isometry3d& front_from_back,
@@ -218,7 +245,8 @@ OutlineFit SilhouetteWitness::evidence(const Eigen::Isometry3d& front_from_back,
       const Vector3d p_front = view.back_moves ? p_plate : p_moving;
       // Moving the back moves the front against it in the back's photographs.
       const Vector3d n = view.back_moves ? slope : Vector3d(-front_from_back.linear() * slope);
-      matches.push_back({n2.dot(u - view.mask.points[m]), rowOf(p_front, n, pivot)});
+      const double excess = excess_px_[view.back_moves ? 0 : 1];
+      matches.push_back({n2.dot(u - view.mask.points[m]) - excess, rowOf(p_front, n, pivot)});
     }
     found[i] = std::move(matches);
   });

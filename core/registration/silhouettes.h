@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -18,8 +19,8 @@ struct SilhouetteOptions {
                                ///< a mask holds to half a pixel
   double min_sigma_px = 0.25;  ///< masks' edges hold to a quarter of a pixel
   double correlation_px = 12;  ///< a bump of the scan's end shows in several pixels ...
-  double views_alike = 8;      ///< ... and in as many of 24 views
-  double fatness_px = 0.5;     ///< SD of the scan's and the mask's common excess, one per side
+  double views_alike = 3;      ///< ... and in as many of 24 views, by chi-square at true poses
+  double fatness_px = 0.5;     ///< SD of the moving side's excess over the mask about the still's
 };
 
 /// Registered sides must fill the outlines of the photographs of both shots to sub-pixel. In the
@@ -45,6 +46,7 @@ class SilhouetteWitness {
   SilhouetteOptions options_;
   int threads_;
   std::vector<View> views_;
+  std::array<double, 2> excess_px_{};  ///< of the still side over its masks: front's, back's shot
 };
 
 }  // namespace ostraka::registration

@@ -14,3 +14,6 @@ if(OSTRAKA_PCL_INCLUDE AND OSTRAKA_PCL_REGISTRATION AND OpenMP_CXX_FOUND)
   target_link_libraries(registration_accuracy PRIVATE pcl_registration pcl_features pcl_sample_consensus
     pcl_filters pcl_search pcl_kdtree pcl_octree pcl_common flann_cpp lz4 OpenMP::OpenMP_CXX)
 endif()
+add_executable(registration_processed registration_processed.cpp)
+target_link_libraries(registration_processed PRIVATE ostraka_pipeline ostraka_registration
+  nlohmann_json::nlohmann_json opencv_imgcodecs)

@@ -48,9 +48,9 @@ TEST(CompareModel, TakesOutAPoseErrorOnlyWhenAskedTo) {
   const TriangleMesh model = shifted(truth, {0.2f, -0.1f, 0.1f});
   EXPECT_GT(compare(model, truth).accuracy_mm, 0.09);
   const ModelFigures aligned = compare(model, truth, Align::Icp);
-  // Only the walls that look along x hold x: 480 of 5080 mm^2, and as they lie farthest off, half of
-  // them are the twentieth that each round leaves out. So a round closes about 5 % of what is left,
-  // and the sixty allowed end 0.2 * 0.95^60 = 0.01 mm off.
+  // Only the walls that look along x hold x: 480 of 5080 mm^2, and as they lie farthest off, half
+  // of them are the twentieth that each round leaves out. So a round closes about 5 % of what is
+  // left, and the sixty allowed end 0.2 * 0.95^60 = 0.01 mm off.
   EXPECT_LT(aligned.accuracy_mm, 0.02);
   EXPECT_NEAR(aligned.aligned_by_mm, std::sqrt(0.04 + 0.01 + 0.01), 0.03);
   EXPECT_LT(aligned.aligned_by_deg, 0.05);

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -72,6 +73,17 @@ void BulkEdit::buildLayout() {
   column->addWidget(table_, 1);
   column->addWidget(apply_);
   column->addWidget(numbers_);
+  bar_ = new QProgressBar(this);
+  bar_->setObjectName("bulkProgress");
+  bar_->setRange(0, 1000);
+  bar_->setAccessibleName(tr("Progress of the changes"));
+  stop_ = new QPushButton(icon("cancel"), tr("Stop and take back"), this);
+  stop_->setObjectName("bulkStop");
+  stop_->setMinimumHeight(targetSize(*this));
+  column->addWidget(bar_);
+  column->addWidget(stop_);
+  showProgress(-1);
+  connect(stop_, &QPushButton::clicked, this, &BulkEdit::stopWanted);
   connect(field_, &QComboBox::currentIndexChanged, this, [this] {
     offerTerms();
     preview();
@@ -88,6 +100,17 @@ void BulkEdit::setSherds(ProjectSession* session, std::vector<catalogue::SherdRo
   value_->clear();
   offerTerms();
   preview();
+}
+
+void BulkEdit::showProgress(double fraction) {
+  const bool busy = fraction >= 0;
+  bar_->setVisible(busy);
+  stop_->setVisible(busy);
+  bar_->setValue(qRound(1000 * fraction));
+  apply_->setVisible(!busy);
+  numbers_->setVisible(!busy);
+  field_->setEnabled(!busy);
+  value_->setEnabled(!busy);
 }
 
 void BulkEdit::offerTerms() {

@@ -8,6 +8,7 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QProgressBar;
 class QPushButton;
 class QTableWidget;
 
@@ -25,11 +26,14 @@ class BulkEdit final : public QWidget {
   /// session: nullptr when no project is open. The preview comes from a worker.
   void setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds);
   const std::vector<catalogue::SherdRow>& sherds() const { return sherds_; }
+  /// While many are being changed: how far it is; below 0: nothing is going on.
+  void showProgress(double fraction);
 
  signals:
   /// The changes that the preview showed without a refusal.
   void wanted(const std::vector<catalogue::FieldChange>& changes);
   void numbersWanted();
+  void stopWanted();
 
  private:
   void buildLayout();
@@ -49,6 +53,8 @@ class BulkEdit final : public QWidget {
   QTableWidget* table_ = nullptr;
   QPushButton* apply_ = nullptr;
   QPushButton* numbers_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+  QPushButton* stop_ = nullptr;
 };
 
 }  // namespace ostraka::ui

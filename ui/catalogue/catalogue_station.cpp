@@ -9,13 +9,19 @@
 #include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTableView>
 #include <QTimer>
 #include <QToolButton>
 
 #include "catalogue/project.h"
 #include "ui/catalogue/bulk_edit.h"
+#include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/field_words.h"
+#include "ui/catalogue/import_dialog.h"
+#include "ui/catalogue/import_model.h"
+#include "ui/catalogue/model_pane.h"
 #include "ui/catalogue/sherd_details.h"
 #include "ui/catalogue/sherd_edits.h"
 #include "ui/catalogue/sherd_table_model.h"
@@ -26,6 +32,7 @@ namespace ostraka::ui {
 
 CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
   model_ = new SherdTableModel(this);
+  import_ = new ImportModel(this);
   buildLayout();
   addActions();
   connect(model_, &SherdTableModel::failed, this, &CatalogueStation::complain);
@@ -38,6 +45,14 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
   connect(details_, &SherdDetails::edited, this, &CatalogueStation::saveField);
   connect(details_, &SherdDetails::numberWanted, this, &CatalogueStation::giveNumbers);
   connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueStation::giveNumbers);
+  connect(import_, &ImportModel::entered, this,
+          [this](const QString& source, const exchange::ImportReport& report) {
+            const QString name = source.section('/', -1);
+            edits_->took(tr("changes by the import of %1").arg(name), report.changes, report.undo);
+            details_->setVocabularies(session_->project().catalogue());
+            model_->reload();
+            emit said(tr("Imported %1: %2").arg(name, import_->summary()));
+          });
   connect(bulk_, &BulkEdit::wanted, this, [this](const std::vector<catalogue::FieldChange>& all) {
     if (all.empty() || !edits_) return;
     const QString field = fieldLabel(all.front().field);
@@ -78,6 +93,12 @@ void CatalogueStation::buildLayout() {
     emit wantsStation("export",
                       rows.size() > 1 ? "rows:" + rows.join(',') : "filter:" + filter_->text());
   });
+  auto* to_import = new QPushButton(icon("import"), tr("Import …"), this);
+  to_import->setObjectName("import");
+  to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
+                         .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
+  to_import->setMinimumHeight(targetSize(*this));
+  connect(to_import, &QPushButton::clicked, this, &CatalogueStation::openImport);
   chips_ = new QHBoxLayout;
   count_ = new QLabel(this);
   count_->setObjectName("count");
@@ -134,20 +155,16 @@ void CatalogueStation::buildLayout() {
   left_ = new QStackedWidget(this);
   left_->addWidget(table_);
   left_->addWidget(empty_);
-  details_ = new SherdDetails(this);
-  bulk_ = new BulkEdit(this);
-  right_ = new QStackedWidget(this);
-  right_->addWidget(details_);
-  right_->addWidget(bulk_);
   auto* split = new QSplitter(Qt::Horizontal, this);
   split->addWidget(left_);
-  split->addWidget(right_);
+  split->addWidget(buildRight());
   split->setStretchFactor(0, 3);
   split->setStretchFactor(1, 1);
-  split->setSizes({800, 380});
+  split->setSizes({760, 420});
   split->setChildrenCollapsible(false);
   auto* line = new QHBoxLayout;
   line->addWidget(filter_, 1);
+  line->addWidget(to_import);
   line->addWidget(to_export);
   auto* chips_row = new QHBoxLayout;
   chips_row->addLayout(chips_);
@@ -159,6 +176,34 @@ void CatalogueStation::buildLayout() {
   column->addWidget(problem_);
   column->addWidget(who_);
   column->addWidget(split, 1);
+}
+
+QWidget* CatalogueStation::buildRight() {
+  details_ = new SherdDetails(this);
+  bulk_ = new BulkEdit(this);
+  model_pane_ = new ModelPane(this);
+  drawing_ = new DrawingPage(this);
+  auto* one = new QSplitter(Qt::Vertical, this);
+  one->addWidget(model_pane_);
+  one->addWidget(details_);
+  one->setStretchFactor(1, 1);
+  one->setChildrenCollapsible(false);
+  one_ = one;
+  edit_ = new QStackedWidget(this);
+  edit_->addWidget(one_);
+  edit_->addWidget(bulk_);
+  right_ = new QTabWidget(this);
+  right_->setObjectName("right");
+  right_->setAccessibleName(tr("About what is chosen"));
+  right_->addTab(edit_, icon("edit"), tr("Details"));
+  right_->addTab(drawing_, icon("drawing"), tr("Drawing"));
+  right_->tabBar()->setAccessibleName(tr("Details or drawing"));
+  connect(drawing_, &DrawingPage::said, this, &Station::said);
+  connect(drawing_, &DrawingPage::measuresWanted, this,
+          [this](const std::vector<catalogue::FieldChange>& changes) {
+            if (edits_) complain(edits_->change(tr("enter the rim's diameter"), changes));
+          });
+  return right_;
 }
 
 void CatalogueStation::addActions() {
@@ -176,11 +221,18 @@ void CatalogueStation::addActions() {
     filter_->selectAll();
   });
   add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] {
-    if (right_->currentWidget() == bulk_)
+    right_->setCurrentWidget(edit_);
+    if (edit_->currentWidget() == bulk_)
       bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
     else
       details_->edit();
   });
+  add(tr("Drawing"), "drawing", QKeySequence(Qt::CTRL | Qt::Key_D), "drawing", [this] {
+    right_->setCurrentWidget(drawing_);
+    drawing_->setFocus(Qt::ShortcutFocusReason);
+  });
+  add(tr("Import"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), "openImport",
+      [this] { openImport(); });
   add(tr("Give numbers"), "label", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), "giveNumbers",
       [this] { giveNumbers(); });
 }
@@ -191,6 +243,12 @@ void CatalogueStation::openProject(ProjectSession& session) {
   edits_ = new SherdEdits(session, this);
   connect(edits_, &SherdEdits::changed, this, &CatalogueStation::sherdsChanged);
   connect(edits_, &SherdEdits::failed, this, &CatalogueStation::complain);
+  connect(edits_, &SherdEdits::busyChanged, this, [this] {
+    bulk_->showProgress(edits_->isBusy() ? edits_->fraction() : -1);
+    table_->setEnabled(!edits_->isBusy());  // what is being changed stays chosen
+    details_->setEnabled(!edits_->isBusy());
+  });
+  connect(bulk_, &BulkEdit::stopWanted, edits_, &SherdEdits::stop);
   connect(&session, &ProjectSession::batchChanged, this, [this] {
     stale_ = true;
     if (isVisible()) setInFront(true);
@@ -206,6 +264,8 @@ void CatalogueStation::openProject(ProjectSession& session) {
 void CatalogueStation::closeProject() {
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_ = nullptr;
+  delete import_dialog_.data();
+  import_->openProject(nullptr);
   delete edits_;
   edits_ = nullptr;
   filter_->clear();
@@ -213,6 +273,8 @@ void CatalogueStation::closeProject() {
   model_->setCatalogue(nullptr, {}, nullptr);
   bulk_->setSherds(nullptr, {});
   details_->clear();
+  model_pane_->clear();
+  drawing_->setSherds(nullptr, {});
   complain({});
   setEnabled(false);
 }
@@ -291,15 +353,29 @@ std::vector<catalogue::SherdRow> CatalogueStation::selected() const {
 void CatalogueStation::showSelection() {
   const std::vector<catalogue::SherdRow> sherds = selected();
   if (!session_ || sherds.empty()) {
-    right_->setCurrentWidget(details_);
+    edit_->setCurrentWidget(one_);
     details_->clear();
+    model_pane_->clear();
   } else if (sherds.size() == 1) {
-    right_->setCurrentWidget(details_);
+    edit_->setCurrentWidget(one_);
     details_->showSherd(session_->project().catalogue(), session_->folder(), sherds.front());
+    showModelOf(sherds.front());
   } else {
     bulk_->setSherds(session_, sherds);
-    right_->setCurrentWidget(bulk_);
+    edit_->setCurrentWidget(bulk_);
   }
+  drawing_->setSherds(session_, sherds);
+}
+
+void CatalogueStation::showModelOf(catalogue::SherdRow row) {
+  const auto sherd = session_->project().catalogue().sherd(row);
+  const auto whole = [&](const std::string& path) {
+    return path.empty() ? QString() : QString::fromStdString((session_->folder() / path).string());
+  };
+  if (sherd)
+    model_pane_->showSherd(session_->jobs(), whole(sherd->preview_path), whole(sherd->model_path));
+  else
+    model_pane_->clear();
 }
 
 void CatalogueStation::saveField(const QString& field, const QString& value) {
@@ -331,15 +407,19 @@ void CatalogueStation::move(const QStringList& place) {
   complain(edits_->change(tr("move to another context"), changes));
 }
 
+void CatalogueStation::openImport() {
+  if (!session_) return;
+  if (!import_dialog_) {
+    import_->openProject(session_);
+    import_dialog_ = new ImportDialog(*import_, this);
+    import_dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  import_dialog_->show();
+  import_dialog_->activateWindow();
+}
+
 void CatalogueStation::giveNumbers() {
-  if (!edits_) return;
-  std::vector<catalogue::SherdRow> drafts;
-  const auto records = session_->project().catalogue().sherds(selected());
-  if (!records) return complain(QString::fromStdString(records.error().sentence()));
-  for (const catalogue::SherdRecord& sherd : *records)
-    if (sherd.state == catalogue::SherdState::Draft) drafts.push_back(sherd.row);
-  if (drafts.empty()) return complain(tr("The sherds that are chosen have their numbers."));
-  complain(edits_->assignNumbers(drafts));
+  if (edits_) complain(edits_->assignNumbers(selected()));
 }
 
 void CatalogueStation::sherdsChanged(const std::vector<catalogue::SherdRow>& sherds) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <QPointer>
+
 #include "catalogue/catalogue.h"
 #include "ui/frame/station.h"
 
@@ -6,17 +8,23 @@ class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QStackedWidget;
+class QTabWidget;
 class QTableView;
 class QTimer;
 
 namespace ostraka::ui {
 
 class BulkEdit;
+class DrawingPage;
+class ImportDialog;
+class ImportModel;
+class ModelPane;
 class SherdDetails;
 class SherdEdits;
 class SherdTableModel;
 
-/// All sherds: filter line with chips, table with pictures, details or bulk edit at the right.
+/// All sherds: filter line with chips, table with pictures; at the right the model and the details
+/// of the one that is chosen, or the edit of many, and beside them their drawing.
 class CatalogueStation final : public Station {
   Q_OBJECT
 
@@ -42,10 +50,13 @@ class CatalogueStation final : public Station {
   void showChips();
   void showSelection();
   void showCount();
+  void showModelOf(catalogue::SherdRow sherd);
+  QWidget* buildRight();
   std::vector<catalogue::SherdRow> selected() const;
   void saveField(const QString& field, const QString& value);
   void move(const QStringList& place);
   void giveNumbers();
+  void openImport();
   void sherdsChanged(const std::vector<catalogue::SherdRow>& sherds);
   void complain(const QString& sentence);
 
@@ -61,7 +72,13 @@ class CatalogueStation final : public Station {
   QTableView* table_ = nullptr;
   QStackedWidget* left_ = nullptr;
   QLabel* empty_ = nullptr;
-  QStackedWidget* right_ = nullptr;
+  QTabWidget* right_ = nullptr;
+  QStackedWidget* edit_ = nullptr;  ///< one sherd or many
+  QWidget* one_ = nullptr;
+  ModelPane* model_pane_ = nullptr;
+  DrawingPage* drawing_ = nullptr;
+  ImportModel* import_ = nullptr;
+  QPointer<ImportDialog> import_dialog_;
   SherdDetails* details_ = nullptr;
   BulkEdit* bulk_ = nullptr;
   bool stale_ = false;  ///< rows came or went while another station was in front

@@ -18,7 +18,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr int kPicture = 220, kSmallPicture = 64;
+constexpr int kSmallPicture = 64;
 
 QTreeWidget* table(const QStringList& columns, const QString& name, QWidget* parent) {
   auto* tree = new QTreeWidget(parent);
@@ -70,9 +70,6 @@ void SherdDetails::buildLayout() {
   setAccessibleName(tr("Details of the sherd"));
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);
-  picture_ = new QLabel(page);
-  picture_->setAlignment(Qt::AlignCenter);
-  picture_->setAccessibleName(tr("Picture of the sherd"));
   number_ = new QLabel(page);
   number_->setFont(scaledFont(*this, 1.4));
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -119,7 +116,6 @@ void SherdDetails::buildLayout() {
     label->setFont(scaledFont(*this, 1.15));
     return label;
   };
-  column->addWidget(picture_);
   column->addWidget(number_);
   column->addWidget(give_number_);
   column->addWidget(refusal_);
@@ -216,7 +212,6 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   sherd_ = row;
   widget()->setEnabled(true);
   refusal_->hide();
-  setPicture(picture_, QString::fromStdString((project / sherd->preview_path).string()), kPicture);
   number_->setText(sherd->number.empty() ? tr("no number yet")
                                          : QString::fromStdString(sherd->number));
   give_number_->setVisible(sherd->number.empty());
@@ -303,7 +298,6 @@ void SherdDetails::clear() {
   sherd_ = {};
   refusal_->hide();
   give_number_->hide();
-  setPicture(picture_, {}, kPicture);
   number_->setText(tr("Choose a sherd."));
   place_->clear();
   for (const catalogue::SherdField& field : catalogue::sherdFields())

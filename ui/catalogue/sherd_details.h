@@ -13,7 +13,7 @@ class QTreeWidget;
 
 namespace ostraka::ui {
 
-/// One sherd: picture, number, fields with their vocabularies, measures with where they come from,
+/// One sherd: number, fields with their vocabularies, measures with where they come from,
 /// history, files. It shows and asks; who saves is told by signals.
 class SherdDetails final : public QScrollArea {
   Q_OBJECT
@@ -48,7 +48,6 @@ class SherdDetails final : public QScrollArea {
   void showFiles(const catalogue::Catalogue& catalogue, const std::filesystem::path& project);
 
   catalogue::SherdRow sherd_;
-  QLabel* picture_ = nullptr;
   QLabel* number_ = nullptr;
   QPushButton* give_number_ = nullptr;
   QFormLayout* form_ = nullptr;

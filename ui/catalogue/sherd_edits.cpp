@@ -1,18 +1,44 @@
 #include "ui/catalogue/sherd_edits.h"
 
+#include <QUndoCommand>
 #include <QUndoStack>
+#include <memory>
 
+#include "catalogue/many_changes.h"
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
+namespace {
+
+using Changes = std::vector<catalogue::FieldChange>;
+
+Result<Changes> numbersFor(const catalogue::Catalogue& catalogue,
+                           const std::vector<catalogue::SherdRow>& sherds) {
+  const Result<std::vector<catalogue::SherdRecord>> records = catalogue.sherds(sherds);
+  if (!records) return records.error();
+  std::vector<catalogue::SherdRow> drafts;
+  for (const catalogue::SherdRecord& sherd : *records)
+    if (sherd.state == catalogue::SherdState::Draft) drafts.push_back(sherd.row);
+  Changes changes;
+  if (drafts.empty()) return changes;
+  const Result<std::vector<std::string>> numbers = catalogue.proposeNumbers(drafts);
+  if (!numbers) return numbers.error();
+  for (std::size_t i = 0; i < drafts.size(); ++i)
+    changes.push_back({drafts[i], "number", (*numbers)[i]});
+  return changes;
+}
+
+QString sentenceOf(const Error& error) {
+  return QString::fromStdString(error.sentence());
+}
+
+}  // namespace
 
 /// Ids and values only; what undoes it comes from the catalogue each time.
 class SherdEditCommand final : public QUndoCommand {
  public:
-  SherdEditCommand(SherdEdits& edits, const QString& title,
-                   std::vector<catalogue::FieldChange> done,
-                   std::vector<catalogue::FieldChange> undo)
+  SherdEditCommand(SherdEdits& edits, const QString& title, Changes done, Changes undo)
       : QUndoCommand(title), edits_(edits), redo_(std::move(done)), undo_(std::move(undo)) {}
 
   void redo() override {
@@ -24,21 +50,29 @@ class SherdEditCommand final : public QUndoCommand {
   void undo() override { apply(undo_); }
 
  private:
-  void apply(const std::vector<catalogue::FieldChange>& changes) {
+  void apply(const Changes& changes) {
+    if (edits_.isBusy()) {
+      emit edits_.failed(edits_.busyWords());
+      return;
+    }
+    if (changes.size() > SherdEdits::kAtOnce) {
+      // Refused or stopped, the values stay as they are; undoing and redoing say the same again.
+      edits_.changeMany(
+          text(), [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+          [](const SherdEdits::Made&) {});
+      return;
+    }
     const auto done = edits_.session_.project().catalogue().change(changes, edits_.act());
     if (!done) {
       setObsolete(true);
-      emit edits_.failed(QString::fromStdString(done.error().sentence()));
+      emit edits_.failed(sentenceOf(done.error()));
       return;
     }
-    std::vector<catalogue::SherdRow> sherds;
-    for (const catalogue::FieldChange& change : changes) sherds.push_back(change.sherd);
-    emit edits_.changed(sherds);
-    edits_.session_.tellSherdsChanged();
+    edits_.tell(changes);
   }
 
   SherdEdits& edits_;
-  std::vector<catalogue::FieldChange> redo_, undo_;
+  Changes redo_, undo_;
   bool first_ = true;
 };
 
@@ -46,40 +80,100 @@ SherdEdits::SherdEdits(ProjectSession& session, QObject* parent)
     : QObject(parent), session_(session) {}
 
 catalogue::Act SherdEdits::act() const {
-  catalogue::Act act;
-  const std::string initials = session_.initials().toStdString();
-  const auto persons = session_.project().catalogue().persons();
-  if (persons)
-    for (const catalogue::PersonRecord& person : *persons)
-      if (person.initials == initials) act.person = person.row;
-  if (!act.person && !initials.empty()) {
-    const auto added = session_.project().catalogue().save(
-        catalogue::PersonRecord{{}, {}, initials, initials, {}}, act);
-    if (added) act.person = *added;
-  }
-  return act;
+  return session_.act();
 }
 
-QString SherdEdits::change(const QString& title,
-                           const std::vector<catalogue::FieldChange>& changes) {
-  const auto undo = session_.project().catalogue().change(changes, act());
-  if (!undo) return QString::fromStdString(undo.error().sentence());
-  if (undo->empty()) return {};
-  session_.undo().push(new SherdEditCommand(*this, title, changes, *undo));
+QString SherdEdits::busyWords() const {
+  return tr("Other changes are still being saved; wait for them, or stop them.");
+}
+
+void SherdEdits::tell(const Changes& changes) {
   std::vector<catalogue::SherdRow> sherds;
   for (const catalogue::FieldChange& change : changes) sherds.push_back(change.sherd);
   emit changed(sherds);
   session_.tellSherdsChanged();
+}
+
+QString SherdEdits::change(const QString& title, const Changes& changes) {
+  if (isBusy()) return busyWords();
+  if (changes.size() > kAtOnce) {
+    changeMany(
+        title, [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+        [this, title](const Made& made) {
+          if (!made.undo.empty())
+            session_.undo().push(new SherdEditCommand(*this, title, made.done, made.undo));
+        });
+    return {};
+  }
+  const auto undo = session_.project().catalogue().change(changes, act());
+  if (!undo) return sentenceOf(undo.error());
+  if (undo->empty()) return {};
+  session_.undo().push(new SherdEditCommand(*this, title, changes, *undo));
+  tell(changes);
   return {};
 }
 
+void SherdEdits::took(const QString& title, const Changes& done, const Changes& undo) {
+  if (!undo.empty()) session_.undo().push(new SherdEditCommand(*this, title, done, undo));
+  session_.tellSherdsChanged();
+}
+
 QString SherdEdits::assignNumbers(const std::vector<catalogue::SherdRow>& sherds) {
-  const auto numbers = session_.project().catalogue().proposeNumbers(sherds);
-  if (!numbers) return QString::fromStdString(numbers.error().sentence());
-  std::vector<catalogue::FieldChange> changes;
-  for (std::size_t i = 0; i < sherds.size(); ++i)
-    changes.push_back({sherds[i], "number", (*numbers)[i]});
-  return change(tr("number %n sherd(s)", nullptr, static_cast<int>(sherds.size())), changes);
+  if (isBusy()) return busyWords();
+  const QString nothing = tr("The sherds that are chosen have their numbers.");
+  const auto title = [](const Changes& changes) {
+    return tr("number %n sherd(s)", nullptr, static_cast<int>(changes.size()));
+  };
+  if (sherds.size() > kAtOnce) {
+    changeMany(
+        tr("Numbers"),
+        [sherds](const catalogue::Catalogue& catalogue) { return numbersFor(catalogue, sherds); },
+        [this, title, nothing](const Made& made) {
+          if (made.undo.empty()) return emit failed(nothing);
+          session_.undo().push(new SherdEditCommand(*this, title(made.done), made.done, made.undo));
+        });
+    return {};
+  }
+  const Result<Changes> changes = numbersFor(session_.project().catalogue(), sherds);
+  if (!changes) return sentenceOf(changes.error());
+  return changes->empty() ? nothing : change(title(*changes), *changes);
+}
+
+void SherdEdits::changeMany(const QString& title, const Making& making,
+                            std::function<void(const Made&)> then) {
+  const auto work = [folder = session_.folder(), making, act = act()](
+                        Progress& progress,
+                        std::stop_token stop) -> Result<std::shared_ptr<const Made>> {
+    Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+    if (!catalogue) return catalogue.error();
+    Result<Changes> changes = making(*catalogue);
+    if (!changes) return changes.error();
+    Result<Changes> undo = catalogue::changeMany(*catalogue, *changes, act, progress, stop);
+    if (!undo) return undo.error();
+    return std::make_shared<const Made>(Made{std::move(*changes), std::move(*undo)});
+  };
+  session_.undo().setActive(false);  // until it is known what there is to undo
+  job_ = session_.jobs().start(makeJob(title, work), this);
+  connect(job_, &JobHandle::progressed, this, &SherdEdits::busyChanged);
+  connect(job_, &JobHandle::finished, this, [this, then](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_.clear();
+    session_.undo().setActive(true);
+    const auto made = outcomeAs<std::shared_ptr<const Made>>(outcome);
+    emit busyChanged();
+    if (!made) {
+      emit failed(made.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was changed.")
+                                                            : sentenceOf(made.error()));
+      return;
+    }
+    then(**made);
+    tell((*made)->done);
+  });
+  emit busyChanged();
+}
+
+void SherdEdits::stop() {
+  if (job_) job_->cancel();
 }
 
 }  // namespace ostraka::ui

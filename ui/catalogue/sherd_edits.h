@@ -1,36 +1,59 @@
 #pragma once
 #include <QObject>
-#include <QUndoCommand>
+#include <QPointer>
 #include <functional>
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "ui/jobs/job.h"
 
 namespace ostraka::ui {
 
 class ProjectSession;
 
 /// Saves changes of sherds at once, so that they can be undone; each step is a row of the history.
+/// Few are saved before the call returns; many by a worker, one such act at a time.
 class SherdEdits final : public QObject {
   Q_OBJECT
 
  public:
+  static constexpr std::size_t kAtOnce = 50;  ///< of a call; more are many
+
   explicit SherdEdits(ProjectSession& session, QObject* parent = nullptr);
 
-  /// Empty when it was saved, else the sentence why not.
+  /// Empty when it was saved, or is being saved, else the sentence why not.
   QString change(const QString& title, const std::vector<catalogue::FieldChange>& changes);
-  /// Gives drafts their numbers. The sentence, or empty.
+  /// What an import saved already, so that it can be undone, too.
+  void took(const QString& title, const std::vector<catalogue::FieldChange>& done,
+            const std::vector<catalogue::FieldChange>& undo);
+  /// Gives those of them that are drafts their numbers. The sentence, or empty.
   QString assignNumbers(const std::vector<catalogue::SherdRow>& sherds);
   /// Who works now, as the history names it.
   catalogue::Act act() const;
 
+  bool isBusy() const { return job_ != nullptr; }  ///< many are being changed
+  double fraction() const { return job_ ? job_->progress().fraction : 0; }
+  void stop();  ///< what was changed of the many is taken back
+
  signals:
   void changed(const std::vector<catalogue::SherdRow>& sherds);
-  void failed(const QString& sentence);  ///< undoing or redoing was refused
+  void failed(const QString& sentence);  ///< undoing, redoing or changing many was refused
+  void busyChanged();                    ///< began, went on, ended
 
  private:
   friend class SherdEditCommand;
+  using Changes = std::vector<catalogue::FieldChange>;
+  struct Made {
+    Changes done, undo;
+  };
+  using Making = std::function<Result<Changes>(const catalogue::Catalogue&)>;
+  void changeMany(const QString& title, const Making& making,
+                  std::function<void(const Made&)> then);
+  void tell(const Changes& changes);
+  QString busyWords() const;
+
   ProjectSession& session_;
+  QPointer<JobHandle> job_;
 };
 
 }  // namespace ostraka::ui

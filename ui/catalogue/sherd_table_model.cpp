@@ -74,6 +74,11 @@ void SherdTableModel::reload() {
 }
 
 void SherdTableModel::refresh(const std::vector<catalogue::SherdRow>& sherds) {
+  if (sherds.size() > static_cast<std::size_t>(kPage) && !rows_.empty()) {
+    pages_.clear();
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+    return;
+  }
   int first = static_cast<int>(rows_.size()), last = -1;
   for (const catalogue::SherdRow& sherd : sherds) {
     const int row = rowOf(sherd);

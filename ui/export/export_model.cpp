@@ -15,6 +15,7 @@ namespace {
 
 // Measured on a laptop's disk with hashing: writing, syncing and reading back.
 constexpr double kBytesPerSecond = 60e6;
+constexpr double kSecondsPerDrawing = 2;  // of a sherd of 60 mm
 
 Result<std::vector<catalogue::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
                                                 ExportModel::What what, const QString& line,
@@ -124,7 +125,8 @@ QString ExportModel::sizeText() const {
   if (size_->sherds == 0) return tr("No sherd fits; choose others.");
   const QLocale locale;
   const double seconds = static_cast<double>(size_->bytes) / kBytesPerSecond +
-                         0.01 * static_cast<double>(size_->sherds);
+                         0.01 * static_cast<double>(size_->sherds) +
+                         kSecondsPerDrawing * static_cast<double>(size_->drawings);
   const QString time =
       seconds < 60 ? tr("less than a minute")
                    : tr("about %n minute(s)", nullptr, static_cast<int>(seconds / 60 + 0.5));

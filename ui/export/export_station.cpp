@@ -70,6 +70,7 @@ QWidget* ExportStation::buildForms() {
       {exchange::Form::Ply, tr("Models as PLY, in mm")},
       {exchange::Form::Glb, tr("Models as GLB, for the web and for slides")},
       {exchange::Form::Obj, tr("Models as OBJ, in mm")},
+      {exchange::Form::Drawings, tr("Drawings for print (SVG and PDF), 1 : 1")},
       {exchange::Form::Photographs, tr("The photographs, unchanged")}};
   for (const auto& [form, text] : all) {
     auto* check = new QCheckBox(text, box);

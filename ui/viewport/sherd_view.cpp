@@ -44,6 +44,15 @@ void prepareOpenGl() {
     qputenv("QT_QPA_PLATFORM", "xcb");
 }
 
+void reserveOpenGl(QWidget& window) {
+  if (!GlCanvas::isPossible()) return;
+  // Qt asks all children, hidden ones too, what kind of surface the window needs.
+  auto* nothing = new QOpenGLWidget(&window);
+  nothing->setObjectName("reservesOpenGl");
+  nothing->setFocusPolicy(Qt::NoFocus);
+  nothing->hide();
+}
+
 SherdView::SherdView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Sherd in three dimensions"));
   auto* layout = new QVBoxLayout(this);

@@ -85,5 +85,8 @@ class SherdView final : public QWidget {
 
 /// To be called before QApplication is made: the surface format and platform that VTK needs.
 void prepareOpenGl();
+/// To be called before a window is shown first. Otherwise the first view in three dimensions, which
+/// comes when somebody needs it, has the window made anew, and it loses the keyboard.
+void reserveOpenGl(QWidget& window);
 
 }  // namespace ostraka::ui

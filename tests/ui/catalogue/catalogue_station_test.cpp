@@ -6,15 +6,21 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QOpenGLWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStackedWidget>
+#include <QTabWidget>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
 
 #include "sample_project.h"
+#include "ui/catalogue/drawing_page.h"
+#include "ui/catalogue/model_pane.h"
+#include "ui/catalogue/sherd_edits.h"
 #include "ui/frame/look.h"
+#include "ui/viewport/sherd_view.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -49,6 +55,7 @@ class CatalogueStationTest : public QObject {
   void init() {
     sample_ = std::make_unique<SampleProject>(40);
     station_ = std::make_unique<CatalogueStation>();
+    reserveOpenGl(*station_);
     station_->resize(1280, 720);
     station_->openProject(sample_->session());
     station_->show();
@@ -127,6 +134,35 @@ class CatalogueStationTest : public QObject {
     QCOMPARE(sample_->session().undo().count(), 0);
   }
 
+  void theModelOfTheSherdCanBeTurned() {
+    sample_->giveModel(0);
+    choose(0);
+    auto* pane = child<ModelPane>("model");
+    QTRY_VERIFY(pane->showsModel());
+    auto* canvas = child<QOpenGLWidget>("canvas");
+    QTRY_VERIFY(canvas->isVisible());
+    const auto clay = [&] {
+      const QImage shown = canvas->grabFramebuffer();
+      int count = 0;
+      for (int y = 0; y < shown.height(); ++y)
+        for (int x = 0; x < shown.width(); ++x) {
+          const QColor pixel = shown.pixelColor(x, y);
+          if (pixel.red() > pixel.blue() + 30) ++count;
+        }
+      return count;
+    };
+    QTRY_VERIFY(clay() > 1000);
+    const QImage before = canvas->grabFramebuffer();
+    const QPoint middle = canvas->rect().center();
+    QTest::mousePress(canvas, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(canvas, middle + QPoint(60, 10));
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, middle + QPoint(60, 10));
+    QTRY_VERIFY(canvas->grabFramebuffer() != before);
+    QVERIFY2(station_->isActiveWindow(), "the first 3D view takes no focus away");
+    choose(1);
+    QVERIFY2(!pane->showsModel(), "a sherd without a model shows its picture");
+  }
+
   void manyAreChangedAtOnceAfterAPreview() {
     filter("rim");
     table()->setFocus();
@@ -150,6 +186,40 @@ class CatalogueStationTest : public QObject {
     QCOMPARE(sample_->value(1, "condition"), QString());
     sample_->session().undo().undo();
     QCOMPARE(sample_->value(39, "condition"), QString());
+  }
+
+  void veryManyAreChangedByAWorkerAndCanBeStopped() {
+    SampleProject large(400);
+    station_->openProject(large.session());
+    QVERIFY(400 > SherdEdits::kAtOnce);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+    auto* field = child<QComboBox>("bulkField");
+    field->setCurrentIndex(field->findData("ware"));
+    auto* value = child<QLineEdit>("bulkValue");
+    auto* apply = child<QPushButton>("bulkApply");
+    QTest::keyClicks(value, "white");
+    QTRY_VERIFY(child<QLabel>("bulkSummary")->text().startsWith("400 change"));
+    QTest::mouseClick(apply, Qt::LeftButton);
+    auto* stop = child<QPushButton>("bulkStop");
+    QVERIFY(stop->isVisible());
+    QVERIFY2(!apply->isVisible(), "one such act at a time");
+    QTest::mouseClick(stop, Qt::LeftButton);
+    QTRY_VERIFY(!stop->isVisible());
+    QTRY_COMPARE(child<QLabel>("problem")->text(), QString("Stopped; nothing was changed."));
+    for (const int sherd : {0, 200, 399}) QVERIFY(large.value(sherd, "ware") != "white");
+    QCOMPARE(large.session().undo().count(), 0);
+    QTest::mouseClick(apply, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(large.session().undo().count(), 1, 30000);
+    for (const int sherd : {0, 200, 399}) QCOMPARE(large.value(sherd, "ware"), QString("white"));
+    QCOMPARE(table()->model()->index(0, 4).data().toString(), QString("white"));
+    QVERIFY(table()->isEnabled());
+    large.session().undo().undo();
+    QTRY_COMPARE_WITH_TIMEOUT(large.value(0, "ware"), QString("grey"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(!stop->isVisible() && table()->isEnabled(), 30000);
+    QCOMPARE(large.value(1, "ware"), QString("red slipped"));
+    QCOMPARE(large.value(399, "ware"), QString("red slipped"));
+    station_->closeProject();
   }
 
   void aDraftGetsTheNumberThatIsProposed() {
@@ -216,7 +286,10 @@ class CatalogueStationTest : public QObject {
       applyLook(*qApp, theme, 100);
       QTRY_COMPARE(table()->palette().color(QPalette::Base), qApp->palette().color(QPalette::Base));
       filter("rim");
+      sample_->giveModel(6);  // the second rim of the first context
+      choose(0);
       choose(1);
+      QTRY_VERIFY(child<ModelPane>("model")->showsModel());
       QTRY_VERIFY(table()
                       ->model()
                       ->index(1, 0)
@@ -239,5 +312,10 @@ class CatalogueStationTest : public QObject {
   }
 };
 
-QTEST_MAIN(CatalogueStationTest)
+int main(int argc, char** argv) {
+  prepareOpenGl();
+  QApplication application(argc, argv);
+  CatalogueStationTest test;
+  return QTest::qExec(&test, argc, argv);
+}
 #include "catalogue_station_test.moc"

@@ -6,7 +6,10 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/files.h"
 #include "catalogue/project.h"
+#include "closed_shell.h"
+#include "cloud/ply.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 
@@ -59,6 +62,15 @@ class SampleProject {
     s.context = contexts_[0];
     sherds_.push_back(must(catalogue().addSherd(s, act_)));
     return sherds_.back();
+  }
+
+  /// A model worth drawing and turning.
+  void giveModel(int sherd) {
+    const std::string path = "results/B0001/sherds/" + std::to_string(sherd) + "/model.ply";
+    must(writeFileAtomically(project_->folder() / path,
+                             formatPly(exchange::closedShell(), "plate_front")));
+    const auto row = sherds_[static_cast<std::size_t>(sherd)];
+    must(catalogue().setModel(row, path, must(catalogue().sherd(row)).preview_path));
   }
 
   template <class T>

@@ -80,6 +80,26 @@ class ExportStationTest : public QObject {
     QVERIFY2(!child<QPushButton>("start")->isEnabled(), "never over a folder that is there");
   }
 
+  void drawingsGoBesideTheModels() {
+    sample_->giveModel(1);  // a body sherd
+    station_->showItem(QString("rows:%1").arg(sample_->sherds()[1].value));
+    auto* drawings = child<QCheckBox>(
+        qPrintable("form" + QString::number(static_cast<int>(exchange::Form::Drawings))));
+    QVERIFY(!drawings->isChecked());
+    QTest::mouseClick(drawings, Qt::LeftButton, {}, QPoint(8, drawings->height() / 2));
+    toFolder("drawn");
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("1 sherd(s), 4 files"));
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    QCOMPARE(station_->model().warnings(), QStringList());
+    QVERIFY(child<QLabel>("closing")->text().endsWith("manifest checked"));
+    const QString base = sample_->folder() + "/drawn/data/drawings/ARM1-T3-0013-0001.";
+    QVERIFY(QFileInfo(base + "svg").size() > 10000);
+    QVERIFY(QFileInfo(base + "pdf").size() > 10000);
+  }
+
   void stoppingLeavesNothingBehind() {
     toFolder("stopped");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());

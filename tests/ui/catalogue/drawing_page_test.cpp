@@ -1,0 +1,165 @@
+// The drawing of what is chosen, in a real window: one at once, many on demand.
+#include "ui/catalogue/drawing_page.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QPdfWriter>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "base/sheet.h"
+#include "sample_project.h"
+#include "ui/catalogue/sheet_view.h"
+#include "ui/frame/look.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class DrawingPageTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<SampleProject> sample_;
+  std::unique_ptr<DrawingPage> page_;
+
+  template <class T>
+  T* child(const char* name) {
+    T* found = page_->findChild<T*>(name);
+    if (!found) qFatal("no %s", name);
+    return found;
+  }
+  void show(std::vector<int> sherds) {
+    std::vector<catalogue::SherdRow> rows;
+    for (const int sherd : sherds) rows.push_back(sample_->sherds()[static_cast<size_t>(sherd)]);
+    page_->setSherds(&sample_->session(), rows);
+  }
+  QString words() { return child<QLabel>("drawingWords")->text(); }
+  static QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+
+ private slots:
+  void init() {
+    sample_ = std::make_unique<SampleProject>(6);
+    sample_->giveModel(1);  // 1, 2, 4, 5 are body sherds
+    sample_->giveModel(2);
+    page_ = std::make_unique<DrawingPage>();
+    page_->resize(420, 680);
+    page_->show();
+    page_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(page_.get()));
+  }
+  void cleanup() {
+    page_.reset();
+    sample_.reset();
+  }
+
+  void oneSherdIsDrawnByItself() {
+    show({1});
+    QVERIFY(page_->isDrawing());
+    QTRY_COMPARE_WITH_TIMEOUT(page_->pages().size(), size_t(1), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(child<SheetView>("sheet")->hasSheet(), 30000);
+    const QString svg = QString::fromStdString(formatSvg(page_->pages().front(), {}));
+    QVERIFY(svg.contains(">ARM1-T3-0013-0001</text>"));
+    QVERIFY(svg.contains(">1 : 1</text>"));
+    QVERIFY(child<QPushButton>("saveDrawing")->isEnabled());
+    QVERIFY2(!child<QPushButton>("enterRim")->isVisible(), "a body sherd has no mouth");
+  }
+
+  void theScaleIsAChoice() {
+    show({1});
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    auto* scale = child<QComboBox>("drawingScale");
+    scale->setFocus();
+    QTest::keyClick(scale, Qt::Key_Down);
+    QVERIFY(page_->isDrawing());
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    QVERIFY(formatSvg(page_->pages().front(), {}).find(">1 : 2</text>") != std::string::npos);
+  }
+
+  void aSherdWithoutAModelSaysSo() {
+    show({4});
+    QTRY_VERIFY_WITH_TIMEOUT(words().contains("has no model yet"), 30000);
+    QVERIFY(!child<QPushButton>("saveDrawing")->isEnabled());
+  }
+
+  void manyBecomePlatesWhenTheyAreWanted() {
+    show({1, 2, 4});
+    QVERIFY(!page_->isDrawing());
+    auto* draw = child<QPushButton>("drawMany");
+    QVERIFY(draw->isVisible());
+    QTest::mouseClick(draw, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(page_->pages().size(), size_t(1), 60000);
+    QVERIFY(words().startsWith("2 drawn, 1 left out."));
+    QVERIFY(words().contains("ARM1-T3-0012-0003"));
+    const std::string svg = formatSvg(page_->pages().front(), {});
+    QVERIFY(svg.find(">ARM1-T3-0013-0001</text>") != std::string::npos);
+    QVERIFY(svg.find(">ARM1-T3-0012-0002</text>") != std::string::npos);
+  }
+
+  void stoppingDrawsNothing() {
+    show({1, 2});
+    QTest::mouseClick(child<QPushButton>("drawMany"), Qt::LeftButton);
+    QVERIFY(child<QPushButton>("stopDrawing")->isVisible());
+    QTest::mouseClick(child<QPushButton>("stopDrawing"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(words().startsWith("Stopped"), 30000);
+    QVERIFY(page_->pages().empty());
+    QVERIFY(child<QPushButton>("drawMany")->isVisible());
+  }
+
+  void itIsSavedInBothForms() {
+    show({1});
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    const QSignalSpy said(page_.get(), &DrawingPage::said);
+    page_->saveTo(sample_->folder() + "/one.svg");
+    QTRY_COMPARE(said.count(), 1);
+    QVERIFY(bytesOf(sample_->folder() + "/one.svg").contains("</svg>"));
+    page_->saveTo(sample_->folder() + "/one");
+    QTRY_COMPARE(said.count(), 2);
+    QVERIFY(bytesOf(sample_->folder() + "/one.pdf").startsWith("%PDF"));
+    page_->saveTo(sample_->folder() + "/one.svg/within.pdf");  // a file is no folder
+    QTRY_VERIFY(words().contains("one.svg"));
+    QCOMPARE(said.count(), 2);
+  }
+
+  void printingKeepsPapersAndTrueScale() {
+    Page upright{210, 297, {}}, across{297, 210, {}}, large{500, 400, {}};
+    Sheet ruler;
+    ruler.line({10, 10}, {110, 10}, 0.5);
+    upright.layers.push_back({ruler, {0, 0}, {}});
+    const QString file = sample_->folder() + "/printed.pdf";
+    {
+      QPdfWriter pdf(file);
+      pdf.setResolution(254);  // ten dots a millimetre
+      const Result<void> printed = printSheets(pdf, {upright, across, large});
+      QVERIFY2(printed.has_value(), printed ? "" : printed.error().what.c_str());
+    }
+    const QByteArray bytes = bytesOf(file);
+    QVERIFY(bytes.contains("/MediaBox [0 0 595"));
+    QVERIFY(bytes.contains("/MediaBox [0 0 842") || bytes.contains("/MediaBox [0 0 841"));
+    QVERIFY(bytes.contains("/MediaBox [0 0 1417"));
+    const QImage picture = paintedSheet(upright, 254);
+    QCOMPARE(picture.size(), QSize(2100, 2970));
+    QVERIFY(picture.pixelColor(110, 100).lightness() < 50);
+    QVERIFY(picture.pixelColor(1090, 100).lightness() < 50);
+    QVERIFY(picture.pixelColor(1120, 100).lightness() > 200);
+  }
+
+  void looksRightInEveryTheme() {
+    const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+      applyLook(*qApp, theme, 100);
+      show({});
+      show({1});
+      QTRY_VERIFY_WITH_TIMEOUT(child<SheetView>("sheet")->hasSheet(), 30000);
+      if (!folder.isEmpty()) page_->grab().save(folder + "/drawing-" + themeName(theme) + ".png");
+      QVERIFY(child<QComboBox>("drawingScale")->isVisible());
+    }
+  }
+};
+
+QTEST_MAIN(DrawingPageTest)
+#include "drawing_page_test.moc"

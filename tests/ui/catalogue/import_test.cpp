@@ -1,0 +1,205 @@
+// A table is looked at, and entered whole or not at all; in a real window.
+#include <QCheckBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTest>
+
+#include "exchange/export_folder.h"
+#include "sample_project.h"
+#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/import_dialog.h"
+#include "ui/frame/look.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class ImportTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<SampleProject> sample_;
+  std::unique_ptr<CatalogueStation> station_;
+  ImportModel* model_ = nullptr;
+
+  template <class T>
+  T* child(const char* name) {
+    T* found = station_->findChild<T*>(name);
+    if (!found) qFatal("no %s", name);
+    return found;
+  }
+  QString table(const QByteArray& text) {
+    const QString path = sample_->folder() + "/table.csv";
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("no table");
+    return path;
+  }
+  QString sherds() {
+    return table(
+        "number,site,trench,context,ware,part\r\n"
+        "ARM1-T3-0012-0001,ARM1,T3,0012,black,rim\r\n"         // changed
+        "ARM1-T3-0013-0001,ARM1,T3,0013,red slipped,body\r\n"  // as it is
+        "ARM1-T3-0012-0900,ARM1,T3,0012,grey,base\r\n"         // new
+        "ARM1-T3-0012-0002,ARM1,T3,0012,grey,rimm\r\n"         // no such part
+        "ARM1-T9-0001-0001,ARM1,T9,0001,grey,body\r\n");       // no such trench
+  }
+  void open() {
+    QTest::mouseClick(child<QPushButton>("import"), Qt::LeftButton);
+    QVERIFY(QTest::qWaitForWindowActive(child<ImportDialog>("importDialog")));
+    model_ = station_->findChild<ImportModel*>();
+  }
+  QString summary() { return child<QLabel>("importSummary")->text(); }
+
+ private slots:
+  void init() {
+    sample_ = std::make_unique<SampleProject>(10);
+    station_ = std::make_unique<CatalogueStation>();
+    station_->resize(1280, 720);
+    station_->openProject(sample_->session());
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+  }
+  void cleanup() {
+    station_.reset();
+    sample_.reset();
+  }
+
+  void eachRowSaysWhatItWouldDoAndNothingIsTakenYet() {
+    open();
+    QVERIFY(!child<QPushButton>("importEnter")->isEnabled());
+    model_->setSource(sherds());
+    QTRY_COMPARE(summary(), QString("1 new, 1 changed, 1 as they are, 2 refused."));
+    auto* rows = child<QTableWidget>("importRows");
+    QCOMPARE(rows->rowCount(), 5);
+    QCOMPARE(rows->item(0, 0)->text(), QString("5"));  // the refused first
+    QCOMPARE(rows->item(0, 1)->text(), QString("refused"));
+    QVERIFY(rows->item(0, 2)->text().contains("rimm"));
+    QVERIFY2(rows->columnWidth(2) > rows->columnWidth(0), "the reason can be read");
+    QVERIFY(rows->item(1, 2)->text().contains("0001"));
+    QCOMPARE(rows->item(2, 1)->text(), QString("changed"));
+    QCOMPARE(rows->item(2, 3)->text(), QString("ARM1-T3-0012-0001"));
+    QCOMPARE(child<QPushButton>("importEnter")->text(), QString("Enter 2 row(s)"));
+    QCOMPARE(sample_->value(0, "ware"), QString("grey"));
+    QTest::mouseClick(child<QPushButton>("importCancel"), Qt::LeftButton);
+    QCOMPARE(sample_->value(0, "ware"), QString("grey"));
+    QVERIFY(!*sample_->catalogue().sherdByNumber("ARM1-T3-0012-0900"));
+  }
+
+  void whatIsEnteredIsShownAndChangesCanBeUndone() {
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(child<QPushButton>("importEnter")->isEnabled());
+    const QSignalSpy said(station_.get(), &Station::said);
+    QTest::mouseClick(child<QPushButton>("importEnter"), Qt::LeftButton);
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QCOMPARE(sample_->value(0, "ware"), QString("black"));
+    QVERIFY(*sample_->catalogue().sherdByNumber("ARM1-T3-0012-0900"));
+    QCOMPARE(child<QLabel>("count")->text(), QString("11 sherd(s)"));
+    QCOMPARE(said.count(), 1);
+    const auto history = sample_->catalogue().history(sample_->sherds()[0]);
+    QCOMPARE(history->front().source, std::string("import"));
+    QVERIFY(static_cast<bool>(history->front().by));
+    QCOMPARE(sample_->session().undo().undoText(), QString("changes by the import of table.csv"));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "ware"), QString("grey"));
+    sample_->session().undo().redo();
+    QCOMPARE(sample_->value(0, "ware"), QString("black"));
+  }
+
+  void placesAreMadeWhenThePersonSaysSo() {
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(summary().endsWith("2 refused."));
+    auto* places = child<QCheckBox>("importPlaces");
+    QTest::mouseClick(places, Qt::LeftButton, {}, QPoint(8, places->height() / 2));
+    QTRY_VERIFY(summary().endsWith("1 refused."));
+    QTest::mouseClick(child<QPushButton>("importEnter"), Qt::LeftButton);
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QVERIFY(*sample_->catalogue().contextByPlace("ARM1", "T9", "0001"));
+  }
+
+  void stoppingTakesNothing() {
+    open();
+    QByteArray many = "number,ware\r\n";
+    for (int i = 1; i <= 5; ++i)
+      many += QByteArray("ARM1-T3-0012-000") + QByteArray::number(i) + ",white\r\n";
+    model_->setSource(table(many));
+    QTRY_VERIFY(model_->canEnter());
+    model_->enter();
+    model_->cancel();
+    QTRY_COMPARE(model_->state(), ImportModel::State::Ready);
+    QCOMPARE(child<QLabel>("importProblem")->text(), QString("Stopped; nothing was entered."));
+    QCOMPARE(sample_->value(0, "ware"), QString("grey"));
+    QCOMPARE(sample_->session().undo().count(), 0);
+  }
+
+  void contextsComeFromATableOfTheirOwn() {
+    open();
+    model_->setSource(
+        table("site,trench,context,period,bag\r\nARM1,T3,0012,Iron Age,4\r\nARM2,,7,,1\r\n"));
+    QTRY_VERIFY(model_->canEnter());
+    QVERIFY(summary().startsWith("1 new, 1 changed"));
+    model_->enter();
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QVERIFY(*sample_->catalogue().contextByPlace("ARM2", "", "7"));
+  }
+
+  void aTableThatIsNoneIsRefusedInWords() {
+    open();
+    model_->setSource(table("colour,size\r\nred,3\r\n"));
+    QTRY_VERIFY(child<QLabel>("importProblem")->text().contains("needs a column 'number'"));
+    QVERIFY(!model_->canEnter());
+  }
+
+  void refusalsGoIntoATable() {
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(child<QPushButton>("importRefusals")->isVisible());
+    const QString path = sample_->folder() + "/refused.csv";
+    QCOMPARE(model_->saveRefusals(path), QString());
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("5,part,rimm,"));
+  }
+
+  void anExportIsReadBack() {
+    exchange::ExportOptions options;
+    options.target = (sample_->folder() + "/out").toStdString();
+    options.forms = {exchange::Form::Json};
+    QuietProgress quiet;
+    QVERIFY(exchange::exportFolder(sample_->catalogue(), sample_->session().folder(),
+                                   sample_->sherds(), options, quiet, {})
+                .has_value());
+    SampleProject other(0);
+    station_->openProject(other.session());
+    open();
+    model_->setSource(sample_->folder() + "/out");
+    QTRY_COMPARE(summary(), QString("10 new, 0 changed, 0 as they are, 0 refused."));
+    QVERIFY(model_->canEnter());
+    model_->enter();
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QCOMPARE(child<QLabel>("count")->text(), QString("10 sherd(s)"));
+    station_->closeProject();
+  }
+
+  void looksRightInEveryTheme() {
+    const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(child<QPushButton>("importRefusals")->isVisible());
+    for (const Theme theme : {Theme::Light, Theme::Dark}) {
+      applyLook(*qApp, theme, 100);
+      auto* dialog = child<ImportDialog>("importDialog");
+      QTRY_COMPARE(dialog->palette().color(QPalette::Window),
+                   qApp->palette().color(QPalette::Window));
+      if (!folder.isEmpty()) dialog->grab().save(folder + "/import-" + themeName(theme) + ".png");
+      QVERIFY(child<QLabel>("importSummary")->isVisible());
+    }
+  }
+};
+
+QTEST_MAIN(ImportTest)
+#include "import_test.moc"

@@ -1,0 +1,382 @@
+#include "ui/catalogue/drawing_page.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "catalogue/names.h"
+#include "catalogue/project.h"
+#include "catalogue/values.h"
+#include "drawing/drawing_files.h"
+#include "ui/catalogue/sheet_view.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr double kShownDpi = 200;  // three pixels for the thinnest line, when looked at closely
+constexpr std::size_t kNamed = 5;  // of the sherds that were left out
+enum Rim { FromCatalogue, Yes, No };
+
+QString cm(double mm) {
+  return QLocale().toString(mm / 10, 'f', 1);
+}
+
+}  // namespace
+
+DrawingPage::DrawingPage(QWidget* parent) : QWidget(parent) {
+  buildLayout();
+  refresh();
+}
+
+QLayout* DrawingPage::buildChoices() {
+  const auto choice = [this](const char* name, const QString& text) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(name);
+    box->setAccessibleName(text);
+    box->setMinimumHeight(targetSize(*this) * 3 / 4);
+    // Long words of some languages do not widen the window.
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(12);
+    return box;
+  };
+  scale_ = choice("drawingScale", tr("Scale of the drawing"));
+  scale_->addItem(tr("1 : 1"), 1.0);
+  scale_->addItem(tr("1 : 2"), 0.5);
+  surface_ = choice("drawingSurface", tr("How surfaces are drawn"));
+  surface_->addItem(tr("Light and shade of the form"), static_cast<int>(drawing::Surface::Relief));
+  surface_->addItem(tr("With paint and slip"), static_cast<int>(drawing::Surface::Painted));
+  rim_ = choice("drawingRim", tr("Whether it is a rim"));
+  rim_->addItem(tr("As the parts say, or as is likely"), FromCatalogue);
+  rim_->addItem(tr("It is a rim"), Yes);
+  rim_->addItem(tr("It is no rim"), No);
+  auto* form = new QFormLayout;
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  for (const auto& [text, box] : {std::pair(tr("Scale"), scale_),
+                                  std::pair(tr("Surface"), surface_), std::pair(tr("Rim"), rim_)}) {
+    auto* label = new QLabel(text, this);
+    label->setBuddy(box);
+    form->addRow(label, box);
+    connect(box, &QComboBox::activated, this, &DrawingPage::choicesChanged);
+  }
+  return form;
+}
+
+QLayout* DrawingPage::buildActs() {
+  const auto button = [this](const char* name, const char* picture, const QString& text) {
+    auto* made = new QPushButton(icon(picture), text, this);
+    made->setObjectName(name);
+    made->setMinimumHeight(targetSize(*this));
+    return made;
+  };
+  enter_ = button("enterRim", "check", tr("Enter the diameter"));
+  save_ = button("saveDrawing", "export", tr("Save …"));
+  print_ = button("printDrawing", "print", tr("Print …"));
+  connect(enter_, &QPushButton::clicked, this, &DrawingPage::enterRim);
+  connect(save_, &QPushButton::clicked, this, &DrawingPage::save);
+  connect(print_, &QPushButton::clicked, this, &DrawingPage::print);
+  auto* action = new QAction(tr("Print the drawing"), this);
+  action->setShortcut(QKeySequence::Print);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(action, &QAction::triggered, this, &DrawingPage::print);
+  addAction(action);
+  auto* row = new QHBoxLayout;
+  row->addWidget(save_, 1);
+  row->addWidget(print_, 1);
+  auto* column = new QVBoxLayout;
+  column->addWidget(enter_);
+  column->addLayout(row);
+  return column;
+}
+
+void DrawingPage::buildLayout() {
+  draw_ = new QPushButton(icon("edit"), {}, this);
+  draw_->setObjectName("drawMany");
+  draw_->setMinimumHeight(targetSize(*this));
+  connect(draw_, &QPushButton::clicked, this, &DrawingPage::draw);
+  bar_ = new QProgressBar(this);
+  bar_->setObjectName("drawingProgress");
+  bar_->setRange(0, 1000);
+  bar_->setAccessibleName(tr("Progress of the drawing"));
+  stop_ = new QPushButton(icon("cancel"), tr("Stop"), this);
+  stop_->setObjectName("stopDrawing");
+  connect(stop_, &QPushButton::clicked, this, &DrawingPage::stop);
+  auto* working = new QHBoxLayout;
+  working->addWidget(bar_, 1);
+  working->addWidget(stop_);
+  view_ = new SheetView(this);
+  const auto turn = [this](const char* picture, const QString& text, int by) {
+    auto* made = new QToolButton(this);
+    made->setIcon(icon(picture));
+    made->setAccessibleName(text);
+    made->setToolTip(text);
+    connect(made, &QToolButton::clicked, this, [this, by] { showPage(page_ + by); });
+    return made;
+  };
+  previous_ = turn("previous", tr("The sheet before"), -1);
+  next_ = turn("next", tr("The next sheet"), 1);
+  next_->setObjectName("nextSheet");
+  where_ = new QLabel(this);
+  where_->setObjectName("whichSheet");
+  auto* pages = new QHBoxLayout;
+  pages->addWidget(previous_);
+  pages->addWidget(where_);
+  pages->addWidget(next_);
+  pages->addStretch();
+  words_ = new QLabel(this);
+  words_->setObjectName("drawingWords");
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  words_->setAccessibleName(tr("What the drawing says"));
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(buildChoices());
+  column->addWidget(draw_);
+  column->addLayout(working);
+  column->addWidget(view_, 1);
+  column->addLayout(pages);
+  column->addWidget(words_);
+  column->addLayout(buildActs());
+}
+
+exchange::DrawSherdsOptions DrawingPage::options() const {
+  exchange::DrawSherdsOptions how;
+  how.drawing.scale = scale_->currentData().toDouble();
+  how.drawing.surface = static_cast<drawing::Surface>(surface_->currentData().toInt());
+  how.rim_from_catalogue = rim_->currentData().toInt() == FromCatalogue;
+  if (rim_->currentData().toInt() == Yes) how.drawing.rim = drawing::RimChoice::Yes;
+  if (rim_->currentData().toInt() == No) how.drawing.rim = drawing::RimChoice::No;
+  return how;
+}
+
+const std::vector<Page>& DrawingPage::pages() const {
+  static const std::vector<Page> none;
+  return drawn_ ? drawn_->pages : none;
+}
+
+void DrawingPage::setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds) {
+  session_ = session;
+  if (sherds != sherds_) rim_->setCurrentIndex(FromCatalogue);  // said of one, not of the next
+  sherds_ = std::move(sherds);
+  choicesChanged();
+}
+
+void DrawingPage::forget() {
+  delete drawing_.data();
+  delete painting_.data();
+  drawn_.reset();
+  problem_.clear();
+  view_->showSheet({});
+  page_ = 0;
+}
+
+void DrawingPage::choicesChanged() {
+  forget();
+  if (isVisible() && sherds_.size() == 1)
+    draw();
+  else
+    refresh();
+}
+
+void DrawingPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (!drawn_ && !drawing_ && problem_.isEmpty() && sherds_.size() == 1) draw();
+}
+
+void DrawingPage::draw() {
+  if (!session_ || sherds_.empty()) return;
+  forget();
+  drawing::SheetOptions sheets;
+  if (sherds_.size() > 1) sheets.layout = drawing::SheetOptions::Layout::Plates;
+  const auto work = [folder = session_->folder(), sherds = sherds_, how = options(), sheets](
+                        Progress& progress,
+                        std::stop_token stop) -> Result<std::shared_ptr<const Drawn>> {
+    const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
+    if (!catalogue) return catalogue.error();
+    const Result<catalogue::ProjectRecord> project = catalogue->project();
+    if (!project) return project.error();
+    Result<exchange::DrawnSherds> drawn =
+        exchange::drawSherds(*catalogue, folder, sherds, how, progress, stop);
+    if (!drawn) return drawn.error();
+    drawing::SheetOptions titled = sheets;
+    titled.title = project->title;
+    auto made = std::make_shared<Drawn>();
+    made->pages = drawing::layOut(drawn->drawings, how.drawing.scale, titled);
+    made->sherds = std::move(*drawn);
+    return std::shared_ptr<const Drawn>(std::move(made));
+  };
+  const JobPriority priority = sherds_.size() > 1 ? JobPriority::Background : JobPriority::Quick;
+  drawing_ = session_->jobs().start(makeJob(tr("Drawings"), work, priority), this);
+  connect(drawing_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
+    bar_->setValue(qRound(1000 * progress.fraction));
+  });
+  connect(drawing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    drawing_->deleteLater();
+    drawing_.clear();
+    const auto drawn = outcomeAs<std::shared_ptr<const Drawn>>(outcome);
+    if (drawn) return arrived(*drawn);
+    problem_ = drawn.error().code == ErrorCode::Cancelled
+                   ? tr("Stopped; nothing was drawn.")
+                   : QString::fromStdString(drawn.error().sentence());
+    refresh();
+  });
+  bar_->setValue(0);
+  refresh();
+}
+
+void DrawingPage::stop() {
+  if (drawing_) drawing_->cancel();
+}
+
+void DrawingPage::arrived(const std::shared_ptr<const Drawn>& drawn) {
+  drawn_ = drawn;
+  showPage(0);
+}
+
+void DrawingPage::showPage(int page) {
+  if (!drawn_ || page < 0 || page >= static_cast<int>(pages().size())) return refresh();
+  page_ = page;
+  refresh();
+  delete painting_.data();
+  const auto work = [drawn = drawn_, page](Progress&, std::stop_token) -> Result<QImage> {
+    return paintedSheet(drawn->pages[static_cast<std::size_t>(page)], kShownDpi);
+  };
+  painting_ = session_->jobs().start(makeJob(tr("A sheet"), work), this);
+  connect(painting_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    painting_->deleteLater();
+    if (const Result<QImage> sheet = outcomeAs<QImage>(outcome)) view_->showSheet(*sheet);
+  });
+}
+
+QString DrawingPage::words() const {
+  if (!problem_.isEmpty()) return problem_;
+  if (drawing_) return tr("Drawing %n sherd(s) …", nullptr, static_cast<int>(sherds_.size()));
+  if (sherds_.empty()) return tr("Choose a sherd.");
+  if (!drawn_) return {};
+  QStringList lines;
+  const exchange::DrawnSherds& sherds = drawn_->sherds;
+  if (sherds.drawings.size() == 1 && sherds.drawings.front().drawn_as_rim) {
+    const drawing::RimEstimate& rim = *sherds.drawings.front().rim;
+    const QString percent = QLocale().toString(100 * rim.kept, 'f', 0);
+    lines << (std::isfinite(rim.high_mm)
+                  ? tr("Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.")
+                        .arg(cm(rim.diameter_mm), cm(rim.low_mm), cm(rim.high_mm), percent)
+                  : tr("Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.")
+                        .arg(cm(rim.diameter_mm), cm(rim.low_mm), percent));
+  }
+  if (sherds_.size() == 1) {
+    for (const drawing::SherdDrawing& one : sherds.drawings)
+      for (const std::string& remark : one.remarks) lines << QString::fromStdString(remark);
+    for (const exchange::SherdLeftOut& out : sherds.left_out)
+      lines << QString::fromStdString(out.why);
+    return lines.join('\n');
+  }
+  lines << tr("%1 drawn, %2 left out.").arg(sherds.drawings.size()).arg(sherds.left_out.size());
+  for (std::size_t i = 0; i < std::min(kNamed, sherds.left_out.size()); ++i)
+    lines << QString::fromStdString(sherds.left_out[i].why);
+  return lines.join('\n');
+}
+
+void DrawingPage::refresh() {
+  const int count = static_cast<int>(sherds_.size()), sheets = static_cast<int>(pages().size());
+  draw_->setVisible(count > 1 && !drawing_ && !drawn_);
+  draw_->setText(tr("Draw plates of %n sherd(s)", nullptr, count));
+  bar_->setVisible(drawing_ != nullptr);
+  stop_->setVisible(drawing_ != nullptr);
+  for (QWidget* widget : {static_cast<QWidget*>(previous_), static_cast<QWidget*>(next_),
+                          static_cast<QWidget*>(where_)})
+    widget->setVisible(sheets > 1);
+  previous_->setEnabled(page_ > 0);
+  next_->setEnabled(page_ + 1 < sheets);
+  where_->setText(tr("Sheet %1 of %2").arg(page_ + 1).arg(sheets));
+  words_->setText(words());
+  words_->setVisible(!words_->text().isEmpty());
+  const bool ready = sheets > 0 && !writing_;
+  save_->setEnabled(ready);
+  print_->setEnabled(ready);
+  enter_->setVisible(count == 1 && drawn_ && drawn_->sherds.drawings.size() == 1 &&
+                     drawn_->sherds.drawings.front().drawn_as_rim);
+}
+
+void DrawingPage::save() {
+  const QString name =
+      sherds_.size() > 1
+          ? tr("plates")
+          : QString::fromStdString(catalogue::slug(drawn_->sherds.drawings.front().id));
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save the drawing"), QDir::home().filePath(name + ".pdf"),
+      tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));
+  if (!file.isEmpty()) saveTo(file);
+}
+
+void DrawingPage::saveTo(const QString& file) {
+  QString named = file;
+  if (!named.endsWith(".svg", Qt::CaseInsensitive) && !named.endsWith(".pdf", Qt::CaseInsensitive))
+    named += ".pdf";
+  write(
+      tr("Saving a drawing"),
+      [named](const std::vector<Page>& pages) -> Result<void> {
+        const auto files = drawing::writeSheets(named.toStdString(), pages);
+        if (!files) return files.error();
+        return {};
+      },
+      tr("Saved: %1").arg(named));
+}
+
+void DrawingPage::print() {
+  if (!print_->isEnabled()) return;
+  auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+  printer->setFullPage(true);
+  auto* dialog = new QPrintDialog(printer.get(), this);  // knows printing into a PDF file, too
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, printer] {
+    write(
+        tr("Printing"),
+        [printer](const std::vector<Page>& pages) { return printSheets(*printer, pages); },
+        tr("The drawing is sent to the printer; print it at 100 %."));
+  });
+  dialog->open();
+}
+
+void DrawingPage::write(const QString& title,
+                        std::function<Result<void>(const std::vector<Page>&)> work,
+                        const QString& done) {
+  if (!drawn_ || !session_ || writing_) return;
+  const auto job = [drawn = drawn_, work = std::move(work)](Progress&, std::stop_token) {
+    return work(drawn->pages);
+  };
+  writing_ = session_->jobs().start(makeJob(title, job), this);
+  connect(writing_, &JobHandle::finished, this, [this, done](const JobOutcome& outcome) {
+    writing_->deleteLater();
+    writing_.clear();
+    refresh();
+    if (outcome) return emit said(done);
+    words_->setText(QString::fromStdString(outcome.error().sentence()));
+    words_->show();
+  });
+  refresh();
+}
+
+void DrawingPage::enterRim() {
+  if (!drawn_ || drawn_->sherds.drawings.empty()) return;
+  const drawing::RimEstimate& rim = *drawn_->sherds.drawings.front().rim;
+  const auto rounded = [](double value) {
+    return catalogue::numberText(std::round(value * 10) / 10);
+  };
+  emit measuresWanted({{sherds_.front(), "rim_diameter_mm", rounded(rim.diameter_mm)},
+                       {sherds_.front(), "rim_pct", rounded(100 * rim.kept)}});
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,96 @@
+#pragma once
+#include <QImage>
+#include <QPointer>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "exchange/drawn_sherds.h"
+
+class QComboBox;
+class QLabel;
+class QPrinter;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace ostraka::ui {
+
+class JobHandle;
+class ProjectSession;
+class SheetView;
+
+/// The archaeological drawing of the sherd that is chosen, or plates of many: section, views, scale
+/// bar, mouth; saved as SVG or PDF, printed in true scale. One is drawn as soon as the page is
+/// looked at, many when they are asked for; always by a worker.
+class DrawingPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DrawingPage(QWidget* parent = nullptr);
+
+  /// session: nullptr when no project is open.
+  void setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds);
+  bool isDrawing() const { return drawing_ != nullptr; }
+  /// What is drawn now; empty before and while something is drawn.
+  const std::vector<Page>& pages() const;
+
+ public slots:
+  void draw();
+  void stop();
+  /// .svg: a file each sheet; everything else is a PDF of all.
+  void saveTo(const QString& file);
+
+ signals:
+  void said(const QString& sentence);
+  /// The mouth's diameter and what is kept of the rim, to be entered.
+  void measuresWanted(const std::vector<catalogue::FieldChange>& changes);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  struct Drawn {
+    exchange::DrawnSherds sherds;
+    std::vector<Page> pages;
+  };
+  void buildLayout();
+  QLayout* buildChoices();
+  QLayout* buildActs();
+  exchange::DrawSherdsOptions options() const;
+  void forget();
+  void choicesChanged();
+  void arrived(const std::shared_ptr<const Drawn>& drawn);
+  void showPage(int page);
+  void refresh();
+  QString words() const;
+  void save();
+  void print();
+  void write(const QString& title, std::function<Result<void>(const std::vector<Page>&)> work,
+             const QString& done);
+  void enterRim();
+
+  ProjectSession* session_ = nullptr;
+  std::vector<catalogue::SherdRow> sherds_;
+  std::shared_ptr<const Drawn> drawn_;
+  QPointer<JobHandle> drawing_, painting_, writing_;
+  QString problem_;
+  int page_ = 0;
+  QComboBox* scale_ = nullptr;
+  QComboBox* surface_ = nullptr;
+  QComboBox* rim_ = nullptr;
+  QPushButton* draw_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+  QPushButton* stop_ = nullptr;
+  SheetView* view_ = nullptr;
+  QToolButton* previous_ = nullptr;
+  QToolButton* next_ = nullptr;
+  QLabel* where_ = nullptr;
+  QLabel* words_ = nullptr;
+  QPushButton* enter_ = nullptr;
+  QPushButton* save_ = nullptr;
+  QPushButton* print_ = nullptr;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,43 @@
+#pragma once
+#include <QDialog>
+
+#include "ui/catalogue/import_model.h"
+
+class QCheckBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableWidget;
+
+namespace ostraka::ui {
+
+/// Reads a table or an export into the project: choose it, see what each row would do and why
+/// others are refused, then enter it. Nothing is taken before, nor when it is stopped.
+class ImportDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit ImportDialog(ImportModel& model, QWidget* parent = nullptr);
+
+ private:
+  void buildLayout();
+  void refresh();
+  void fill();
+  void chooseTable();
+  void chooseExport();
+  void saveRefusals();
+
+  ImportModel& model_;
+  QLabel* source_ = nullptr;
+  QCheckBox* places_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QLabel* problem_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+  QPushButton* refusals_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QPushButton* enter_ = nullptr;
+  const void* filled_ = nullptr;  ///< rows that the table shows
+};
+
+}  // namespace ostraka::ui

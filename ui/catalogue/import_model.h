@@ -1,0 +1,75 @@
+#pragma once
+#include <QObject>
+#include <QPointer>
+#include <QStringList>
+#include <optional>
+#include <vector>
+
+#include "exchange/import_table.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+/// A table (CSV) or an export folder that is to be read into the project: what each row would do,
+/// why others are refused, then entered whole or not at all. Runs without a display.
+class ImportModel final : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { Choosing, Looking, Ready, Entering, Done };
+  struct Row {
+    int line = 0;
+    exchange::RowFate fate = exchange::RowFate::Same;
+    QStringList values;
+    QString refusal;
+  };
+
+  explicit ImportModel(QObject* parent = nullptr);
+  void openProject(ProjectSession* session);  ///< nullptr closes it
+
+  State state() const { return state_; }
+  const QString& source() const { return source_; }
+  bool makesPlaces() const { return make_places_; }
+  /// A file or a folder; what it would do is found out at once, on a copy of the catalogue.
+  void setSource(const QString& path);
+  void setMakesPlaces(bool make);
+
+  const QStringList& columns() const { return columns_; }
+  const std::vector<Row>& rows() const {
+    return rows_;
+  }  ///< the first thousand; refused ones first
+  const std::optional<exchange::ImportReport>& report() const { return report_; }
+  QString summary() const;  ///< "3 new, 2 changed, 10 as they are, 1 refused."
+  QString problem() const { return problem_; }
+  QStringList warnings() const;
+  double fraction() const { return fraction_; }
+
+  bool canEnter() const;
+  void enter();
+  void cancel();
+  /// line, column, value, reason. The sentence when it cannot be written.
+  QString saveRefusals(const QString& file) const;
+
+ signals:
+  void changed();
+  void entered(const QString& source, const ostraka::exchange::ImportReport& report);
+
+ private:
+  struct Look;
+  void look();
+  void took(const Look& look);
+
+  ProjectSession* session_ = nullptr;
+  State state_ = State::Choosing;
+  QString source_, problem_;
+  bool make_places_ = false;
+  QStringList columns_;
+  std::vector<Row> rows_;
+  std::optional<exchange::ImportReport> report_;
+  double fraction_ = 0;
+  QPointer<JobHandle> job_;
+};
+
+}  // namespace ostraka::ui

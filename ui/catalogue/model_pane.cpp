@@ -1,0 +1,174 @@
+#include "ui/catalogue/model_pane.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <memory>
+
+#include "cloud/ply.h"
+#include "model/model.h"
+#include "ui/frame/look.h"
+#include "ui/frame/thumbnails.h"
+#include "ui/jobs/job.h"
+#include "ui/viewport/sherd_view.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kHeight = 240;
+constexpr int kPicture = 480;
+// A processor that draws alone turns so many triangles in 0.1 s; models have several times as many.
+constexpr std::size_t kTriangles = 80'000;
+constexpr double kDeviation_mm = 0.03;  // less than a pixel of the view
+
+using MeshPtr = std::shared_ptr<const TriangleMesh>;
+
+Result<MeshPtr> readForView(const std::string& file) {
+  Result<PlyContents> model = readPly(file);
+  if (!model) return model.error();
+  if (model->mesh.triangles.size() > kTriangles)
+    if (Result<TriangleMesh> fewer = model::decimated(model->mesh, kDeviation_mm))
+      return std::make_shared<const TriangleMesh>(std::move(*fewer));
+  return std::make_shared<const TriangleMesh>(std::move(model->mesh));
+}
+
+}  // namespace
+
+ModelPane::ModelPane(QWidget* parent) : QWidget(parent) {
+  setObjectName("model");
+  label_ = new QLabel(this);
+  label_->setAlignment(Qt::AlignCenter);
+  label_->setMinimumSize(1, 1);
+  label_->setAccessibleName(tr("Picture of the sherd"));
+  pages_ = new QStackedWidget(this);
+  pages_->addWidget(label_);
+  acts_ = new QWidget(this);
+  const auto button = [this](const char* name, const char* picture, const QString& text) {
+    auto* made = new QToolButton(acts_);
+    made->setObjectName(name);
+    made->setIcon(icon(picture));
+    made->setText(text);
+    made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    made->setAutoRaise(true);
+    return made;
+  };
+  section_ = button("modelSection", "section", tr("Section"));
+  section_->setCheckable(true);
+  section_->setToolTip(tr("Cut the model open; Shift and the wheel move the plane"));
+  QToolButton* reset = button("modelReset", "again", tr("From above"));
+  connect(section_, &QToolButton::toggled, this, [this](bool on) { view()->setSection(on); });
+  connect(reset, &QToolButton::clicked, this, [this] { view()->resetView(); });
+  auto* row = new QHBoxLayout(acts_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(section_);
+  row->addWidget(reset);
+  row->addStretch();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(pages_, 1);
+  column->addWidget(acts_);
+  setMinimumHeight(kHeight / 2);
+  clear();
+}
+
+QSize ModelPane::sizeHint() const {
+  return {kHeight, kHeight};
+}
+
+SherdView* ModelPane::view() {
+  if (view_ == nullptr) {
+    view_ = new SherdView(this);
+    view_->setObjectName("modelView");
+    connect(view_, &SherdView::sectionChanged, section_, &QToolButton::setChecked);
+    pages_->addWidget(view_);
+  }
+  return view_;
+}
+
+bool ModelPane::showsModel() const {
+  return view_ != nullptr && pages_->currentWidget() == view_;
+}
+
+void ModelPane::clear() {
+  delete reading_.data();
+  jobs_ = nullptr;
+  picture_file_.clear();
+  model_file_.clear();
+  picture_ = {};
+  if (view_ != nullptr) view_->clear();
+  pages_->setCurrentWidget(label_);
+  acts_->setVisible(false);
+  showPicture();
+}
+
+void ModelPane::showSherd(JobRunner& jobs, const QString& picture, const QString& model) {
+  if (jobs_ != nullptr && picture == picture_file_ && model == model_file_) return;
+  delete reading_.data();
+  jobs_ = &jobs;
+  picture_file_ = picture;
+  model_file_ = model;
+  picture_ = {};
+  pages_->setCurrentWidget(label_);
+  acts_->setVisible(false);
+  showPicture();
+  if (isVisible()) fetch();
+}
+
+// First the picture, which is small, then the model.
+void ModelPane::fetch() {
+  if (jobs_ == nullptr || reading_ || showsModel()) return;
+  if (picture_.isNull() && !picture_file_.isEmpty()) {
+    const auto read = [file = picture_file_](Progress&, std::stop_token) -> Result<QImage> {
+      return readScaled(file, {kPicture, kPicture});
+    };
+    reading_ = jobs_->start(makeJob(tr("Picture of a sherd"), read), this);
+    connect(reading_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+      if (const Result<QImage> image = outcomeAs<QImage>(outcome); image && !image->isNull())
+        picture_ = QPixmap::fromImage(*image);
+      else
+        picture_file_.clear();
+      reading_->deleteLater();
+      reading_.clear();
+      showPicture();
+      fetch();
+    });
+    return;
+  }
+  if (model_file_.isEmpty()) return;
+  const auto read = [file = model_file_.toStdString()](Progress&, std::stop_token) {
+    return readForView(file);
+  };
+  reading_ = jobs_->start(makeJob(tr("Model of a sherd"), read), this);
+  connect(reading_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    reading_->deleteLater();
+    reading_.clear();
+    const auto mesh = outcomeAs<MeshPtr>(outcome);
+    if (!mesh || !view()->hasOpenGl()) return;  // the picture stays
+    view()->showModel(**mesh);
+    pages_->setCurrentWidget(view_);
+    acts_->setVisible(true);
+  });
+}
+
+void ModelPane::showPicture() {
+  const int size = std::max(1, std::min({label_->width(), label_->height(), kPicture}));
+  label_->setPixmap(picture_.isNull() ? icon("sherd").pixmap(size, size)
+                                      : picture_.scaled(size, size, Qt::KeepAspectRatio,
+                                                        Qt::SmoothTransformation));
+}
+
+void ModelPane::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showPicture();
+}
+
+void ModelPane::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  fetch();
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,47 @@
+#pragma once
+#include <QByteArray>
+#include <QGraphicsView>
+#include <QImage>
+#include <memory>
+#include <vector>
+
+#include "base/result.h"
+
+class QGraphicsPixmapItem;
+class QPagedPaintDevice;
+
+namespace ostraka {
+struct Page;
+}
+
+namespace ostraka::ui {
+
+/// A sheet of paper, looked at: as wide as the view at first, wheel or + and - come nearer,
+/// dragging moves it. Paper is white in every theme.
+class SheetView final : public QGraphicsView {
+  Q_OBJECT
+
+ public:
+  explicit SheetView(QWidget* parent = nullptr);
+  void showSheet(const QImage& sheet);  ///< null: none
+  bool hasSheet() const;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void zoom(double factor);
+  void fitWidth();
+
+  QGraphicsPixmapItem* sheet_ = nullptr;
+  bool zoomed_ = false;
+};
+
+/// The page as a picture, for jobs.
+QImage paintedSheet(const Page& page, double dots_per_inch);
+/// All pages in true scale, each on paper of its own size; for jobs. Errors: the device.
+Result<void> printSheets(QPagedPaintDevice& device, const std::vector<Page>& pages);
+
+}  // namespace ostraka::ui

@@ -116,7 +116,7 @@ void Series::lookAtProof(int camera) {
 bool Series::provenBy(Watch& watch, const PlateLook& look, double angle_deg) const {
   if (!watch.proof_look) return false;
   const std::optional<double> turn = turnBetween_deg(*watch.proof_look, look);
-  if (!turn) return watch.proof_look->width == look.width;  // without markers: asked for again
+  if (!turn) return false;
   const double off = std::remainder(*turn - (angle_deg - watch.proof_deg), 360);
   if (std::abs(off) > kMostTurnError_deg) return false;
   if (!devices_.turntable->turnsItself() && !sameSherds(*watch.proof_look, look)) return false;
@@ -193,7 +193,11 @@ void Series::judgeShot(Shot& shot, std::shared_ptr<const MappedLook> mapped, boo
   else
     shot.check.problems.push_back(ShotProblem::Unreadable);
   if (old) shot.check.problems.push_back(ShotProblem::Repeated);
-  if (watch.trust == Trust::Awaiting && look != nullptr && !provenBy(watch, *look, angle)) {
+  if (watch.trust == Trust::Awaiting && look != nullptr && !look->pixel_from_plate) {
+    // The throw-away exposure showed the plate: this one has to, or nothing is proven.
+    if (!shot.check.has(ShotProblem::Unplaced))
+      shot.check.problems.push_back(ShotProblem::Unplaced);
+  } else if (watch.trust == Trust::Awaiting && look != nullptr && !provenBy(watch, *look, angle)) {
     if (!shot.check.has(ShotProblem::WrongStop))
       shot.check.problems.push_back(ShotProblem::WrongStop);
     watch.trust = Trust::Doubted;

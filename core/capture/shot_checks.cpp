@@ -21,6 +21,8 @@ std::string words(ShotProblem problem) {
       return "the markers show another angle than this stop's";
     case ShotProblem::OtherSize:
       return "the picture has another size than the camera's others";
+    case ShotProblem::Unplaced:
+      return "too few markers are seen to tell the stop: is something before them, is it blurred?";
     case ShotProblem::Repeated:
       return "the camera handed over an earlier photograph once more";
     case ShotProblem::FewMarkers:
@@ -41,7 +43,8 @@ std::string words(ShotProblem problem) {
 
 bool mustNotBeKept(ShotProblem problem) {
   return problem == ShotProblem::Unreadable || problem == ShotProblem::WrongStop ||
-         problem == ShotProblem::OtherSize || problem == ShotProblem::Repeated;
+         problem == ShotProblem::Unplaced || problem == ShotProblem::OtherSize ||
+         problem == ShotProblem::Repeated;
 }
 
 bool ShotCheck::has(ShotProblem problem) const {
@@ -73,6 +76,8 @@ ShotCheck judge(const PlateLook& look, double angle_deg, const CameraReference& 
       check.angle_seen_deg = unwound(reference.angle_deg + *turn, angle_deg);
       add(std::abs(*check.angle_seen_deg - angle_deg) > options.most_angle_error_deg,
           ShotProblem::WrongStop);
+    } else {
+      add(true, ShotProblem::Unplaced);
     }
   }
   add(look.markers_seen < std::max(options.least_markers, reference.markers_seen / 2),

@@ -18,6 +18,7 @@ enum class ShotProblem {
   Unreadable,    ///< cut off or no picture: never kept
   WrongStop,     ///< the markers show another angle than the stop's: never kept
   OtherSize,     ///< not the size of this camera's other photographs: never kept
+  Unplaced,      ///< too few markers to tell the stop, where others of the camera do: never kept
   Repeated,      ///< the very bytes of an earlier photograph: never kept
   FewMarkers,    ///< too few markers of the plate are seen
   Blurred,       ///< less sharp than this camera's other photographs

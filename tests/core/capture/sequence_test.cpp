@@ -267,6 +267,18 @@ TEST_F(Sequence, AsksForACutOffOrBlurredPhotographAgainAtOnce) {
   expectWholeSide();
 }
 
+// What shows no markers might be of any stop, however often it comes.
+TEST_F(Sequence, KeepsNoPhotographThatDoesNotShowItsStop) {
+  rig_.cameras[1]->faults.assign(5, FlatCamera::Fault::Blurred);
+  rig_.cameras[1]->faults[0] = FlatCamera::Fault::None;
+  rig_.cameras[1]->faults[1] = FlatCamera::Fault::None;
+  rig_.truth->scene.width = 480;  // edges of 5 pixels hide the markers' bits
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_THAT(done.error().what, HasSubstr("Camera B, stop 2 failed 3 times"));
+  EXPECT_EQ(note(1, 1), "no file");
+}
+
 TEST_F(Sequence, FailsInWordsWhenACameraStaysBad) {
   rig_.cameras[1]->faults.assign(4, FlatCamera::Fault::Truncated);
   rig_.cameras[1]->faults[0] = FlatCamera::Fault::None;

@@ -150,12 +150,18 @@ QWidget* CaptureStation::buildWorkPage() {
 QWidget* CaptureStation::buildFoot() {
   auto* foot = new QWidget(this);
   place_ = new PlaceEdit(foot);
+  place_->setToolTip(
+      tr("Typed, from a code reader, or from the bag's label laid under the camera"));
   button_ = new BigButton(foot);
   button_->setObjectName(QStringLiteral("captureButton"));
   button_->setKeyHint(tr("Space"));
   connect(button_, &QPushButton::clicked, next_, &QAction::trigger);
   connect(place_, &PlaceEdit::entered, this, qOverload<>(&QWidget::setFocus));
   connect(place_, &PlaceEdit::edited, this, &CaptureStation::placeTyped);
+  connect(wizard_, &CaptureWizard::placeRead, this, [this] {
+    place_->setText(wizard_->place().typed());
+    placeTyped();
+  });
   auto* more = new QToolButton(foot);
   more->setObjectName(QStringLiteral("captureMore"));
   more->setText(tr("More"));

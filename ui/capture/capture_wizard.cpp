@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "capture/label_code.h"
 #include "catalogue/project.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
@@ -17,15 +18,29 @@ constexpr int kBetweenLooks_ms = 150;  // a live picture is looked at again afte
 constexpr std::uintmax_t kLargestPhotograph_bytes = std::uintmax_t{200} << 20;
 const QSize kFrontPicture(1800, 1400);  // as large as it is ever shown
 
+enum class LookFor {
+  Sherds,
+  RoomAndLabels,  ///< and where more may lie, and a bag's label: while they are being placed
+};
+
 // The picture and what the plate shows, outlines in the pixels of the picture that is shown.
-Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate) {
+Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate, LookFor look_for) {
   PlatePicture seen;
   if (!seen.image.loadFromData(reinterpret_cast<const uchar*>(bytes.data()),
                                static_cast<int>(bytes.size())))
     return Error{ErrorCode::UnusableInput, "The camera's picture cannot be read.", {}};
-  Result<capture::PlateLook> look = capture::lookAtPlate(bytes, plate, {});
-  if (!look) return look.error();
-  seen.look = std::move(*look);
+  if (look_for == LookFor::Sherds) {
+    Result<capture::PlateLook> look = capture::lookAtPlate(bytes, plate, {});
+    if (!look) return look.error();
+    seen.look = std::move(*look);
+  } else {
+    Result<capture::LookWithRoom> look = capture::lookForRoom(bytes, plate, {}, {});
+    if (!look) return look.error();
+    seen.look = std::move(look->look);
+    seen.room = std::move(look->room);
+    if (const auto codes = capture::codesIn(bytes))
+      for (const std::string& code : *codes) seen.codes << QString::fromStdString(code);
+  }
   if (seen.look.width > kFrontPicture.width() || seen.look.height > kFrontPicture.height())
     seen.image = seen.image.scaled(kFrontPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   return seen;
@@ -379,19 +394,22 @@ void CaptureWizard::lookLive() {
   if (!live_on_ || !useful || devices_ == nullptr || session_ == nullptr || isBusy() ||
       live_missing_ || live_job_ != nullptr)
     return;
-  live_job_ = start(makeJob(tr("Live picture"),
-                            [devices = devices_, camera = camera_](
-                                Progress&, std::stop_token stop) -> Result<PlatePicture> {
-                              const Result<std::string> picture =
-                                  devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
-                              if (!picture) return picture.error();
-                              return lookAt(*picture, devices->plate);
-                            }));
+  live_job_ = start(
+      makeJob(tr("Live picture"),
+              [devices = devices_, camera = camera_,
+               look_for = phase_ == CapturePhase::Place ? LookFor::RoomAndLabels : LookFor::Sherds](
+                  Progress&, std::stop_token stop) -> Result<PlatePicture> {
+                const Result<std::string> picture =
+                    devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
+                if (!picture) return picture.error();
+                return lookAt(*picture, devices->plate, look_for);
+              }));
   connect(live_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     live_job_ = nullptr;
     if (after_live_) return std::exchange(after_live_, {})();
     if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome)) {
       live_ = std::move(*picture);
+      readLabels(live_->codes);
     } else if (picture.error().code != ErrorCode::Cancelled) {
       // No live picture is no fault: the photographs will tell.
       live_missing_ = picture.error().code == ErrorCode::Missing;
@@ -400,6 +418,20 @@ void CaptureWizard::lookLive() {
     emit liveChanged();
     if (live_on_) live_timer_.start(kBetweenLooks_ms);
   });
+}
+
+// What was typed stays until another bag's label comes into sight.
+void CaptureWizard::readLabels(const QStringList& codes) {
+  if (phase_ != CapturePhase::Place) return;
+  for (const QString& code : codes) {
+    const std::optional<PlaceText> place = readPlaceText(code);
+    if (!place || !code.startsWith(QLatin1String("OST1:")) || code == label_) continue;
+    label_ = code;
+    setPlace(*place);
+    emit placeRead();
+    emit said(tr("Read from the label: %1").arg(place->words()));
+    return;
+  }
 }
 
 void CaptureWizard::lookAtFront() {
@@ -418,7 +450,7 @@ void CaptureWizard::lookAtFront() {
               [file, plate = devices_->plate](Progress&, std::stop_token) -> Result<PlatePicture> {
                 const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
                 if (!bytes) return bytes.error();
-                return lookAt(*bytes, plate);
+                return lookAt(*bytes, plate, LookFor::Sherds);
               }));
   connect(job, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome))

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "capture/free_room.h"
 #include "capture/sequence.h"
 #include "ui/capture/place_text.h"
 #include "ui/capture/rig_source.h"
@@ -32,6 +33,8 @@ enum class CapturePhase {
 struct PlatePicture {
   QImage image;
   capture::PlateLook look;
+  capture::FreeRoom room;  ///< for more, while sherds are being placed
+  QStringList codes;       ///< QR codes that lie in sight while sherds are being placed
 };
 
 /// One photograph of the side that is being shot.
@@ -103,6 +106,7 @@ class CaptureWizard final : public QObject {
   void liveChanged();  ///< the live or the front picture
   void shotsChanged();
   void batchQueued(const QString& number);
+  void placeRead();  ///< place() was read from a bag's label under the camera
   void said(const QString& sentence);
 
  private:
@@ -118,6 +122,7 @@ class CaptureWizard final : public QObject {
   void queueBatch();
   void lookLive();
   void lookAtFront();
+  void readLabels(const QStringList& codes);
   void fail(const Error& error, const QString& safe);
   JobHandle* start(Job job);
   int batchIndex() const;
@@ -129,7 +134,7 @@ class CaptureWizard final : public QObject {
   QPointer<JobHandle> work_, live_job_;
   QTimer live_timer_;
   Question question_;
-  bool live_on_ = false, live_missing_ = false;
+  bool live_on_ = false, live_missing_ = false, queued_ = false;
   std::function<void()> after_live_;  ///< waits until the camera is free
   std::optional<Error> fault_;
   QStringList doubts_;
@@ -138,9 +143,8 @@ class CaptureWizard final : public QObject {
   std::vector<TakenShot> shots_;
   int camera_ = -1, stop_ = -1, stops_done_ = 0;
   PlaceText place_;
-  QString number_;
+  QString number_, label_;  ///< label_: of the bag, read last; seen again it says nothing new
   qint64 batch_row_ = 0;
-  bool queued_ = false;
 };
 
 }  // namespace ostraka::ui

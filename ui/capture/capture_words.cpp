@@ -88,6 +88,11 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   if (phase_ == CapturePhase::Place)
     facts.push_back({!look.sherds.empty() && look.too_close.empty(),
                      tr("%n sherd(s) seen", nullptr, static_cast<int>(look.sherds.size()))});
+  if (phase_ == CapturePhase::Place && look.pixel_from_plate)
+    facts.push_back({true, live_->room.places.empty()
+                               ? tr("No room for more")
+                               : tr("Room for about %n more", nullptr,
+                                    static_cast<int>(live_->room.places.size()))});
   for (const auto& [a, b] : look.too_close)
     facts.push_back({false, a == b ? tr("%1 may be two sherds, too close together").arg(a + 1)
                                    : tr("%1 and %2 lie too close together").arg(a + 1).arg(b + 1)});

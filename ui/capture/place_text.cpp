@@ -63,6 +63,12 @@ QString PlaceText::words() const {
   return QCoreApplication::translate("PlaceText", "%1 bag %2").arg(all, bag);
 }
 
+QString PlaceText::typed() const {
+  QStringList parts{site, trench, context, bag};
+  parts.removeAll(QString());
+  return parts.join(QLatin1Char('-'));
+}
+
 std::optional<PlaceText> readPlaceText(const QString& text) {
   QString plain = text.trimmed();
   if (plain.startsWith(QLatin1String("OST1:"))) {

@@ -19,6 +19,8 @@ struct PlaceText {
   bool isEmpty() const { return site.isEmpty() && context.isEmpty() && bag.isEmpty(); }
   /// "ARM1 / T3 / 0012 bag 4".
   QString words() const;
+  /// As a person types it: "ARM1-T3-0012-4".
+  QString typed() const;
 };
 
 /// Reads "ARM1-T3-0012-4", "ARM1 / T3 / 0012 bag 4" and the text of a bag's QR code,

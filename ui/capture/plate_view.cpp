@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <QPainter>
 #include <QPainterPath>
+#include <cmath>
 
 #include "ui/frame/look.h"
 
@@ -57,9 +58,31 @@ void PlateView::paintEvent(QPaintEvent*) {
   const double scale = fit.width() / picture_->look.width;
   painter.save();
   painter.translate(target.topLeft());
+  drawFreePlaces(painter, scale);
   drawSherds(painter, scale);
   painter.restore();
   drawScaleBar(painter, target, scale);
+}
+
+// Where more may lie: shaded, and edged by dots, so that nobody takes them for sherds.
+void PlateView::drawFreePlaces(QPainter& painter, double scale) const {
+  const capture::PlateLook& look = picture_->look;
+  if (!look.pixel_from_plate) return;
+  constexpr int kCorners = 36;
+  painter.setBrush(QColor(255, 255, 255, 46));
+  painter.setPen(QPen(QColor(255, 255, 255, 170), lineWidth(*this, 1), Qt::DotLine));
+  for (const Eigen::Vector2d& place : picture_->room.places) {
+    QPolygonF disc;
+    for (int k = 0; k < kCorners; ++k) {
+      const double turn = 2 * M_PI * k / kCorners;
+      const Eigen::Vector2d at =
+          place + picture_->room.extent_mm / 2 * Eigen::Vector2d(std::cos(turn), std::sin(turn));
+      const Eigen::Vector2d pixel =
+          (*look.pixel_from_plate * Eigen::Vector3d(at.x(), at.y(), 1)).hnormalized();
+      disc << QPointF(pixel.x(), pixel.y()) * scale;
+    }
+    painter.drawPolygon(disc);
+  }
 }
 
 void PlateView::drawSherds(QPainter& painter, double scale) const {

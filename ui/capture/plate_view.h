@@ -20,6 +20,7 @@ class PlateView final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void drawFreePlaces(QPainter& painter, double scale) const;
   void drawSherds(QPainter& painter, double scale) const;
   void drawScaleBar(QPainter& painter, const QRectF& picture, double scale) const;
 

@@ -3,6 +3,9 @@
 
 #include <QSignalSpy>
 #include <QtTest>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/objdetect.hpp>
 
 #include "catalogue/project.h"
 #include "fake_rig.h"
@@ -13,6 +16,16 @@ using namespace ostraka::ui;
 using catalogue::BatchState;
 
 namespace {
+
+std::string pictureOfLabel(const std::string& text) {
+  cv::Mat code, label;
+  cv::QRCodeEncoder::create()->encode(text, code);
+  cv::resize(code, label, {}, 6, 6, cv::INTER_NEAREST);
+  cv::copyMakeBorder(label, label, 80, 200, 90, 300, cv::BORDER_CONSTANT, 255);
+  std::vector<uchar> bytes;
+  cv::imencode(".jpg", label, bytes);
+  return {bytes.begin(), bytes.end()};
+}
 
 struct Bench {
   explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
@@ -47,6 +60,37 @@ class CaptureWizardTest : public QObject {
     QTest::addColumn<bool>("threaded");
     QTest::newRow("inline") << false;
     QTest::newRow("threaded") << true;
+  }
+
+  void aBagsLabelUnderTheCameraGivesThePlace() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabel("OST1:B:ARM1-T3-0012-4:7F3K9Q2M");
+    QSignalSpy read(&bench.wizard, &CaptureWizard::placeRead);
+    bench.wizard.setLive(true);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(read.count(), 1);
+    QCOMPARE(bench.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(bench.wizard.place().typed(), QStringLiteral("ARM1-T3-0012-4"));
+    // What is typed now stays, though the label still lies there.
+    bench.wizard.setPlace(*readPlaceText("ARM1-T3-0013-1"));
+    QSignalSpy looked(&bench.wizard, &CaptureWizard::liveChanged);
+    QTRY_VERIFY(looked.count() >= 2);
+    QCOMPARE(bench.wizard.place().context, QStringLiteral("0013"));
+    QCOMPARE(read.count(), 1);
+    bench.wizard.setLive(false);
+  }
+
+  void anyOtherCodeIsNoPlace() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabel("https://example.org/ARM1-T3-0012-4");
+    bench.wizard.setLive(true);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_VERIFY(bench.wizard.live().has_value());
+    QCOMPARE(bench.wizard.live()->codes.size(), 1);
+    QVERIFY(bench.wizard.place().isEmpty());
+    bench.wizard.setLive(false);
   }
 
   void threeKeysMakeABatch_data() { runners_data(); }

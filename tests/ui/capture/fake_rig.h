@@ -19,6 +19,7 @@ struct FakeRig {
   std::vector<capture::ShotName> flagged;  ///< of the next side
   bool ask = false;                        ///< opening asks a person to do something
   bool wait_for_stop = false;              ///< the next side runs until it is stopped
+  std::string preview;                     ///< what the cameras see; empty: no live picture
 };
 
 class FakeTable final : public capture::Turntable {
@@ -39,6 +40,7 @@ class FakeTable final : public capture::Turntable {
 
 class FakeCamera final : public capture::Camera {
  public:
+  explicit FakeCamera(FakeRig& rig) : rig_(rig) {}
   capture::CameraId id() const override { return {"folder", "a camera", "1", ""}; }
   Result<std::vector<capture::CameraSetting>> settings() override {
     return std::vector<capture::CameraSetting>();
@@ -47,6 +49,7 @@ class FakeCamera final : public capture::Camera {
     return capture::CameraSetting();
   }
   Result<std::string> preview(std::stop_token) override {
+    if (!rig_.preview.empty()) return rig_.preview;
     return Error{ErrorCode::Missing, "This camera has no live picture.", "camera"};
   }
   Result<void> getReady(std::stop_token) override { return {}; }
@@ -56,6 +59,9 @@ class FakeCamera final : public capture::Camera {
   }
   Result<void> reopen(std::stop_token) override { return {}; }
   Result<void> close() override { return {}; }
+
+ private:
+  FakeRig& rig_;
 };
 
 inline RigSource sourceOf(FakeRig& rig) {
@@ -67,9 +73,10 @@ inline RigSource sourceOf(FakeRig& rig) {
     if (rig.refuse_open) return *rig.refuse_open;
     if (rig.ask && !ask("Switch the table on.", stop)) return Error::cancelled();
     auto devices = std::make_shared<capture::RigDevices>();
+    devices->plate.dictionary = "DICT_4X4_100";
     devices->turntable = std::make_unique<FakeTable>(rig);
     for (int camera = 0; camera < 3; ++camera)
-      devices->cameras.push_back(std::make_unique<FakeCamera>());
+      devices->cameras.push_back(std::make_unique<FakeCamera>(rig));
     devices->side_placed = [&rig](batch::Side side) { rig.placed.push_back(side); };
     return devices;
   };

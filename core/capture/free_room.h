@@ -1,0 +1,37 @@
+#pragma once
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+#include "capture/shot_checks.h"
+
+namespace ostraka::capture {
+
+struct PlateMap;
+struct MapPiece;
+
+struct FreeRoomOptions {
+  double gap_mm = 12;              ///< between two sherds: a finger's width
+  double usual_extent_mm = 50;     ///< of a sherd, while none lies on the plate
+  double smallest_extent_mm = 25;  ///< fingers do not lay smaller ones closer
+};
+
+/// Room for more sherds on the plate.
+struct FreeRoom {
+  double extent_mm = 0;                 ///< of a further sherd: the median of those that lie there
+  std::vector<Eigen::Vector2d> places;  ///< middles of discs of that extent, on the plate, mm
+};
+/// Places are laid close to what is there already, one after the other: about as many as a person
+/// lays, not the most that fit. What the picture does not show is not free. About 5 ms.
+FreeRoom freeRoom(const PlateMap& map, const std::vector<MapPiece>& pieces,
+                  const FreeRoomOptions& options);
+
+struct LookWithRoom {
+  PlateLook look;
+  FreeRoom room;  ///< without places where the plate's place is not seen
+};
+/// lookAtPlate, and how many more have room. Errors: as lookAtPlate.
+Result<LookWithRoom> lookForRoom(std::string_view picture, const batch::Plate& plate,
+                                 const LookOptions& look, const FreeRoomOptions& room);
+
+}  // namespace ostraka::capture

@@ -17,6 +17,7 @@
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/viewport/sherd_view.h"
 
 namespace {
 
@@ -60,6 +61,7 @@ bool makeProject(const std::filesystem::path& batch, const std::filesystem::path
 int main(int argc, char** argv) {
   QElapsedTimer since_start;
   since_start.start();
+  ostraka::ui::prepareOpenGl();
   QApplication application(argc, argv);
   if (argc < 3) {
     std::fputs("window_heartbeat BATCH PROJECT [SECONDS]\n", stderr);

@@ -24,6 +24,7 @@
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_station.h"
 #include "ui/settings/settings_page.h"
+#include "ui/viewport/sherd_view.h"
 
 namespace ostraka::ui {
 namespace {
@@ -43,6 +44,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
       room_timer_(new QTimer(this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(tr("Ostraka"));
+  reserveOpenGl(*this);
   buildStations();
   buildLayout();
   buildActions();

@@ -19,6 +19,7 @@
 #include "ui/main/main_window.h"
 #include "ui/main/new_project.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/viewport/sherd_view.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -83,6 +84,19 @@ class ScreensTest : public QObject {
     QVERIFY(other.session() == nullptr);
   }
 
+  void theFirst3DViewLeavesTheWindowItsKeyboard() {
+    const WId id = window_->winId();
+    openVirtual();
+    for (const Qt::Key key : {Qt::Key_3, Qt::Key_5, Qt::Key_2, Qt::Key_1}) {
+      QTest::keyClick(window_.get(), key, Qt::ControlModifier);
+      QCoreApplication::processEvents();
+    }
+    QVERIFY(window_->findChild<QWidget*>("canvas") != nullptr);
+    QCOMPARE(window_->winId(), id);
+    QVERIFY(window_->isActiveWindow());
+    QTRY_VERIFY(window_->focusWidget() != nullptr);
+  }
+
   void aFolderThatIsNoProjectIsRefusedOnTheStartScreen() {
     window_->openProject(home_->path("nothing"));
     QVERIFY(window_->session() == nullptr);
@@ -132,7 +146,6 @@ class ScreensTest : public QObject {
     }
     window_->openProject(project_);
     QVERIFY(window_->session() != nullptr);
-    activate(*window_);  // the first 3D view makes the native window anew
   }
 
   // One of each state, so that the queue shows what it can.
@@ -176,6 +189,7 @@ class ScreensTest : public QObject {
 };
 
 int main(int argc, char** argv) {
+  prepareOpenGl();
   QApplication application(argc, argv);
   applyLook(application, Theme::Light, 100);
   ScreensTest test;

@@ -16,7 +16,7 @@ double extentOf(const std::vector<MapPiece>& pieces, const FreeRoomOptions& opti
   for (const MapPiece& piece : pieces)
     if (!piece.cut_off) extents.push_back(piece.extent_mm);
   if (extents.empty()) return options.usual_extent_mm;
-  const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
+  const auto middle = extents.begin() + static_cast<std::ptrdiff_t>((extents.size() - 1) / 2);
   std::nth_element(extents.begin(), middle, extents.end());
   return std::max(*middle, options.smallest_extent_mm);
 }

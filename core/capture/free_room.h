@@ -18,7 +18,7 @@ struct FreeRoomOptions {
 
 /// Room for more sherds on the plate.
 struct FreeRoom {
-  double extent_mm = 0;                 ///< of a further sherd: the median of those that lie there
+  double extent_mm = 0;                 ///< of a further sherd: the lower median of those there
   std::vector<Eigen::Vector2d> places;  ///< middles of discs of that extent, on the plate, mm
 };
 /// Places are laid close to what is there already, one after the other: about as many as a person

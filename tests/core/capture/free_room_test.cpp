@@ -66,6 +66,13 @@ TEST(FreeRoom, ThereIsNoneOnAFullPlateNorWhereNothingIsSeen) {
   EXPECT_TRUE(freeRoom({}, {}, {}).places.empty());
 }
 
+TEST(FreeRoom, OfAnEvenNumberTheSmallerMiddleCounts) {
+  PlateMap map = bare();
+  const MapPiece large = disc(map, {0, 50}, 42), small = disc(map, {-60, -20}, 14),
+                 larger = disc(map, {0, -50}, 45), middle = disc(map, {60, -20}, 15);
+  EXPECT_NEAR(freeRoom(map, {large, small, larger, middle}, {}).extent_mm, 30, 0.1);
+}
+
 TEST(FreeRoom, FollowsTheSizeOfTheSherds) {
   PlateMap small = bare(), large = bare();
   const FreeRoom many = freeRoom(small, {disc(small, {-60, 0}, 13)}, {});

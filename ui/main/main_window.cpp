@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QStackedWidget>
 #include <QTimer>
@@ -165,7 +166,10 @@ void MainWindow::buildActions() {
           &QAction::triggered, this, &MainWindow::leaveSidePage);
 }
 
-void MainWindow::openProject(const QString& folder) {
+void MainWindow::openProject(const QString& path) {
+  // A file manager hands over the catalogue's file; the project is its folder.
+  const QFileInfo given(path);
+  const QString folder = given.isFile() ? given.absolutePath() : path;
   Result<catalogue::Project> project = catalogue::Project::open(folder.toStdString());
   if (!project) {
     closeProject();

@@ -41,8 +41,8 @@ class MainWindow final : public QMainWindow {
   explicit MainWindow(JobRunner& runner, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  /// Shows the project, or says on the start screen why it cannot be opened.
-  void openProject(const QString& folder);
+  /// Shows the project of this folder or catalogue file, or says on the start screen why it cannot.
+  void openProject(const QString& path);
   void closeProject();
   ProjectSession* session() const { return session_.get(); }
   BatchQueue* queue() const { return queue_; }

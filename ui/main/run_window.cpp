@@ -47,8 +47,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   QLocale::setDefault(locale);
   // English forms of one and many are under every language: a text that none has is still right.
   QTranslator plurals, ours, qts;
-  if (plurals.load(QStringLiteral(":/i18n/ostraka_en")))
-    QApplication::installTranslator(&plurals);
+  if (plurals.load(QStringLiteral(":/i18n/ostraka_en"))) QApplication::installTranslator(&plurals);
   if (qts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
     QApplication::installTranslator(&qts);
@@ -58,12 +57,8 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   ThreadedJobRunner runner;
   MainWindow window(runner);
   window.show();
-  if (project) {
-    // A file manager hands over the catalogue's file; the project is its folder.
-    const std::filesystem::path whole = std::filesystem::absolute(*project);
-    window.openProject(QString::fromStdString(
-        std::filesystem::is_directory(whole) ? whole.string() : whole.parent_path().string()));
-  }
+  if (project)
+    window.openProject(QString::fromStdString(std::filesystem::absolute(*project).string()));
   return QApplication::exec();
 }
 

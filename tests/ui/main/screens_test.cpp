@@ -84,6 +84,14 @@ class ScreensTest : public QObject {
     QVERIFY(other.session() == nullptr);
   }
 
+  void theCataloguesFileOpensItsProject() {
+    openVirtual();
+    window_->closeProject();
+    window_->openProject(project_ + "/catalogue.sqlite");
+    QVERIFY(window_->session() != nullptr);
+    QCOMPARE(QString::fromStdString(window_->session()->folder().string()), project_);
+  }
+
   void theFirst3DViewLeavesTheWindowItsKeyboard() {
     const WId id = window_->winId();
     openVirtual();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/folder_lock.h"
 #include "base/json.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
@@ -366,6 +367,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const ordered_json hashes = hashesOf(*batch, options.threads);
   if (const Result<void> claimed = claimOutput(options.output, hashes); !claimed)
     return claimed.error();
+  const Result<FolderLock> held = FolderLock::take(options.output / "work");
+  if (!held) return held.error();
   withdrawResults(options.output);
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
   const Run run{options, *batch, options.output / "work", sha256(hashes.dump()), holding,

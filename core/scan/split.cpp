@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "cloud/nearest.h"
 #include "scan/rim.h"
@@ -85,11 +87,20 @@ Extent extentOf(const PointCloud& piece) {
           static_cast<double>((high - low).head<2>().norm()), static_cast<double>(high.z())};
 }
 
+// Squares of 1 mm that hold points, seen from above.
+std::size_t footprintOf(const PointCloud& piece) {
+  std::set<std::pair<int, int>> squares;
+  for (const Eigen::Vector3f& p : piece.points)
+    squares.insert({static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))});
+  return squares.size();
+}
+
 // A piece that is no sherd is reported and left aside.
 bool isSherd(const PointCloud& piece, const SplitOptions& options,
              std::vector<std::string>& warnings) {
   const Extent extent = extentOf(piece);
-  if (extent.longest_mm < options.min_extent_mm) {
+  if (extent.longest_mm < options.min_extent_mm ||
+      static_cast<double>(footprintOf(piece)) < options.min_area_mm2) {
     warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " + at(extent.middle) +
                        " was left aside; if it is a sherd, shoot it alone.");
     return false;

@@ -14,6 +14,7 @@ struct SplitOptions {
   double plate_flat_mm = 0.6;   ///< so do points this low that look straight up
   double gap_mm = 1.2;          ///< wider gaps separate sherds; 5 pixels at 0.24 mm per pixel
   double min_extent_mm = 10.0;  ///< smaller pieces are crumbs: no sherd is sorted below 1 cm
+  double min_area_mm2 = 50;     ///< so are slivers: a sherd of 1 cm covers more, seen from above
   double min_height_mm = 1.5;   ///< flatter pieces are markers or dirt: walls are 3 mm and more
   double neck_share = 0.35;     ///< pieces touch where the outline narrows below this share of the
                                 ///< smaller part's width; a sherd's own waist is wider

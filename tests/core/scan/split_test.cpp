@@ -46,6 +46,18 @@ TEST(SplitScans, FindsTheSherdsAndLeavesPlateCrumbAndFlyersOut) {
   ASSERT_EQ(found->warnings.size(), 1u);  // of the crumb
 }
 
+TEST(SplitScans, ASliverIsACrumbHoweverLong) {
+  PointCloud cloud = test::box(-60, 40, 30, 25, 6);
+  test::append(cloud, test::box(10, -50, 15, 2, 3));  // the foot of a sherd, or a shadow's edge
+  test::append(cloud, test::box(60, -50, 11, 9, 3));  // as long, but a sherd
+  const auto found = split(cloud);
+  ASSERT_TRUE(found.has_value()) << found.error().what;
+  EXPECT_EQ(found->scans.size(), 2u);
+  ASSERT_EQ(found->warnings.size(), 1u);
+  EXPECT_NE(found->warnings[0].find("crumb of 15 mm at x 18"), std::string::npos)
+      << found->warnings[0];
+}
+
 TEST(SplitScans, NumbersDoNotDependOnTheOrderOfThePoints) {
   PointCloud cloud = plate();
   const auto a = split(cloud);

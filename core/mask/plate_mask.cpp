@@ -22,6 +22,7 @@ namespace {
 struct ViewState {
   cv::Mat3f residual;  ///< half the memory would do; 23 MB at 1600 x 1200
   cv::Mat1f log_odds;
+  cv::Mat1f height_odds;  ///< half size, see weighHeights
   HullView hull;
   cv::Mat1b group;    ///< reduced: which group's hull shows
   cv::Mat1f depth;    ///< reduced: mm of hull behind it
@@ -170,11 +171,17 @@ class PlateMasker {
     });
   }
 
+  static cv::Mat1f enlarged(const cv::Mat1f& odds, cv::Size size) {
+    cv::Mat1f full;
+    cv::resize(odds, full, size, 0, 0, cv::INTER_LINEAR);
+    return full;
+  }
+
   void addHeights(ViewState& view, const cv::Mat1f& odds) {
-    cv::Mat1f full, small;
-    cv::resize(odds, full, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
+    cv::Mat1f small;
+    view.height_odds = odds;
+    view.log_odds += enlarged(odds, view.log_odds.size());
     cv::resize(odds, small, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
-    view.log_odds += full;
     for (int y = 0; y < small.rows; ++y)
       for (int x = 0; x < small.cols; ++x) {
         const float share = std::clamp(small(y, x) / 4, 0.F, 1.F);
@@ -274,6 +281,11 @@ class PlateMasker {
     const double mm = millimetresPerPixel(images_[index]);
     const double sine = std::abs(images_[index].centre().normalized().z());
     cut_options.min_area_px = options_.min_sherd_area_mm2 * sine / (mm * mm);
+    // Colours spoke twice, by themselves and as learnt; a grey sherd's are a shadow's both times.
+    // Only what surely stands high: near the foot the windows reach over the outline.
+    cv::Mat1f surely;
+    cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
+    view.log_odds += enlarged(surely, view.log_odds.size());
     const cv::Mat1b cut = cutOutline(view.log_odds, view.allowed, view.residual, cut_options);
     result_.masks[index] = softenOutline(cut, photographs_[index]);
     view.log_odds.release();

@@ -155,7 +155,9 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
     const double sine = std::abs(images[i]->centre().normalized().z());
     const cv::Mat window = cv::getStructuringElement(
         cv::MORPH_ELLIPSE, {kReach, 2 * cvRound(sine * (kReach / 2)) + 1});
+    // Grain is uneven, so agreement is spotty.
     cv::medianBlur(odds, odds, 5);
+    cv::blur(odds, odds, {kWindow, kWindow});
     cv::Mat1f sure = cv::max(odds, 0), against = cv::max(-odds, 0);
     cv::erode(sure, sure, window);
     cv::erode(against, against, window);

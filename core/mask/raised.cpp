@@ -23,7 +23,8 @@ constexpr double kSlideCells = 1.5;  // between two planes; a grain is two cells
 
 /// One photograph on one plane.
 struct Laid {
-  cv::Mat1f value, mean, variance;
+  cv::Mat1f value, mean;
+  cv::Mat1f strength;  ///< 1 / SD, damped by the noise's, so that even surfaces do not agree
   cv::Mat1b seen;
 };
 
@@ -80,32 +81,40 @@ Laid layOn(const rig::PosedImage& image, const cv::Mat1f& brightness, const Plat
   laid.seen &= plate;
   cv::erode(laid.seen, laid.seen, cv::getStructuringElement(cv::MORPH_RECT, {kWindow, kWindow}));
   laid.mean = boxMean(laid.value);
-  laid.variance = boxMean(laid.value.mul(laid.value)) - laid.mean.mul(laid.mean);
+  laid.strength = boxMean(laid.value.mul(laid.value)) - laid.mean.mul(laid.mean);
+  for (int y = 0; y < laid.strength.rows; ++y)
+    for (int x = 0; x < laid.strength.cols; ++x) {
+      const float noise = kNoise * std::exp(-laid.mean(y, x));
+      laid.strength(y, x) = 1 / std::sqrt(std::max(0.F, laid.strength(y, x)) + noise * noise);
+    }
   return laid;
 }
 
-// Normalised cross correlation, damped by the noise's variance so that even surfaces do not agree.
+// Normalised cross correlation; 0 where one of them sees nothing.
 cv::Mat1f agreement(const Laid& a, const Laid& b) {
-  const cv::Mat1f both = boxMean(a.value.mul(b.value)) - a.mean.mul(b.mean);
-  cv::Mat1f ncc(both.size(), 0.F);
-  for (int y = 0; y < ncc.rows; ++y)
-    for (int x = 0; x < ncc.cols; ++x) {
-      if (a.seen(y, x) == 0 || b.seen(y, x) == 0) continue;
-      const float noise_a = kNoise * std::exp(-a.mean(y, x)),
-                  noise_b = kNoise * std::exp(-b.mean(y, x));
-      ncc(y, x) = both(y, x) / std::sqrt((a.variance(y, x) + noise_a * noise_a) *
-                                         (b.variance(y, x) + noise_b * noise_b));
-    }
+  cv::Mat1f ncc = boxMean(a.value.mul(b.value)) - a.mean.mul(b.mean);
+  ncc = ncc.mul(a.strength).mul(b.strength);
+  ncc.setTo(0, ~(a.seen & b.seen));
   return ncc;
 }
 
-// The agreement on a plane as the halved photograph sees it.
-cv::Mat1f seenBy(const cv::Mat1f& agreed, const rig::PosedImage& image, const PlateGrid& grid) {
-  cv::Mat1f seen;
-  cv::remap(agreed, seen, gridOfPixels(image, grid), cv::noArray(), cv::INTER_LINEAR,
-            cv::BORDER_CONSTANT, cv::Scalar::all(0));
-  return seen;
-}
+/// Where the rays of a halved photograph meet planes parallel to the plate.
+struct Rays {
+  cv::Mat2f on_plate;  ///< grid coordinates at height 0
+  cv::Scalar centre;   ///< the camera's own, seen from above
+  double height_mm;    ///< of the camera
+
+  Rays(const rig::PosedImage& image, const PlateGrid& grid)
+      : on_plate(gridOfPixels(halfOf(image, 0), grid)), height_mm(image.centre().z()) {
+    const Eigen::Vector3d at = image.centre() / grid.pitch_mm;
+    centre = cv::Scalar(at.x() + grid.middle(), at.y() + grid.middle());
+  }
+  // Along a ray the place moves towards the camera's in proportion to the height.
+  cv::Mat2f at(double plane_mm) const {
+    const double share = plane_mm / height_mm;
+    return cv::Mat2f(on_plate * (1 - share) + centre * share);
+  }
+};
 
 }  // namespace
 
@@ -124,14 +133,13 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
   grid.size = 2 * static_cast<int>(std::ceil(grid.radius_mm / grid.pitch_mm)) + 1;
   const double step = kSlideCells * grid.pitch_mm / largestSlide(images);
   const int planes = static_cast<int>(std::min(max_height_mm, kHighest) / step);
+  std::vector<Rays> rays;
+  for (const rig::PosedImage* image : images) rays.emplace_back(*image, grid);
   for (int plane = 0; plane <= planes; ++plane) {
     const double height = plane * step;
-    std::vector<rig::PosedImage> moved;
     std::vector<Laid> laid;
-    for (std::size_t i = 0; i < images.size(); ++i) {
-      moved.push_back(halfOf(*images[i], height));
-      laid.push_back(layOn(moved[i], brightness[i], grid));
-    }
+    for (std::size_t i = 0; i < images.size(); ++i)
+      laid.push_back(layOn(halfOf(*images[i], height), brightness[i], grid));
     std::vector<cv::Mat1f> best(images.size());
     for (std::size_t i = 0; i < images.size(); ++i) best[i] = cv::Mat1f(laid[i].value.size(), 0.F);
     for (std::size_t i = 0; i < images.size(); ++i)
@@ -141,8 +149,12 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
         best[j] = cv::max(best[j], ncc);
       }
     std::vector<cv::Mat1f>& side = height < kThinnest ? on_plate : above;
-    for (std::size_t i = 0; i < images.size(); ++i)
-      side[i] = cv::max(side[i], seenBy(best[i], moved[i], grid));
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      cv::Mat1f seen;
+      cv::remap(best[i], seen, rays[i].at(height), cv::noArray(), cv::INTER_LINEAR,
+                cv::BORDER_CONSTANT, cv::Scalar::all(0));
+      side[i] = cv::max(side[i], seen);
+    }
   }
   for (std::size_t i = 0; i < images.size(); ++i) {
     cv::Mat1f& odds = above[i];

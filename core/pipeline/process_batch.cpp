@@ -86,11 +86,13 @@ ordered_json hashesOf(const batch::Batch& batch, int threads) {
 }
 
 // An OUT belongs to one batch. A photograph shot again is the same batch; half of them is not.
-Result<void> claimOutput(const fs::path& output, const ordered_json& hashes) {
-  const fs::path file = output / "work" / "batch.json";
+Result<void> mayUseOutput(const fs::path& output, const fs::path& file,
+                          const ordered_json& hashes) {
   std::error_code failed;
   if (!fs::exists(file, failed)) {
-    if (fs::exists(output, failed) && !fs::is_empty(output, failed))
+    // A run that ended before it could name its batch leaves the lock alone.
+    const bool own = fs::exists(file.parent_path() / "lock", failed);
+    if (!own && fs::exists(output, failed) && !fs::is_empty(output, failed))
       return Error{ErrorCode::UnusableInput,
                    "The output folder holds something that is not from this program; choose "
                    "another or an empty one.",
@@ -106,7 +108,17 @@ Result<void> claimOutput(const fs::path& output, const ordered_json& hashes) {
                    "The output folder holds another batch; choose another folder.",
                    output.string()};
   }
-  return writeJson(file, hashes);
+  return {};
+}
+
+// Nothing is written before the folder is held: another run may be at work in it.
+Result<FolderLock> claimOutput(const fs::path& output, const ordered_json& hashes) {
+  const fs::path file = output / "work" / "batch.json";
+  if (const Result<void> may = mayUseOutput(output, file, hashes); !may) return may.error();
+  Result<FolderLock> held = FolderLock::take(output / "work");
+  if (!held) return held;
+  if (const Result<void> written = writeJson(file, hashes); !written) return written.error();
+  return held;
 }
 
 struct Sides {
@@ -365,9 +377,7 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (!decisions) return decisions.error();
   const Decisions holding = standing(*decisions);
   const ordered_json hashes = hashesOf(*batch, options.threads);
-  if (const Result<void> claimed = claimOutput(options.output, hashes); !claimed)
-    return claimed.error();
-  const Result<FolderLock> held = FolderLock::take(options.output / "work");
+  const Result<FolderLock> held = claimOutput(options.output, hashes);
   if (!held) return held.error();
   withdrawResults(options.output);
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);

@@ -20,7 +20,7 @@ struct StartingVocabulary {
   std::vector<const char*> terms;
 };
 
-// formats.md, section 3
+// What a new project begins with.
 const std::vector<StartingVocabulary>& startingVocabularies() {
   static const std::vector<StartingVocabulary> all = {
       {"part",

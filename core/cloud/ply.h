@@ -22,7 +22,7 @@ Result<PlyContents> readPly(const std::filesystem::path& path);
 /// The points of a file, faces left aside. Errors as above, and when there is no point.
 Result<PointCloud> readPlyCloud(const std::filesystem::path& path);
 
-/// Binary little-endian with `comment unit mm` and `comment frame <frame>` (formats.md, section 1).
+/// Binary little-endian with `comment unit mm` and `comment frame <frame>`.
 std::string formatPly(const PointCloud& cloud, std::string_view frame);
 std::string formatPly(const TriangleMesh& mesh, std::string_view frame);
 Result<void> writePly(const std::filesystem::path& path, const PointCloud& cloud,

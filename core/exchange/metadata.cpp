@@ -15,7 +15,7 @@ using namespace catalogue;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-// The words of the records and what they mean for other programs (formats.md, section 2).
+// The words of the records and what they mean for other programs.
 constexpr const char* kContext = R"({
  "@context": {
   "crm": "http://www.cidoc-crm.org/cidoc-crm/",

@@ -19,7 +19,7 @@ struct PlateMaskOptions {
   Result<void> check() const;
 };
 
-/// Masks of one side from the turning plate (issue 6, 'Masks').
+/// Masks of one side from the turning plate.
 /// images: cameras and poses, plate frame, mm; photographs: CV_8UC3 (BGR), one per image, same size
 /// as its intrinsics say. empty_photographs: the bare plate at stop 0, indexed by
 /// PosedImage::camera; the span or single Mats may be empty. A photograph whose empty partner does

@@ -61,7 +61,7 @@ struct Pairs {
   std::vector<std::string> set_aside, reshoot;  ///< by a person; fronts, then backs
 };
 
-/// The chain, one call per arrow (design.md). Each runs its stage or finds it whole.
+/// The chain, one call per step. Each runs its stage or finds it whole.
 Result<Staged<Poses>> poseStage(const Run& run);
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses);
 Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,

@@ -37,7 +37,7 @@ Eigen::Vector2d place(const scan::Scan& scan) {
 }
 
 // Half of all flips leave the sherd near its place (a hand's 15 mm), the others anywhere on a plate
-// of 130 mm radius. Never more than +2.5 or less than -0.7: a hint (wishes.md, W37).
+// of 130 mm radius. Never more than +2.5 or less than -0.7: a hint.
 double placeLogLikelihood(const scan::Scan& front, const scan::Scan& back) {
   constexpr double kHand_mm = 15, kPlate_mm = 130, kPi = 3.14159265358979323846;
   const double d2 = (place(front) - place(back)).squaredNorm();

@@ -166,7 +166,7 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   return notes;
 }
 
-// Residuals per camera; with a known rig how well it fitted and what has moved since (wish W16).
+// Residuals per camera; with a known rig how well it fitted and what has moved since.
 ordered_json residualsOf(const rig::BatchPoses& poses) {
   ordered_json list = ordered_json::array();
   for (const rig::CameraFindings& c : poses.cameras)
@@ -178,7 +178,7 @@ ordered_json residualsOf(const rig::BatchPoses& poses) {
   return list;
 }
 
-// Distances between markers that took no part in the fit (wish W12).
+// Distances between markers that took no part in the fit.
 ordered_json heldOutOf(const rig::BatchPoses& poses) {
   ordered_json list = ordered_json::array();
   for (const rig::HeldOutDistance& d : poses.held_out)

@@ -36,7 +36,7 @@ struct CameraFindings {
   double known_residual_px = 0, moved_mm = 0, turned_rad = 0;
 };
 
-/// A distance between the middles of two markers that took no part in the fit (wish W12).
+/// A distance between the middles of two markers that took no part in the fit.
 struct HeldOutDistance {
   int first = 0, second = 0;  ///< ids
   double expected_mm = 0, measured_mm = 0;

@@ -10,7 +10,7 @@
 
 namespace ostraka::rig {
 
-constexpr double kMostScaleError = 0.003;  ///< of a held-out distance; wish W12
+constexpr double kMostScaleError = 0.003;  ///< of a held-out distance
 
 /// A marker's corners, plate frame, mm, nearest to all rays through the places where they were
 /// seen; `corners` holds this marker's only, four per view. Nothing from fewer than two views.

@@ -78,7 +78,7 @@ TEST(CalibrationAdvice, AsksForTiltsStopsAndMarkers) {
 }
 
 TEST(CalibrationAdvice, HoldsARigWhoseScaleIsOff) {
-  // 1 mm in 290 is 0.34 %, above the 0.3 % of wish W12.
+  // 1 mm in 290 is 0.34 %, above the 0.3 % that hold a batch.
   const auto report = judged(wellTaken(), fourStops(), {{0, 12, 290, 291}});
   EXPECT_EQ(report.verdict, Verdict::NotUsable);
   EXPECT_FALSE(scaleIsRight(report));

@@ -35,7 +35,8 @@ std::string reason() {
 Error cannotWrite(const std::filesystem::path& path) {
   const std::string hint =
       errno == ENOSPC ? "The disk is full; free some space and start the same command again."
-                      : "The file cannot be written (" + reason() + ").";
+                      : "This cannot be written (" + reason() +
+                            "); choose another place, or check its permissions.";
   return {ErrorCode::CannotWrite, hint, path.string()};
 }
 
@@ -54,22 +55,28 @@ bool writeAll(int fd, std::string_view bytes) {
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.open())
-    return Error{ErrorCode::UnusableInput, "The file cannot be opened (" + reason() + ").", path};
+    return Error{ErrorCode::UnusableInput,
+                 errno == ENOENT
+                     ? "There is no such file; check its name."
+                     : "The file cannot be opened (" + reason() + "); check its permissions.",
+                 path};
   struct stat info {};
   if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode))
-    return Error{ErrorCode::UnusableInput, "This is not a regular file.", path};
+    return Error{ErrorCode::UnusableInput, "This is not a regular file; name a file.", path};
   const auto size = static_cast<std::size_t>(info.st_size);
   if (size > max_bytes)
-    return Error{
-        ErrorCode::UnusableInput,
-        "The file is larger than the " + std::to_string(max_bytes) + " bytes allowed here.", path};
+    return Error{ErrorCode::UnusableInput,
+                 "The file is larger than the " + std::to_string(max_bytes) +
+                     " bytes that are read here; is it the right one?",
+                 path};
   std::string bytes(size, '\0');
   std::size_t done = 0;
   while (done < size) {
     const ssize_t n = ::read(file.get(), bytes.data() + done, size - done);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0)
-      return Error{ErrorCode::UnusableInput, "The file cannot be read (" + reason() + ").", path};
+      return Error{ErrorCode::UnusableInput,
+                   "The file cannot be read (" + reason() + "); copy it again.", path};
     if (n == 0) break;
     done += static_cast<std::size_t>(n);
   }

@@ -1,5 +1,6 @@
 #include "base/json.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -24,10 +25,19 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& where
     if (depth > kMaxDepth) too_deep = true;
     return depth <= kMaxDepth;
   };
-  nlohmann::json value = nlohmann::json::parse(text, check, false);
-  if (too_deep) return unusable("The JSON is nested deeper than 64 levels.", where);
-  if (value.is_discarded()) return unusable("This is not valid JSON.", where);
-  return value;
+  try {
+    nlohmann::json value = nlohmann::json::parse(text, check);
+    if (too_deep) return unusable("The JSON is nested deeper than 64 levels.", where);
+    return value;
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    return unusable("This is not valid JSON (line " +
+                        std::to_string(1 + std::count(text.begin(), end, '\n')) +
+                        "); mend it there, or copy the file again.",
+                    where);
+  } catch (const nlohmann::json::exception&) {
+    return unusable("The JSON holds a number that is too large; mend it.", where);
+  }
 }
 
 Result<nlohmann::json> readJson(const std::filesystem::path& path) {

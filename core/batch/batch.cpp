@@ -1,31 +1,21 @@
 #include "batch/batch.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 #include <string_view>
 #include <system_error>
 #include <tuple>
 
+#include "base/text.h"
 #include "batch/image_header.h"
+#include "batch/photograph.h"
 
 namespace ostraka::batch {
 namespace fs = std::filesystem;
 namespace {
 
 using Key = std::tuple<Side, int, int>;  // side, camera, stop
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-bool isImage(const fs::path& file) {
-  const std::string extension = lower(file.extension().string());
-  return extension == ".jpg" || extension == ".jpeg" || extension == ".png" ||
-         extension == ".tif" || extension == ".tiff";
-}
 
 // Takes a literal or a number of at most six digits from the front of a name.
 bool take(std::string_view& name, std::string_view literal) {
@@ -45,14 +35,14 @@ bool take(std::string_view& name, int& number) {
 
 // "cam3_pos07" gives {3, 7} for between = "_pos".
 bool camNumbers(const fs::path& file, std::string_view between, int& camera, int& number) {
-  const std::string stem = lower(file.stem().string());
+  const std::string stem = lowerCase(file.stem().string());
   std::string_view name = stem;
   return take(name, "cam") && take(name, camera) && take(name, between) && take(name, number) &&
          name.empty();
 }
 
 bool emptyPlateCamera(const fs::path& file, int& camera) {
-  const std::string stem = lower(file.stem().string());
+  const std::string stem = lowerCase(file.stem().string());
   std::string_view name = stem;
   return take(name, "empty_cam") && take(name, camera) && name.empty();
 }
@@ -61,7 +51,7 @@ std::vector<fs::path> imagesIn(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code failed;
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
-    if (isImage(it->path()) && !it->path().filename().string().starts_with("."))
+    if (hasPhotographEnding(it->path()) && !it->path().filename().string().starts_with("."))
       files.push_back(it->path());
   std::sort(files.begin(), files.end());
   return files;
@@ -140,7 +130,7 @@ class Reader {
     const int s = side == Side::Front ? 0 : 1;
     std::map<std::string, fs::path> masks;
     for (const fs::path& mask : imagesIn(batch_.folder / layout.masks[s]))
-      masks.emplace(lower(mask.stem().string()), mask);
+      masks.emplace(lowerCase(mask.stem().string()), mask);
     for (const fs::path& file : imagesIn(batch_.folder / layout.folder[s])) {
       Shot shot;
       shot.side = side;
@@ -220,7 +210,7 @@ class Reader {
   }
 
   void attachMask(Shot& shot, const std::map<std::string, fs::path>& masks) {
-    const auto found = masks.find(lower(shot.file.stem().string()));
+    const auto found = masks.find(lowerCase(shot.file.stem().string()));
     if (found == masks.end()) return;
     const Result<ImageSize> size = readImageSize(found->second);
     if (!size)

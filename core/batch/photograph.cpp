@@ -1,39 +1,74 @@
 #include "batch/photograph.h"
 
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "batch/image_header.h"
 
 namespace ostraka::batch {
 namespace {
 
-Result<cv::Mat> decoded(const std::filesystem::path& file, int flags) {
-  const Result<std::string> bytes = readFile(file);
-  if (!bytes) return bytes.error();
-  const Result<ImageSize> size = imageSize(*bytes, file.string());
+Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int flags) {
+  const Result<ImageSize> size = imageSize(bytes, where);
   if (!size) return size.error();
   cv::Mat image;
   try {
-    const cv::Mat raw(1, static_cast<int>(bytes->size()), CV_8U, const_cast<char*>(bytes->data()));
+    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     image = cv::imdecode(raw, flags | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
     image.release();
   }
   if (image.empty() || image.cols != size->width || image.rows != size->height)
-    return Error{ErrorCode::UnusableInput, "The image cannot be decoded; copy it again.",
-                 file.string()};
+    return Error{ErrorCode::UnusableInput, "The image cannot be decoded; copy it again.", where};
   return image;
+}
+
+Result<cv::Mat> readImage(const std::filesystem::path& file, int flags) {
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return bytes.error();
+  return decoded(*bytes, file.string(), flags);
 }
 
 }  // namespace
 
+bool hasPhotographEnding(const std::filesystem::path& file) {
+  const std::string ending = lowerCase(file.extension().string());
+  return ending == ".jpg" || ending == ".jpeg" || ending == ".png" || ending == ".tif" ||
+         ending == ".tiff";
+}
+
 Result<cv::Mat> readPhotograph(const std::filesystem::path& file) {
-  return decoded(file, cv::IMREAD_COLOR);
+  return readImage(file, cv::IMREAD_COLOR);
+}
+
+Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& where) {
+  return decoded(bytes, where, cv::IMREAD_COLOR);
 }
 
 Result<cv::Mat> readMask(const std::filesystem::path& file) {
-  return decoded(file, cv::IMREAD_GRAYSCALE);
+  return readImage(file, cv::IMREAD_GRAYSCALE);
+}
+
+cv::Mat greyOf(const cv::Mat& photograph) {
+  if (photograph.channels() == 1) return photograph;
+  cv::Mat grey;
+  cv::cvtColor(photograph, grey, cv::COLOR_BGR2GRAY);
+  return grey;
+}
+
+const std::array<double, 256>& linearLight() {
+  static const std::array<double, 256> table = [] {
+    std::array<double, 256> light{};
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      const double v = static_cast<double>(i) / 255.0;
+      light[i] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    }
+    return light;
+  }();
+  return table;
 }
 
 }  // namespace ostraka::batch

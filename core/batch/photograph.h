@@ -1,17 +1,32 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <string_view>
 
 #include "base/result.h"
 
 namespace ostraka::batch {
+
+/// Is this a photograph by the ending of its name (JPEG, PNG, TIFF, in capitals or not)?
+bool hasPhotographEnding(const std::filesystem::path& file);
 
 /// The photograph as 8-bit BGR, rows x columns as stored: an EXIF orientation is not applied, since
 /// intrinsics belong to the sensor. Errors: UnusableInput when the file is missing, cut off or no
 /// JPEG, PNG or TIFF.
 Result<cv::Mat> readPhotograph(const std::filesystem::path& file);
 
+/// The same from a file's bytes; `where` names them in errors.
+Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& where);
+
 /// A mask or label image as 8-bit grey values, unscaled. Errors as above.
 Result<cv::Mat> readMask(const std::filesystem::path& file);
+
+/// Grey values of an 8-bit BGR or grey photograph; the latter is shared, not copied.
+cv::Mat greyOf(const cv::Mat& photograph);
+
+/// The light that each 8-bit value of a photograph stands for, 0 to 1: the inverse of the sRGB
+/// curve (IEC 61966-2-1).
+const std::array<double, 256>& linearLight();
 
 }  // namespace ostraka::batch

@@ -2,8 +2,6 @@
 
 #include <charconv>
 
-#include "base/files.h"
-
 namespace ostraka {
 namespace {
 
@@ -46,12 +44,6 @@ Result<std::string> formatObj(const TriangleMesh& mesh) {
     text += '\n';
   }
   return text;
-}
-
-Result<void> writeObj(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  const Result<std::string> text = formatObj(mesh);
-  if (!text) return Error{text.error().code, text.error().what, path.string()};
-  return writeFileAtomically(path, *text);
 }
 
 }  // namespace ostraka

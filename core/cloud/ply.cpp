@@ -123,7 +123,8 @@ std::string readHeaderLine(const std::vector<std::string_view>& w, Header& heade
 }
 
 Result<Header> readHeader(std::string_view bytes, const std::string& where) {
-  if (!bytes.starts_with("ply")) return unusable("This is not a PLY file.", where);
+  if (!bytes.starts_with("ply"))
+    return unusable("This is not a PLY file; name one, or export the scan again.", where);
   Header header;
   bool has_format = false;
   std::size_t at = 0;
@@ -134,17 +135,17 @@ Result<Header> readHeader(std::string_view bytes, const std::string& where) {
     at = end + 1;
     if (line_number == 1) continue;
     if (w.size() == 1 && w[0] == "end_header") {
-      if (!has_format) return unusable("The PLY header names no format.", where);
+      if (!has_format) return unusable("The PLY header names no format; export it again.", where);
       header.size = at;
       return header;
     }
     const std::string wrong = readHeaderLine(w, header, has_format);
     if (!wrong.empty())
-      return unusable(
-          "The PLY header is wrong in line " + std::to_string(line_number) + ": " + wrong + ".",
-          where);
+      return unusable("The PLY header is wrong in line " + std::to_string(line_number) + ": " +
+                          wrong + "; export it again.",
+                      where);
   }
-  return unusable("The PLY header has no end.", where);
+  return unusable("The PLY header has no end; export it again.", where);
 }
 
 // The payload, value by value, whatever the format. `ok` turns false at the end of the file.
@@ -164,6 +165,12 @@ class Values {
     at_ += n;
     if (format_ == Format::Big) std::reverse(raw, raw + n);
     return decode(raw, type);
+  }
+
+  // Does anything follow what was read, other than blanks and zeros, which some programs append?
+  bool isMoreLeft() const {
+    return bytes_.find_first_not_of(std::string_view(" \t\r\n\0", 5), at_) !=
+           std::string_view::npos;
   }
 
   bool ok = true;
@@ -405,22 +412,28 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
                       where);
     left -= std::min(left, element.count * least);
     if (element.name == "vertex") {
-      if (has_vertices) return unusable("The PLY file has two lists of vertices.", where);
-      if (!all(columnsOf(element).xyz)) return unusable("The PLY vertices lack x, y or z.", where);
+      if (has_vertices)
+        return unusable("The PLY file has two lists of vertices; export it again.", where);
+      if (!all(columnsOf(element).xyz))
+        return unusable("The PLY vertices lack x, y or z; export it again.", where);
       has_vertices = true;
       if (!readVertices(element, values, out, new_index))
-        return unusable("The PLY file ends early or holds something not a number.", where);
+        return unusable("The PLY file ends early or holds something not a number; export it again.",
+                        where);
     } else if (element.name == "face") {
       const FaceOutcome outcome = readFaces(element, values, new_index, out);
       if (outcome == FaceOutcome::AbsentVertex)
-        return unusable("A face of the PLY names a vertex that is not there.", where);
+        return unusable("A face of the PLY names a vertex that is not there; export it again.",
+                        where);
       if (outcome == FaceOutcome::Truncated)
-        return unusable("The PLY file ends within its faces.", where);
+        return unusable("The PLY file ends within its faces; copy it again.", where);
     } else if (!skip(element, values)) {
-      return unusable("The PLY file ends within '" + element.name + "'.", where);
+      return unusable("The PLY file ends within '" + element.name + "'; copy it again.", where);
     }
   }
-  if (!has_vertices) return unusable("The PLY file has no vertices.", where);
+  if (!has_vertices) return unusable("The PLY file has no vertices; export the scan again.", where);
+  if (values.isMoreLeft())
+    return unusable("The PLY file holds more than its header claims; export it again.", where);
   return out;
 }
 
@@ -434,7 +447,7 @@ Result<PointCloud> readPlyCloud(const std::filesystem::path& path) {
   Result<PlyContents> contents = readPly(path);
   if (!contents) return contents.error();
   if (contents->mesh.vertices.empty())
-    return unusable("The PLY file holds no usable point.", path.string());
+    return unusable("The PLY file holds no usable point; export the scan again.", path.string());
   return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
                     std::move(contents->mesh.colors), std::move(contents->quality)};
 }

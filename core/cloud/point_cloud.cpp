@@ -1,9 +1,9 @@
 #include "cloud/point_cloud.h"
 
-#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
+#include "base/median.h"
 #include "cloud/nearest.h"
 
 namespace ostraka {
@@ -92,9 +92,7 @@ double medianSpacing(const PointCloud& cloud) {
     tree.nearest(cloud.points[i], 2, found);
     distances.push_back(found.back().squared_distance);
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return std::sqrt(static_cast<double>(*middle));
+  return std::sqrt(static_cast<double>(medianOf(distances)));
 }
 
 }  // namespace ostraka

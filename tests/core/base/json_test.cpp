@@ -21,6 +21,12 @@ TEST(ParseJson, RefusesWhatIsNoJsonWithTheFilesName) {
   EXPECT_TRUE(parseJson("{\"a\":[1,2.5,null]}", "x").has_value());
 }
 
+TEST(ParseJson, NamesTheLineThatIsWrong) {
+  const auto value = parseJson("{\n \"a\": 1,\n \"b\": ]\n}\n", "plate.json");
+  ASSERT_FALSE(value.has_value());
+  EXPECT_NE(value.error().what.find("line 3"), std::string::npos) << value.error().what;
+}
+
 TEST(ParseJson, LimitsTheDepth) {
   const auto nested = [](int depth) {
     return std::string(static_cast<std::size_t>(depth), '[') +

@@ -55,5 +55,26 @@ TEST(ReadMask, KeepsLabels) {
   EXPECT_EQ(mask->at<unsigned char>(1, 1), 7);
 }
 
+TEST(HasPhotographEnding, KnowsTheFormsThatAreReadInCapitalsToo) {
+  EXPECT_TRUE(hasPhotographEnding("front/CAM0_POS00.JPG"));
+  EXPECT_TRUE(hasPhotographEnding("a.tiff"));
+  EXPECT_FALSE(hasPhotographEnding("a.jpg.part"));
+  EXPECT_FALSE(hasPhotographEnding("jpg"));
+}
+
+TEST(DecodePhotograph, RefusesWhatIsNoPictureAndNamesIt) {
+  const auto image = decodePhotograph("no picture", "here.jpg");
+  ASSERT_FALSE(image.has_value());
+  EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(image.error().sentence(), testing::HasSubstr("here.jpg"));
+}
+
+TEST(LinearLight, IsTheInverseOfTheSrgbCurve) {
+  EXPECT_EQ(linearLight()[0], 0);
+  EXPECT_DOUBLE_EQ(linearLight()[255], 1);
+  EXPECT_NEAR(linearLight()[188], 0.5029, 1e-4);  // half the light is shown as 188
+  for (std::size_t i = 1; i < 256; ++i) EXPECT_GT(linearLight()[i], linearLight()[i - 1]);
+}
+
 }  // namespace
 }  // namespace ostraka::batch

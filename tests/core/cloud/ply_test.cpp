@@ -126,6 +126,18 @@ TEST(Ply, PointsThatAreNotFiniteAreDroppedWithTheirFacesAndCounted) {
   EXPECT_EQ(read->mesh.triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}}));
 }
 
+TEST(Ply, AHeaderThatClaimsLessThanTheFileHoldsIsRefusedAndNamed) {
+  const std::string lying =
+      formatPly(PointCloud{{{1, 2, 3}, {4, 5, 6}}, {}, {}, {}}, "plate_front");
+  std::string header = lying;
+  header.replace(header.find("vertex 2"), 8, "vertex 1");
+  const auto read = parsePly(header, "x.ply");
+  ASSERT_FALSE(read.has_value());
+  EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
+  EXPECT_NE(read.error().sentence().find("x.ply"), std::string::npos);
+  EXPECT_TRUE(parsePly(lying + "\n", "x.ply").has_value()) << "an empty line at the end is no lie";
+}
+
 TEST(Ply, ACloudWithoutNormalsAndACloudOfOnePointAreFine) {
   const std::string path = testing::TempDir() + "ostraka_one_point.ply";
   ASSERT_TRUE(writePly(path, PointCloud{{{1, 2, 3}}, {}, {}, {}}, "plate_front").has_value());

@@ -1,0 +1,48 @@
+#include "base/text.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+namespace ostraka {
+namespace {
+
+std::string utcText(std::time_t seconds, const char* form) {
+  std::tm parts{};
+  ::gmtime_r(&seconds, &parts);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, form, &parts)};
+}
+
+}  // namespace
+
+std::string fixed(double value, int digits) {
+  char text[400];  // the largest double has 309 digits before the point
+  const int length = std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return {text, std::min(static_cast<std::size_t>(length), sizeof text - 1)};
+}
+
+std::string lowerCase(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+std::string joined(std::span<const std::string> words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) {
+    if (&word != words.data()) text += between;
+    text += word;
+  }
+  return text;
+}
+
+std::string utcNow() {
+  return utcText(std::time(nullptr), "%Y-%m-%dT%H:%M:%SZ");
+}
+
+std::string utcDay(std::int64_t ms) {
+  return utcText(static_cast<std::time_t>(ms / 1000), "%Y-%m-%d");
+}
+
+}  // namespace ostraka

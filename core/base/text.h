@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace ostraka {
+
+/// A number with so many digits behind the point.
+std::string fixed(double value, int digits);
+
+/// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.
+std::string lowerCase(std::string text);
+
+std::string joined(std::span<const std::string> words, const char* between);
+
+/// This moment, as 2026-03-01T12:00:00Z.
+std::string utcNow();
+
+/// The day of a moment, as 2026-03-01, in UTC. ms: since 1970.
+std::string utcDay(std::int64_t ms);
+
+}  // namespace ostraka

@@ -1,0 +1,41 @@
+#include "base/text.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <regex>
+#include <vector>
+
+namespace ostraka {
+namespace {
+
+TEST(Text, NumbersHaveTheDigitsThatAreAskedFor) {
+  EXPECT_EQ(fixed(1.0 / 3, 3), "0.333");
+  EXPECT_EQ(fixed(-2.5, 0), "-2");  // ties go to the even number, as IEC 60559 has it
+  EXPECT_EQ(fixed(0.30, 1), "0.3");
+}
+
+TEST(Text, TheLargestNumberIsNotCutOff) {
+  EXPECT_EQ(fixed(std::numeric_limits<double>::max(), 2).size(), 309u + 3u);
+}
+
+TEST(Text, OnlyLettersOfAsciiBecomeSmall) {
+  EXPECT_EQ(lowerCase("CAM0_Pos01.JPG"), "cam0_pos01.jpg");
+  EXPECT_EQ(lowerCase("\xC3\x84"), "\xC3\x84");  // Ä
+}
+
+TEST(Text, WordsAreJoinedWithSomethingBetweenThem) {
+  EXPECT_EQ(joined(std::vector<std::string>{"a", "", "c"}, ", "), "a, , c");
+  EXPECT_EQ(joined({}, ", "), "");
+}
+
+TEST(Text, MomentsAreInUtc) {
+  EXPECT_EQ(utcDay(0), "1970-01-01");
+  EXPECT_EQ(utcDay(951'782'399'999), "2000-02-28");  // the last millisecond before the 29th
+  EXPECT_EQ(utcDay(951'782'400'000), "2000-02-29");
+  const std::regex form("[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z");
+  EXPECT_TRUE(std::regex_match(utcNow(), form)) << utcNow();
+}
+
+}  // namespace
+}  // namespace ostraka

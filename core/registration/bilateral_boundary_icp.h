@@ -10,8 +10,8 @@ namespace ostraka::registration {
 struct BilateralBoundaryIcpOptions {
   double first_radius_mm = 3.0;  ///< start poses hold to a third of a wall
   double last_radius_mm = 0.8;   ///< 3 sigma of two strips at 0.24 mm per pixel
-  int max_rounds = 60;
-  bool free_scale = false;  ///< also the back's size: --scale free, without a known length
+  int max_rounds = 400;          ///< point to point creeps in height along steep walls
+  bool free_scale = false;       ///< also the back's size: --scale free, without a known length
 };
 
 struct BilateralBoundaryFit {

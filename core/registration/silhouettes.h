@@ -21,6 +21,8 @@ struct SilhouetteOptions {
   double correlation_px = 12;  ///< a bump of the scan's end shows in several pixels ...
   double views_alike = 3;      ///< ... and in as many of 24 views, by chi-square at true poses
   double fatness_px = 0.5;     ///< SD of the moving side's excess over the mask about the still's
+  double lower_px = 0.5;       ///< SD of what outlines that face down err beside it: scans hang
+                               ///< skirts there, masks take in the shadow under a sherd
 };
 
 /// Registered sides must fill the outlines of the photographs of both shots to sub-pixel. In the

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "mask/exponential.h"
 #include "mask/plate_picture.h"
 
 namespace ostraka::mask {
@@ -53,6 +54,68 @@ cv::Mat1f calmestTexture(const cv::Mat3f& residual) {
   cv::sqrBoxFilter(fine, energy, CV_32F, {7, 7});
   cv::erode(energy, energy, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
   return energy;
+}
+
+/// What weighRow needs of a row of pixels.
+struct PixelRow {
+  std::vector<float> brightness, colour2;  ///< of the residual; the colour's length, squared
+  std::vector<float> bare;                 ///< log brightness of the bare plate
+  std::vector<float> edge;                 ///< how far a misplaced bare plate may be off
+  explicit PixelRow(int n) : brightness(n), colour2(n), bare(n), edge(n) {}
+};
+
+// Compiled for newer processors too; plain arithmetic, so the same bits.
+__attribute__((target_clones("arch=x86-64-v3", "default"))) void weighRow(
+    const PixelRow& row, const float* texture, const ResidualNoise& noise, int count,
+    float* log_odds, float* clear) {
+  constexpr float kTwoPi = 6.2831853F;
+  // Any clay: colour differences within +-0.6, brightness within a factor of e^2 either way.
+  constexpr float kSherdDensity = 1 / (3.14159F * 0.36F * 4);
+  const float *brightness = row.brightness.data(), *colour2 = row.colour2.data(),
+              *bare = row.bare.data(), *edges = row.edge.data();
+  const float var_noise = noise.brightness * noise.brightness;
+  const float var_colour = noise.colour * noise.colour;
+  const float level = noise.level + kDarkLevel, log_six = logOf(6.F);
+  const float per_texture = 1 / noise.texture, per_noise = 1 / var_noise;
+  for (int x = 0; x < count; ++x) {
+    const float g = brightness[x], c2 = colour2[x], edge = edges[x];
+    const float down = std::min(g, 0.F);
+    // Encoded values stabilise shot noise: it is about the same number of levels everywhere, so
+    // in the logarithm it grows in shadows as the inverse of the brightness.
+    const float darker = level * expOf(-bare[x] - down);
+    const float gain = std::max(0.25F, darker * darker);
+    const float var_c = var_colour * gain + 0.1F * edge * edge +
+                        0.0016F * g * g;  // lamps' colours differ by some 4 %
+    const float var_g = var_noise * gain + 0.0004F + edge * edge;
+    const float chi_c = c2 / var_c;
+    const float colour_density =
+        (0.95F * expOf(-0.5F * chi_c) + 0.05F / 9 * expOf(-0.5F * chi_c / 9)) / (kTwoPi * var_c);
+    const float lit = expOf(-0.5F * g * g / var_g) / std::sqrt(kTwoPi * var_g);
+    const float bounce = expOf(-0.5F * g * g / 0.01F) / 0.25F;  // light off a bright sherd
+    const float shadow = (g < 0) & (g > -3) ? 1 / 3.F : 0.F;
+    // In a shadow the sherds' own light counts: beside them some tenth of the lamps' light comes
+    // off their clay, with its colour. On what is left of exp(g) that tints by up to
+    // 0.12 (exp(-g) - 1).
+    const float tint = 0.12F * (expOf(-down) - 1);
+    const float var_t = var_c + tint * tint;
+    const float tinted = expOf(-0.5F * c2 / var_t) / (kTwoPi * var_t);
+    const float plate_density =
+        colour_density * (0.4F * lit + 0.05F * bounce + 0.2F * shadow) + 0.35F * shadow * tinted;
+    float odds = logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
+    // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
+    // ratio of two variances over the window's eight independent samples). Smooth clay leaves
+    // none, so a lack of texture says nothing.
+    const float ratio = texture[x] * per_texture / (gain + edge * edge * per_noise);
+    const float grain = std::min(std::max(0.5F * 8 * (ratio * (1 - 1 / 6.F) - log_six), 0.F), 7.F);
+    // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
+    // own.
+    odds += grain * std::min(std::max(2 - darker / 3, 0.F), 1.F);
+    odds = std::min(std::max(odds, -8.F), 8.F);
+    log_odds[x] = odds;
+    const float chi = chi_c / 9 + g * g / (9 * (var_g + 0.0025F));
+    const float open = expOf(-0.5F * chi * chi);
+    clear[x] = odds < -2 ? open : 0.F;
+  }
 }
 
 }  // namespace
@@ -106,51 +169,18 @@ Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const R
   evidence.clear.create(residual.size());
   const cv::Mat1f slope = slopeOf(bare);
   const cv::Mat1f texture = calmestTexture(residual);
-  constexpr float kTwoPi = 6.2831853F;
-  // Any clay: colour differences within +-0.6, brightness within a factor of e^2 either way.
-  constexpr float kSherdDensity = 1 / (3.14159F * 0.36F * 4);
-  const float var_noise = noise.brightness * noise.brightness;
-  for (int y = 0; y < residual.rows; ++y)
+  PixelRow row(residual.cols);
+  for (int y = 0; y < residual.rows; ++y) {
     for (int x = 0; x < residual.cols; ++x) {
-      const float g = brightnessOf(residual(y, x));
-      const cv::Vec2f c = colourOf(residual(y, x));
-      // Encoded values stabilise shot noise: it is about the same number of levels everywhere, so
-      // in the logarithm it grows in shadows as the inverse of the brightness.
-      const float expected = std::exp(brightnessOf(bare(y, x)) + std::min(g, 0.F));
-      const float darker = (noise.level + kDarkLevel) / expected;
-      const float gain = std::max(0.25F, darker * darker);
-      const float edge = bare_slope_px * slope(y, x);
-      const float var_c = noise.colour * noise.colour * gain + 0.1F * edge * edge +
-                          0.0016F * g * g;  // lamps' colours differ by some 4 %
-      const float var_g = var_noise * gain + 0.0004F + edge * edge;
-      const float chi_c = c.dot(c) / var_c;
-      const float colour_density =
-          (0.95F * std::exp(-0.5F * chi_c) + 0.05F / 9 * std::exp(-0.5F * chi_c / 9)) /
-          (kTwoPi * var_c);
-      const float lit = std::exp(-0.5F * g * g / var_g) / std::sqrt(kTwoPi * var_g);
-      const float bounce = std::exp(-0.5F * g * g / 0.01F) / 0.25F;  // light off a bright sherd
-      const float shadow = g < 0 && g > -3 ? 1 / 3.F : 0.F;
-      // In a shadow the sherds' own light counts: beside them some tenth of the lamps' light comes
-      // off their clay, with its colour. On what is left of exp(g) that tints by up to
-      // 0.12 (exp(-g) - 1).
-      const float tint = 0.12F * (std::exp(-std::min(g, 0.F)) - 1);
-      const float var_t = var_c + tint * tint;
-      const float tinted = std::exp(-0.5F * c.dot(c) / var_t) / (kTwoPi * var_t);
-      const float plate_density =
-          colour_density * (0.4F * lit + 0.05F * bounce + 0.2F * shadow) + 0.35F * shadow * tinted;
-      float odds = std::log(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
-      // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
-      // ratio of two variances over the window's eight independent samples). Smooth clay leaves
-      // none, so a lack of texture says nothing.
-      const float ratio = texture(y, x) / (noise.texture * (gain + edge * edge / var_noise));
-      const float grain = std::clamp(0.5F * 8 * (ratio * (1 - 1 / 6.F) - std::log(6.F)), 0.F, 7.F);
-      // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
-      // own.
-      odds += grain * std::clamp(2 - darker / 3, 0.F, 1.F);
-      evidence.log_odds(y, x) = std::clamp(odds, -8.F, 8.F);
-      const float chi = chi_c / 9 + g * g / (9 * (var_g + 0.0025F));
-      evidence.clear(y, x) = odds < -2 ? std::exp(-0.5F * chi * chi) : 0.F;
+      const cv::Vec3f& v = residual(y, x);
+      const cv::Vec2f c = colourOf(v);
+      row.brightness[x] = brightnessOf(v);
+      row.colour2[x] = c.dot(c);
+      row.bare[x] = brightnessOf(bare(y, x));
+      row.edge[x] = bare_slope_px * slope(y, x);
     }
+    weighRow(row, texture[y], noise, residual.cols, evidence.log_odds[y], evidence.clear[y]);
+  }
   return evidence;
 }
 

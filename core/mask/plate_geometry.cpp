@@ -24,14 +24,17 @@ cv::Mat2f interpolated(int width, int height, const Exact& exact) {
     const float v = static_cast<float>(y % kStep) / kStep;
     const cv::Vec2f* top = nodes[y / kStep];
     const cv::Vec2f* bottom = nodes[y / kStep + 1];
-    for (int x = 0; x < width; ++x) {
-      const int c = x / kStep;
-      const float u = static_cast<float>(x % kStep) / kStep;
+    cv::Vec2f* to = full[y];
+    for (int c = 0; c * kStep < width; ++c) {
+      const int end = std::min(kStep, width - c * kStep);
       const bool whole = top[c][0] > kNowhere && top[c + 1][0] > kNowhere &&
                          bottom[c][0] > kNowhere && bottom[c + 1][0] > kNowhere;
-      full(y, x) = whole ? (top[c] * (1 - u) + top[c + 1] * u) * (1 - v) +
-                               (bottom[c] * (1 - u) + bottom[c + 1] * u) * v
-                         : cv::Vec2f(kNowhere, kNowhere);
+      const cv::Vec2f left = top[c] * (1 - v) + bottom[c] * v,
+                      right = top[c + 1] * (1 - v) + bottom[c + 1] * v;
+      for (int k = 0; k < end; ++k) {
+        const float u = static_cast<float>(k) / kStep;
+        *to++ = whole ? left * (1 - u) + right * u : cv::Vec2f(kNowhere, kNowhere);
+      }
     }
   }
   return full;
@@ -76,15 +79,20 @@ cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid) {
   });
 }
 
-cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid) {
-  return interpolated(grid.size, grid.size, [&](int column, int row) {
-    const Eigen::Vector3d p((column - grid.middle()) * grid.pitch_mm,
-                            (row - grid.middle()) * grid.pitch_mm, 0);
+cv::Mat2f pixelsOfCells(const rig::PosedImage& image, const Eigen::Vector2d& first_mm,
+                        double pitch_mm, cv::Size cells) {
+  return interpolated(cells.width, cells.height, [&](int column, int row) {
+    const Eigen::Vector3d p(first_mm.x() + column * pitch_mm, first_mm.y() + row * pitch_mm, 0);
     const Eigen::Vector3d q = image.camera_from_plate * p;
     if (q.z() <= 0) return cv::Vec2f(kNowhere, kNowhere);
     const Eigen::Vector2d pixel = image.intrinsics.project(q);
     return cv::Vec2f(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()));
   });
+}
+
+cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid) {
+  const double first = -grid.middle() * grid.pitch_mm;
+  return pixelsOfCells(image, {first, first}, grid.pitch_mm, {grid.size, grid.size});
 }
 
 cv::Mat1b markerPaper(const batch::Plate& plate, const PlateGrid& grid) {

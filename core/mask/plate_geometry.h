@@ -28,6 +28,11 @@ double millimetresPerPixel(const rig::PosedImage& image);
 /// px).
 cv::Mat2f gridOfPixels(const rig::PosedImage& image, const PlateGrid& grid);
 
+/// CV_32FC2: pixel of each of `cells` points of the plate, the first of them at first_mm, pitch_mm
+/// apart; (-1e4, -1e4) behind the camera. Interpolated as gridOfPixels.
+cv::Mat2f pixelsOfCells(const rig::PosedImage& image, const Eigen::Vector2d& first_mm,
+                        double pitch_mm, cv::Size cells);
+
 /// CV_32FC2 of the grid's size: pixel of each cell's centre; (-1e4, -1e4) behind the camera.
 cv::Mat2f pixelsOfGrid(const rig::PosedImage& image, const PlateGrid& grid);
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "mask/bare_rows.h"
+
 namespace ostraka::mask {
 namespace {
 
@@ -26,46 +28,44 @@ cv::Vec3f latticeAt(const cv::Mat3f& lattice, float x, float y) {
          (lattice(r + 1, c) * (1 - a) + lattice(r + 1, c + 1) * a) * b;
 }
 
-// How much a residual looks like bare plate: brightness along (1,1,1), colour across it.
-struct Tolerance {
-  float brightness = 0.2F, colour = 0.08F;
-};
-
-float bareWeight(const cv::Vec3f& residual, const Tolerance& tolerance) {
-  const float g = (residual[0] + residual[1] + residual[2]) / 3;
-  const cv::Vec3f c = residual - cv::Vec3f(g, g, g);
-  const float chi = g * g / (tolerance.brightness * tolerance.brightness) +
-                    c.dot(c) / (tolerance.colour * tolerance.colour);
-  return chi > 18 ? 0.F : std::exp(-0.5F * chi);
-}
-
-bool isBareRim(const PlateGrid& grid, const cv::Mat1b& paper, int row, int column) {
-  const double radius = grid.pitch_mm * std::hypot(column - grid.middle(), row - grid.middle());
-  return radius > grid.ring_inner_mm && radius < grid.radius_mm - 2 && paper(row, column) == 0;
+// 255 on the plate's bare rim: between and outside the markers.
+cv::Mat1b bareRim(const PlateGrid& grid, const cv::Mat1b& paper) {
+  cv::Mat1b rim(grid.size, grid.size, uchar{0});
+  const double inner = grid.ring_inner_mm, outer = grid.radius_mm - 2;
+  for (int row = 0; row < grid.size; ++row)
+    for (int column = 0; column < grid.size; ++column) {
+      const double x = grid.pitch_mm * (column - grid.middle()),
+                   y = grid.pitch_mm * (row - grid.middle()), square = x * x + y * y;
+      if (square > inner * inner && square < outer * outer && paper(row, column) == 0)
+        rim(row, column) = 255;
+    }
+  return rim;
 }
 
 // Median log colour of the plate's bare rim: a ring all around, so every stop sees the same light
 // on it, and what differs between stops is exposure.
-cv::Vec3f rimColour(const cv::Mat3f& samples, const PlateGrid& grid, const cv::Mat1b& paper) {
+cv::Vec3f rimColour(const cv::Mat3f& samples, const cv::Mat1b& rim) {
   cv::Vec3f colour(0, 0, 0);
-  std::vector<float> values;
+  std::vector<float> values[3];
+  for (int row = 0; row < rim.rows; ++row)
+    for (int column = 0; column < rim.cols; ++column)
+      if (rim(row, column) != 0 && samples(row, column)[0] != kNoSample)
+        for (int channel = 0; channel < 3; ++channel)
+          values[channel].push_back(samples(row, column)[channel]);
   for (int channel = 0; channel < 3; ++channel) {
-    values.clear();
-    for (int row = 0; row < grid.size; ++row)
-      for (int column = 0; column < grid.size; ++column)
-        if (samples(row, column)[0] != kNoSample && isBareRim(grid, paper, row, column))
-          values.push_back(samples(row, column)[channel]);
-    if (values.empty()) continue;
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    colour[channel] = values[values.size() / 2];
+    std::vector<float>& own = values[channel];
+    if (own.empty()) continue;
+    const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+    std::nth_element(own.begin(), middle, own.end());
+    colour[channel] = *middle;
   }
   return colour;
 }
 
 // A quadratic over the image through the plate's bare rim (between and outside the markers), where
 // no sherd stands: the start that needs no idea of the sherds' colours.
-void fitLightFromRim(std::span<const PlateLook> looks, const Samples& samples,
-                     const PlateGrid& grid, const cv::Mat1b& paper, PlatePicture& picture) {
+void fitLightFromRim(std::span<const PlateLook> looks, const Samples& samples, const cv::Mat1b& rim,
+                     PlatePicture& picture) {
   const cv::Size size = looks[0].log_colours.size();
   const auto basis = [&](double x, double y) {
     const double u = 2 * x / size.width - 1, v = 2 * y / size.height - 1;
@@ -80,10 +80,9 @@ void fitLightFromRim(std::span<const PlateLook> looks, const Samples& samples,
       Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
       const double scale = round == 0 ? 1e3 : 1.0 / (1 << std::min(round, 3));
       for (std::size_t s = 0; s < looks.size(); ++s)
-        for (int row = 0; row < grid.size; row += kFitStride)
-          for (int column = 0; column < grid.size; column += kFitStride) {
-            if (samples[s](row, column)[0] == kNoSample) continue;
-            if (!isBareRim(grid, paper, row, column)) continue;
+        for (int row = 0; row < rim.rows; row += kFitStride)
+          for (int column = 0; column < rim.cols; column += kFitStride) {
+            if (rim(row, column) == 0 || samples[s](row, column)[0] == kNoSample) continue;
             const float value = samples[s](row, column)[channel] - picture.exposure[s][channel];
             const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
             const auto b = basis(p[0], p[1]);
@@ -166,16 +165,15 @@ struct Anchor {
 // How far the plate's own mottle strays from one colour, measured on the bare rim; a stain may be
 // three times as strong. With an empty photograph the anchor is each cell's own colour.
 Tolerance anchorTolerance(std::span<const PlateLook> looks, const Samples& samples,
-                          const PlateGrid& grid, const cv::Mat1b& paper,
-                          const PlatePicture& picture) {
+                          const cv::Mat1b& rim, const PlatePicture& picture) {
   Tolerance tolerance{0.1F, 0.04F};
   if (picture.has_empty) return tolerance;
   std::vector<float> brightness, colour;
   for (std::size_t s = 0; s < looks.size(); ++s)
-    for (int row = 0; row < grid.size; row += kFitStride)
-      for (int column = 0; column < grid.size; column += kFitStride) {
+    for (int row = 0; row < rim.rows; row += kFitStride)
+      for (int column = 0; column < rim.cols; column += kFitStride) {
         const cv::Vec3f value = samples[s](row, column);
-        if (value[0] == kNoSample || !isBareRim(grid, paper, row, column)) continue;
+        if (rim(row, column) == 0 || value[0] == kNoSample) continue;
         const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
         const cv::Vec3f own = value - latticeAt(picture.light, p[0], p[1]) - picture.exposure[s];
         const float g = (own[0] + own[1] + own[2]) / 3;
@@ -191,38 +189,67 @@ Tolerance anchorTolerance(std::span<const PlateLook> looks, const Samples& sampl
   return tolerance;
 }
 
+/// Light and exposure of one look at the grid's cells, row by row. Exact at every eighth cell of
+/// every eighth row: light bends over kLightStep pixels.
+class LightOnCells {
+ public:
+  LightOnCells(const cv::Mat3f& light, const cv::Vec3f& exposure, const cv::Mat2f& pixel_of_cell)
+      : nodes_(pixel_of_cell.rows / kStep + 2, pixel_of_cell.cols / kStep + 2) {
+    for (int r = 0; r < nodes_.rows; ++r)
+      for (int c = 0; c < nodes_.cols; ++c) {
+        const cv::Vec2f p = pixel_of_cell(std::min(r * kStep, pixel_of_cell.rows - 1),
+                                          std::min(c * kStep, pixel_of_cell.cols - 1));
+        nodes_(r, c) = latticeAt(light, p[0], p[1]) + exposure;
+      }
+  }
+  void row(int row, ColourRow& light) const {
+    const float v = static_cast<float>(row % kStep) / kStep;
+    const cv::Vec3f *top = nodes_[row / kStep], *bottom = nodes_[row / kStep + 1];
+    const int size = static_cast<int>(light.channel[0].size());
+    for (int c = 0; c * kStep < size; ++c) {
+      const cv::Vec3f left = top[c] * (1 - v) + bottom[c] * v;
+      const cv::Vec3f slope =
+          (top[c + 1] * (1 - v) + bottom[c + 1] * v - left) * (1.F / static_cast<float>(kStep));
+      const int end = std::min(kStep, size - c * kStep);
+      for (int channel = 0; channel < 3; ++channel)
+        for (int k = 0; k < end; ++k)
+          light.channel[channel][c * kStep + k] =
+              left[channel] + static_cast<float>(k) * slope[channel];
+    }
+  }
+
+ private:
+  static constexpr int kStep = 8;
+  cv::Mat3f nodes_;
+};
+
 // Step A: albedo from all looks' samples without light and exposure, weighted by how bare they look
 // against the albedo so far.
 void updateAlbedo(std::span<const PlateLook> looks, const Samples& samples, const cv::Mat3f& empty,
                   int empty_look, const Tolerance& tolerance, const Anchor& anchor,
                   const PlateGrid& grid, PlatePicture& picture) {
-  cv::Mat3f sum(grid.size, grid.size, cv::Vec3f::all(0));
-  cv::Mat1f weight(grid.size, grid.size, 0.F), trusted(grid.size, grid.size, 0.F);
-  for (int row = 0; row < grid.size; ++row)
-    for (int column = 0; column < grid.size; ++column) {
-      const cv::Vec3f before = picture.albedo(row, column);
-      float squares = 0;
-      for (std::size_t s = 0; s < looks.size(); ++s) {
-        const cv::Vec3f value = samples[s](row, column);
-        if (value[0] == kNoSample) continue;
-        const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
-        const cv::Vec3f own = value - latticeAt(picture.light, p[0], p[1]) - picture.exposure[s];
-        const float w = bareWeight(own - before, tolerance) *
-                        bareWeight(own - anchor.albedo(row, column), anchor.tolerance);
-        sum(row, column) += w * own;
-        weight(row, column) += w;
-        squares += w * w;
-      }
-      if (!empty.empty() && empty(row, column)[0] != kNoSample) {
-        const cv::Vec2f p = looks[empty_look].pixel_of_cell(row, column);
-        sum(row, column) +=
-            kEmptyWeight * (empty(row, column) - latticeAt(picture.light, p[0], p[1]));
-        weight(row, column) += kEmptyWeight;
-        squares += kEmptyWeight;
-      }
-      // Many half-hearted looks are not one certain look: what counts is the typical weight.
-      trusted(row, column) = weight(row, column) > 0 ? squares : 0.F;
+  cv::Mat3f sum(grid.size, grid.size);
+  cv::Mat1f weight(grid.size, grid.size), trusted(grid.size, grid.size);
+  std::vector<LightOnCells> lights;
+  for (std::size_t s = 0; s < looks.size(); ++s)
+    lights.emplace_back(picture.light, picture.exposure[s], looks[s].pixel_of_cell);
+  const LightOnCells empty_light(picture.light, cv::Vec3f::all(0), looks[empty_look].pixel_of_cell);
+  ColourRow value(grid.size), light(grid.size);
+  BareRow row_sums(grid.size);
+  for (int row = 0; row < grid.size; ++row) {
+    row_sums.start(picture.albedo[row], anchor.albedo[row]);
+    for (std::size_t s = 0; s < looks.size(); ++s) {
+      value.read(samples[s][row]);
+      lights[s].row(row, light);
+      row_sums.add(value, light, kNoSample, tolerance, anchor.tolerance);
     }
+    if (!empty.empty()) {
+      value.read(empty[row]);
+      empty_light.row(row, light);
+      row_sums.addCertain(value, light, kNoSample, kEmptyWeight);
+    }
+    row_sums.write(sum[row], weight[row], trusted[row]);
+  }
   // 4 mm: wider than the cloth's texture, narrower than its stains.
   cv::Mat3f certain_sum = sum.clone();
   for (int row = 0; row < grid.size; ++row)
@@ -247,30 +274,32 @@ void updateLight(std::span<const PlateLook> looks, const Samples& samples,
                  const Tolerance& tolerance, const PlateGrid& grid, PlatePicture& picture) {
   cv::Mat3f sum(picture.light.size(), cv::Vec3f::all(0));
   cv::Mat1f weight(picture.light.size(), 0.F);
+  std::vector<std::pair<cv::Vec3f, cv::Point>> left;  // residuals, and their node of the lattice
   for (std::size_t s = 0; s < looks.size(); ++s) {
-    for (int pass = 0; pass < 2; ++pass) {
-      cv::Vec3d shift(0, 0, 0);
-      double total = 0;
-      for (int row = 0; row < grid.size; row += kFitStride)
-        for (int column = 0; column < grid.size; column += kFitStride) {
-          const cv::Vec3f value = samples[s](row, column);
-          if (value[0] == kNoSample || picture.support(row, column) < 1) continue;
-          const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
-          const cv::Vec3f residual = value - latticeAt(picture.light, p[0], p[1]) -
-                                     picture.exposure[s] - picture.albedo(row, column);
-          const float w = bareWeight(residual, tolerance);
-          if (w <= 0) continue;
-          if (pass == 0) {
-            shift += cv::Vec3d(w * residual);
-            total += w;
-            continue;
-          }
-          const int c = std::clamp(cvRound(p[0] / kLightStep), 0, sum.cols - 1);
-          const int r = std::clamp(cvRound(p[1] / kLightStep), 0, sum.rows - 1);
-          sum(r, c) += w * residual;
-          weight(r, c) += w;
-        }
-      if (pass == 0 && total > 100) picture.exposure[s] += cv::Vec3f(shift * (1 / total));
+    left.clear();
+    cv::Vec3d shift(0, 0, 0);
+    double total = 0;
+    for (int row = 0; row < grid.size; row += kFitStride)
+      for (int column = 0; column < grid.size; column += kFitStride) {
+        const cv::Vec3f value = samples[s](row, column);
+        if (value[0] == kNoSample || picture.support(row, column) < 1) continue;
+        const cv::Vec2f p = looks[s].pixel_of_cell(row, column);
+        const cv::Vec3f residual = value - latticeAt(picture.light, p[0], p[1]) -
+                                   picture.exposure[s] - picture.albedo(row, column);
+        left.emplace_back(residual,
+                          cv::Point(std::clamp(cvRound(p[0] / kLightStep), 0, sum.cols - 1),
+                                    std::clamp(cvRound(p[1] / kLightStep), 0, sum.rows - 1)));
+        const float w = bareWeight(residual, tolerance);
+        shift += cv::Vec3d(w * residual);
+        total += w;
+      }
+    const cv::Vec3f mean = total > 100 ? cv::Vec3f(shift * (1 / total)) : cv::Vec3f(0, 0, 0);
+    picture.exposure[s] += mean;
+    for (const auto& [residual, node] : left) {
+      const cv::Vec3f own = residual - mean;
+      const float w = bareWeight(own, tolerance);
+      sum(node) += w * own;
+      weight(node) += w;
     }
   }
   cv::Mat blurred_sum, blurred_weight;
@@ -343,20 +372,20 @@ PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f
   if (!empty.empty()) empty_samples = sampled(empty, looks[empty_look].pixel_of_cell);
   picture.has_empty = !empty.empty();
   cv::Vec3f mean(0, 0, 0);
+  const cv::Mat1b rim = bareRim(grid, paper);
   for (std::size_t s = 0; s < looks.size(); ++s) {
-    picture.exposure[s] = rimColour(samples[s], grid, paper);
+    picture.exposure[s] = rimColour(samples[s], rim);
     mean += picture.exposure[s] * (1.F / static_cast<float>(looks.size()));
   }
   for (cv::Vec3f& exposure : picture.exposure) exposure -= mean;
   if (!empty_samples.empty()) {
-    const cv::Vec3f shift = mean - rimColour(empty_samples, grid, paper);
+    const cv::Vec3f shift = mean - rimColour(empty_samples, rim);
     for (cv::Vec3f& value : empty_samples)
       if (value[0] != kNoSample) value += shift;
   }
-  fitLightFromRim(looks, samples, grid, paper, picture);
+  fitLightFromRim(looks, samples, rim, picture);
   startAlbedo(looks, samples, empty_samples, empty_look, paper, picture);
-  const Anchor anchor{picture.albedo.clone(),
-                      anchorTolerance(looks, samples, grid, paper, picture)};
+  const Anchor anchor{picture.albedo.clone(), anchorTolerance(looks, samples, rim, picture)};
   for (int round = 0; round < kRounds; ++round) {
     // From a wide look at everything plate-like down to the noise of a pixel.
     const float narrowing = std::pow(0.75F, static_cast<float>(round));

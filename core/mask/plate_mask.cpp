@@ -27,7 +27,12 @@ struct ViewState {
   cv::Mat1b group;    ///< reduced: which group's hull shows
   cv::Mat1f depth;    ///< reduced: mm of hull behind it
   cv::Mat1b allowed;  ///< where a sherd may be
+  cv::Mat1b plate;    ///< reduced: the plate inside the markers
 };
+
+constexpr float kDarkened = 0.25F;  // log brightness: a fifth of the light is missing
+constexpr int kAround = 15;         // reduced pixels beside a sherd where its own shadow falls
+constexpr double kStrange = 0.03;   // share of the bare plate: more than what poses and grain do
 
 Result<void> checkInput(std::span<const rig::PosedImage> images,
                         std::span<const cv::Mat> photographs) {
@@ -109,6 +114,7 @@ class PlateMasker {
       });
     };
     overViews(&PlateMasker::showHull);
+    if (!stop.stop_requested()) nameShadows(by_camera, progress);
     overViews(&PlateMasker::askOthers);
     if (!stop.stop_requested()) learnColours();
     overViews(&PlateMasker::cutView);
@@ -140,13 +146,15 @@ class PlateMasker {
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
       const cv::Mat3f bare = predictBare(picture, looks[k], k, grid);
       const cv::Mat3f residual = residualAgainst(bare, looks[k].log_colours);
-      const ResidualNoise noise = measureNoise(residual, bare, insideMarkers(looks[k], grid));
+      const cv::Mat1b inside = insideMarkers(looks[k], grid);
+      const ResidualNoise noise = measureNoise(residual, bare, inside);
       // Half a pixel: poses are good to a few tenths, the mosaic's cells are 1.4 pixels wide.
       const Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
       ViewState& view = views_[members[k]];
       view.residual = evidence.residual;
       view.log_odds = evidence.log_odds;
       view.hull = reduced(members[k], evidence);
+      cv::resize(inside, view.plate, view.hull.clear.size(), 0, 0, cv::INTER_NEAREST);
       looks[k] = {};
     });
   }
@@ -254,6 +262,46 @@ class PlateMasker {
     cv::resize(cv::Mat1b(view.group != 0), silhouette, photographs_[index].size(), 0, 0,
                cv::INTER_NEAREST);
     cv::dilate(silhouette, view.allowed, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+  }
+
+  // The share of the plate away from sherds that is darker than the camera's other stops explain.
+  double darkenedShare(const ViewState& view) const {
+    cv::Mat1b near;
+    cv::dilate(view.group, near,
+               cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kAround + 1, 2 * kAround + 1}));
+    int bare = 0, darkened = 0;
+    for (int y = 0; y < near.rows; ++y)
+      for (int x = 0; x < near.cols; ++x) {
+        if (near(y, x) != 0 || view.plate(y, x) == 0) continue;
+        const cv::Vec3f& v = view.residual(y * hull_.reduction, x * hull_.reduction);
+        ++bare;
+        if (v[0] + v[1] + v[2] < -3 * kDarkened) ++darkened;
+      }
+    return bare > 0 ? static_cast<double>(darkened) / bare : 0;
+  }
+
+  // Lamps and sherds cast the same shadows at each stop, or nearly; a hand or a person does not.
+  void nameShadows(const std::map<int, std::vector<std::size_t>>& by_camera, Progress& progress) {
+    std::vector<std::string> named;
+    for (const auto& [camera, members] : by_camera) {
+      if (members.size() < 3) continue;
+      std::vector<double> shares;
+      for (const std::size_t i : members) shares.push_back(darkenedShare(views_[i]));
+      std::vector<double> sorted = shares;
+      std::sort(sorted.begin(), sorted.end());
+      for (std::size_t k = 0; k < members.size(); ++k)
+        if (shares[k] > sorted[sorted.size() / 2] + kStrange)
+          named.push_back(images_[members[k]].file + " (" +
+                          std::to_string(cvRound(100 * shares[k])) + " % of the bare plate)");
+    }
+    if (named.empty()) return;
+    std::string text =
+        "masks: a shadow that the other photographs do not have lies on the plate in ";
+    for (std::size_t k = 0; k < named.size(); ++k) text += (k == 0 ? "" : ", ") + named[k];
+    text +=
+        "; keep people and hands out of the light, and take these again if their masks look wrong";
+    progress.note(NoteLevel::Warning, text);
+    result_.warnings.push_back(text);
   }
 
   void askOthers(std::size_t index) {

@@ -26,7 +26,7 @@ struct Scene {
       for (int c = 0; c < 4; ++c) marker.corners[c] << turn * corners[c], 0;
       plate.markers.push_back(marker);
     }
-    for (int stop = 0; stop < 8; ++stop) addShot(stop, plate_grey);
+    for (int stop = 0; stop < 8; ++stop) addShot(stop, plate_grey, 0, 0.75);
   }
 
   double mottle(const Eigen::Vector3d& p) const {
@@ -45,14 +45,16 @@ struct Scene {
     return grey * mottle(p);
   }
 
-  void addShot(int stop, double grey) {
+  void addShot(int stop, double grey, int camera, double tilt) {
     rig::PosedImage image;
     image.stop = stop;
+    image.camera = camera;
+    image.file = "cam" + std::to_string(camera) + "_pos0" + std::to_string(stop) + ".jpg";
     image.intrinsics = {400, 300, 780, 780, 199.5, 149.5, {}};
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(stop * M_PI / 4, Eigen::Vector3d::UnitZ()).matrix();
     image.camera_from_plate.linear() =
-        Eigen::AngleAxisd(M_PI / 2 + 0.75, Eigen::Vector3d::UnitX()) * turn;
+        Eigen::AngleAxisd(M_PI / 2 + tilt, Eigen::Vector3d::UnitX()) * turn;
     image.camera_from_plate.translation() = Eigen::Vector3d(0, 0, 300);
     const Eigen::Isometry3d back = image.camera_from_plate.inverse();
     std::mt19937 random(100 + stop);
@@ -128,7 +130,8 @@ TEST_P(PlateMask, FindsTheBoxDespiteShadowAndFalloff) {
 INSTANTIATE_TEST_SUITE_P(DarkAndLight, PlateMask, testing::Values(45.0, 90.0, 150.0));
 
 TEST(PlateMasks, AreTheSameForAnyNumberOfThreads) {
-  const Scene scene(45);
+  Scene scene(45);
+  for (int stop = 0; stop < 3; ++stop) scene.addShot(stop, 45, 1, 1.05);  // so that heights count
   QuietProgress quiet;
   PlateMaskOptions options;
   const auto one =
@@ -143,6 +146,34 @@ TEST(PlateMasks, AreTheSameForAnyNumberOfThreads) {
       EXPECT_EQ(cv::countNonZero(one->masks[i] != many->masks[i]), 0)
           << threads << " threads, " << i;
   }
+}
+
+// As a hand beside the plate leaves it: 30 pixels across, in one photograph.
+void castShadow(cv::Mat& photograph, const Eigen::Vector2d& middle) {
+  for (int y = 0; y < photograph.rows; ++y)
+    for (int x = 0; x < photograph.cols; ++x) {
+      const double away = (Eigen::Vector2d(x, y) - middle).norm();
+      photograph.at<cv::Vec3b>(y, x) *= 1 - 0.6 / (1 + std::exp((away - 15) / 3));
+    }
+}
+
+TEST(PlateMasks, AShadowThatOnlyOnePhotographHasIsNamed) {
+  Scene scene(90);
+  castShadow(scene.photographs[3], scene.images[3].project({0, 34, 0}));
+  QuietProgress quiet;
+  const auto result = maskByPlate(scene.images, scene.photographs, scene.plate, {}, {}, quiet, {});
+  ASSERT_TRUE(result.has_value()) << result.error().sentence();
+  ASSERT_EQ(result->warnings.size(), 1U);
+  EXPECT_THAT(result->warnings[0], testing::HasSubstr("cam0_pos03.jpg"));
+  EXPECT_THAT(result->warnings[0], testing::Not(testing::HasSubstr("cam0_pos02.jpg")));
+}
+
+TEST(PlateMasks, TheSherdsOwnShadowIsNotNamed) {
+  const Scene scene(90);
+  QuietProgress quiet;
+  const auto result = maskByPlate(scene.images, scene.photographs, scene.plate, {}, {}, quiet, {});
+  ASSERT_TRUE(result.has_value());
+  EXPECT_TRUE(result->warnings.empty());
 }
 
 TEST(PlateMasks, AnEmptyPlateOfAnotherStopIsLeftAsideWithAWarning) {

@@ -9,6 +9,10 @@
 namespace ostraka::mask {
 namespace {
 
+// Sky hidden from a vertical break's last pixel above the plate: between a third and a half of it,
+// some of which the plate gives back.
+constexpr float kFootShade = 0.35F;
+
 // Certain pixels need no node: -1 background, 1 sherd, 0 open.
 cv::Mat_<signed char> certainPixels(const cv::Mat1f& log_odds, const cv::Mat1b& allowed) {
   cv::Mat1f least, most;
@@ -73,24 +77,45 @@ void localMean(const cv::Mat3f& colours, const cv::Mat1b& where, int window, cv:
     for (int x = 0; x < mean.cols; ++x) mean(y, x) *= 1 / std::max(1.F, weight(y, x));
 }
 
-// Pixels between `from` and `to` pixels inside the cut.
-cv::Mat1b ringInside(const cv::Mat1b& cut, double from, double to) {
-  cv::Mat1f depth;
-  cv::distanceTransform(cut, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  return (depth > from) & (depth < to);
+/// How the colours beside the cut are taken.
+struct Sides {
+  int window = 9;         ///< pixels
+  float foot = 0;         ///< how much darker a sherd is along its foot than beside it
+  cv::Vec2f up = {0, 0};  ///< see refineOutline
+};
+
+// The sherd's colour at the very outline: where it meets the plate half of the sky is hidden from
+// its last pixel; along its upper rim, with the plate far behind, it is as light as beside it.
+void shadeFoot(const cv::Mat1f& inside, const cv::Mat1f& outside, const Sides& sides,
+               cv::Mat3f& sherd) {
+  cv::Mat1f away = outside - inside, across, along;
+  cv::GaussianBlur(away, away, {}, 2, 2);
+  cv::Sobel(away, across, CV_32F, 1, 0);
+  cv::Sobel(away, along, CV_32F, 0, 1);
+  for (int y = 0; y < sherd.rows; ++y)
+    for (int x = 0; x < sherd.cols; ++x) {
+      if (inside(y, x) > 4 || outside(y, x) > 4) continue;
+      const cv::Vec2f normal(across(y, x), along(y, x));
+      const float rim = std::max(0.F, normal.dot(sides.up)) /
+                        std::max(1e-3F, static_cast<float>(cv::norm(normal)));
+      sherd(y, x) *= 1 - sides.foot * (1 - std::min(rim, 1.F));
+    }
 }
 
 // The share of sherd in each pixel close to the cut, between the colours of sherd and background
 // next to it.
-cv::Mat1f sharesAlong(const cv::Mat1b& cut, const cv::Mat3f& colours) {
-  const cv::Mat1b open = ~cut;
-  const cv::Mat1b band = ringInside(cut, 0, 2.5) | ringInside(open, 0, 2.5);
+cv::Mat1f sharesAlong(const cv::Mat1b& cut, const cv::Mat3f& colours, const Sides& sides) {
+  cv::Mat1f inside, outside;  // distance to the first pixel of the other side
+  cv::distanceTransform(cut, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  cv::distanceTransform(~cut, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  const cv::Mat1b band = (inside < 2.5) & (outside < 2.5);
   cv::Mat3f sherd, ground;
   cv::Mat1f sherd_count, ground_count, share;
   // Beyond the lens's blur of the edge, and no farther: a broken face is a few pixels wide, and a
   // shadow darkens towards the contact.
-  localMean(colours, ringInside(cut, 1.6, 3.2), 9, sherd, sherd_count);
-  localMean(colours, ringInside(open, 1.6, 3.2), 9, ground, ground_count);
+  localMean(colours, (inside > 1.6) & (inside < 3.2), sides.window, sherd, sherd_count);
+  localMean(colours, (outside > 1.6) & (outside < 3.2), sides.window, ground, ground_count);
+  if (sides.foot > 0) shadeFoot(inside, outside, sides, sherd);
   cut.convertTo(share, CV_32F, 1 / 255.0);
   cv::GaussianBlur(share, share, {}, 0.7, 0.7);
   for (int y = 0; y < cut.rows; ++y)
@@ -109,7 +134,7 @@ cv::Mat1f sharesAlong(const cv::Mat1b& cut, const cv::Mat3f& colours) {
   return share;
 }
 
-cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph) {
+cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph, const Sides& sides) {
   static const std::array<float, 256> kLinear = linearLight();
   cv::Mat3f colours(cut.size());
   for (int y = 0; y < cut.rows; ++y)
@@ -118,7 +143,17 @@ cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph) {
       colours(y, x) = {kLinear[v[0]], kLinear[v[1]], kLinear[v[2]]};
     }
   cv::Mat1b soft;
-  sharesAlong(cut, colours).convertTo(soft, CV_8U, 255);
+  sharesAlong(cut, colours, sides).convertTo(soft, CV_8U, 255);
+  return soft;
+}
+
+cv::Mat1b soften(const cv::Mat1b& cut, const cv::Mat& photograph, const Sides& sides) {
+  cv::Mat1b soft(cut.size(), uchar{0});
+  const cv::Rect box = cv::boundingRect(cut);
+  if (box.empty()) return soft;
+  const cv::Rect wide(box.x - 12, box.y - 12, box.width + 24, box.height + 24);
+  const cv::Rect part = wide & cv::Rect({0, 0}, cut.size());
+  softenPart(cut(part), photograph(part), sides).copyTo(soft(part));
   return soft;
 }
 
@@ -170,13 +205,12 @@ cv::Mat1b cutOutline(const cv::Mat1f& log_odds, const cv::Mat1b& allowed, const 
 }
 
 cv::Mat1b softenOutline(const cv::Mat1b& cut, const cv::Mat& photograph) {
-  cv::Mat1b soft(cut.size(), uchar{0});
-  const cv::Rect box = cv::boundingRect(cut);
-  if (box.empty()) return soft;
-  const cv::Rect wide(box.x - 12, box.y - 12, box.width + 24, box.height + 24);
-  const cv::Rect part = wide & cv::Rect({0, 0}, cut.size());
-  softenPart(cut(part), photograph(part)).copyTo(soft(part));
-  return soft;
+  return soften(cut, photograph, {});
+}
+
+cv::Mat1b refineOutline(const cv::Mat1b& soft, const cv::Mat& photograph, const cv::Vec2f& up) {
+  // Narrow: clay changes its colour along the outline, and now the sides' places are known.
+  return soften(soft >= 128, photograph, {5, kFootShade, up});
 }
 
 }  // namespace ostraka::mask

@@ -335,7 +335,11 @@ class PlateMasker {
     cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
     view.log_odds += enlarged(surely, view.log_odds.size());
     const cv::Mat1b cut = cutOutline(view.log_odds, view.allowed, view.residual, cut_options);
-    result_.masks[index] = softenOutline(cut, photographs_[index]);
+    // The plate's z axis in the camera's frame, as it shows in the picture.
+    const Eigen::Vector3d z = images_[index].camera_from_plate.linear().col(2);
+    const cv::Vec2f up(static_cast<float>(z.x()), static_cast<float>(z.y()));
+    result_.masks[index] =
+        refineOutline(softenOutline(cut, photographs_[index]), photographs_[index], up);
     view.log_odds.release();
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <random>
+#include <utility>
 
 namespace ostraka::mask {
 namespace {
@@ -60,6 +61,51 @@ TEST(Outline, TheSoftEdgeStaysWhereThePlateDarkensTowardsTheContact) {
   while (soft(20, x + 1) >= 127.5) ++x;
   const double t = (soft(20, x) - 127.5) / (soft(20, x) - soft(20, x + 1));
   EXPECT_NEAR(x + t, 30.3, 0.25);
+}
+
+// A square sherd on a plate, its last half pixel darker by `shade` on all sides but the upper one;
+// where the outline crosses its middle on the upper and on the lower side after both passes.
+std::pair<double, double> heightsOfOutline(double shade, const cv::Vec2f& up) {
+  const double top = 20.3, bottom = 50.3, clay = 0.4, ground = 0.06;
+  cv::Mat1d light(8 * 72, 8 * 72);
+  for (int y = 0; y < light.rows; ++y)
+    for (int x = 0; x < light.cols; ++x) {
+      const double px = (x - 3.5) / 8, py = (y - 3.5) / 8;
+      const bool inside = px > top && px < bottom && py > top && py < bottom;
+      const double foot = std::min({px - top, bottom - px, bottom - py});
+      light(y, x) = !inside ? ground : foot < 0.5 ? clay * (1 - shade) : clay;
+    }
+  cv::resize(light, light, {72, 72}, 0, 0, cv::INTER_AREA);
+  cv::Mat photograph(72, 72, CV_8UC3);
+  cv::Mat1b cut(72, 72, uchar{0});
+  for (int y = 0; y < 72; ++y)
+    for (int x = 0; x < 72; ++x) {
+      photograph.at<cv::Vec3b>(y, x) =
+          cv::Vec3b::all(cv::saturate_cast<uchar>(encoded(light(y, x))));
+      if (x >= 20 && x <= 51 && y >= 20 && y <= 51) cut(y, x) = 255;
+    }
+  const cv::Mat1b soft = refineOutline(softenOutline(cut, photograph), photograph, up);
+  int first = 10, last = 35;
+  while (soft(first + 1, 35) < 127.5) ++first;
+  while (soft(last + 1, 35) >= 127.5) ++last;
+  const auto crossing = [&](int y) {
+    const double a = soft(y, 35), b = soft(y + 1, 35);
+    return y + (127.5 - a) / (b - a);
+  };
+  return {crossing(first), crossing(last)};
+}
+
+TEST(Outline, TheUpperRimLiesWhereTheLightIsMixedInHalves) {
+  const auto [top, bottom] = heightsOfOutline(0, {0, -1});
+  EXPECT_NEAR(top, 20.3, 0.1);
+  // The lower side is taken for a foot; light that is not missing there costs a fifth of a pixel.
+  EXPECT_NEAR(bottom, 50.3, 0.25);
+}
+
+TEST(Outline, TheSherdsDarkFootIsSherdStill) {
+  const auto [top, bottom] = heightsOfOutline(0.5, {0, -1});
+  EXPECT_NEAR(top, 20.3, 0.1);
+  EXPECT_NEAR(bottom, 50.3, 0.1);
 }
 
 TEST(Outline, WithoutContrastTheCutStays) {

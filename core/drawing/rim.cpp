@@ -16,13 +16,15 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr double kLipReach_mm = 3.5;   // of the lip's surface from the edge's points
-constexpr double kRoundness = 0.01;    // how far thrown mouths are from a circle, relative sd
-constexpr double kCluster_mm = 10;     // over which unevenness of a wall hangs together
-constexpr double kCircleWeight = 8;    // of a point of the lip against one of the walls
-constexpr double kOffCircle_mm = 0.7;  // where a lip's edge ends and a break begins
-constexpr double kRing_mm = 0.6;       // of the lip's profile
-constexpr double kTop_mm = 0.35;       // below the highest: what the rim's circle is read from
+constexpr double kLipReach_mm = 3.5;      // of the lip's surface from the edge's points
+constexpr double kRoundness = 0.01;       // how far thrown mouths are from a circle, relative sd
+constexpr double kCluster_mm = 10;        // over which unevenness of a wall hangs together
+constexpr double kCircleWeight = 8;       // of a point of the lip against one of the walls
+constexpr double kOffCircle_mm = 0.7;     // where a lip's edge ends and a break begins
+constexpr double kRing_mm = 0.6;          // of the lip's profile
+constexpr double kTop_mm = 0.35;          // below the highest: what the rim's circle is read from
+constexpr double kLikelyLip = 0.5;        // below it the stretch is rather a break
+constexpr double kSmallestMouth_mm = 20;  // findRimArcs takes no smaller circle for a lip
 
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
@@ -229,6 +231,13 @@ class Estimator {
     out.smoother = std::log(std::max(arc_.elsewhere_mm, 0.02) / std::max(arc_.rms_mm, 0.02));
     out.lip_scatter_mm = lipScatter(frame);
     out.probability = probability(out);
+    // A circle through a break says nothing of the mouth, however well it fits.
+    if (out.probability < kLikelyLip) {
+      out.low_mm = kSmallestMouth_mm;
+      out.high_mm = std::numeric_limits<double>::infinity();
+      out.kept_low = 0;
+      out.kept_high = 1;
+    }
     return out;
   }
 

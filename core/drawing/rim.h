@@ -13,7 +13,7 @@ struct RimEstimate {
   /// That the sherd has a piece of the rim at all; to be shown, never to be decided by silently.
   double probability = 0;
   double diameter_mm = 0;
-  double low_mm = 0, high_mm = 0;  ///< 95 % interval; high is infinite where nothing bounds it
+  double low_mm = 0, high_mm = 0;  ///< 95 %; 20 to infinite where a break is likelier than a lip
   double kept = 0;                 ///< share of the circumference
   double kept_low = 0, kept_high = 0;
   double arc_mm = 0;          ///< length of the piece of the rim

@@ -72,6 +72,19 @@ TEST(Rim, DiametersOfNoisySherdsAreRightAndTheirIntervalsHold) {
   EXPECT_GE(outcome.proposed, outcome.counted - 1);
 }
 
+// The lip of this jar is not found: its breaks are smoother.
+TEST(Rim, LeavesTheMouthOpenWhereABreakIsLikelierThanALip) {
+  const TrueSherdOfVessel truth = trueSherd(SherdPart::Rim, 317, 0);
+  const auto rim = findRim(findWalls(truth.sherd.mesh));
+  ASSERT_TRUE(rim);
+  EXPECT_GT(std::abs(rim->diameter_mm / truth.diameter_mm - 1), 0.3);
+  EXPECT_LT(rim->probability, 0.5);
+  EXPECT_LT(rim->low_mm, truth.diameter_mm);
+  EXPECT_FALSE(std::isfinite(rim->high_mm));
+  EXPECT_EQ(rim->kept_low, 0);
+  EXPECT_EQ(rim->kept_high, 1);
+}
+
 TEST(Rim, IsSeldomProposedForPiecesOfAWall) {
   EXPECT_LE(tried(SherdPart::Wall, 520, 5, 0).proposed, 1);
 }

@@ -9,24 +9,25 @@
 namespace ostraka::ui {
 namespace {
 
-QString placeOf(const catalogue::SherdRecord& sherd) {
+QString placeOf(const std::string& site, const std::string& trench, const std::string& context,
+                const std::string& bag) {
   QStringList parts;
-  for (const std::string* part : {&sherd.site, &sherd.trench, &sherd.context_number})
+  for (const std::string* part : {&site, &trench, &context})
     if (!part->empty()) parts << QString::fromStdString(*part);
   QString place = parts.join(QStringLiteral(" / "));
-  if (!sherd.bag_number.empty()) {
+  if (!bag.empty()) {
     if (!place.isEmpty()) place += QStringLiteral(", ");
-    place += QCoreApplication::translate("ostraka::ui", "bag %1")
-                 .arg(QString::fromStdString(sherd.bag_number));
+    place += QCoreApplication::translate("ostraka::ui", "bag %1").arg(QString::fromStdString(bag));
   }
   return place;
 }
 
-QString codeOf(const catalogue::SherdRecord& sherd) {
-  constexpr int kTail = 8;  // tells two sherds of one number apart, and keeps the code small
-  return QStringLiteral("OST1:S:%1:%2")
-      .arg(QString::fromStdString(sherd.number).toUpper(),
-           QString::fromStdString(sherd.id).remove('-').right(kTail).toUpper());
+// kind: S of a sherd, B of a bag.
+QString codeOf(QLatin1Char kind, const QString& number, const std::string& id) {
+  constexpr int kTail = 8;  // tells two of one number apart, and keeps the code small
+  return QStringLiteral("OST1:%1:%2:%3")
+      .arg(kind)
+      .arg(number.toUpper(), QString::fromStdString(id).remove('-').right(kTail).toUpper());
 }
 
 }  // namespace
@@ -53,11 +54,34 @@ QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::Pl
     const auto sherd = std::find_if(sherds->begin(), sherds->end(),
                                     [&](const auto& s) { return s.front == scan->row; });
     if (sherd == sherds->end()) continue;
-    label.context = placeOf(*sherd);
+    label.context = placeOf(sherd->site, sherd->trench, sherd->context_number, sherd->bag_number);
     if (sherd->number.empty()) continue;
     label.number = QString::fromStdString(sherd->number);
-    label.code = codeOf(*sherd);
+    label.code = codeOf(QLatin1Char('S'), label.number, sherd->id);
   }
+  return labels;
+}
+
+QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue) {
+  QVector<SherdLabel> labels;
+  const auto bags = catalogue.bags();
+  const auto contexts = catalogue.contexts();
+  if (!bags || !contexts) return labels;
+  for (const catalogue::BagRecord& bag : *bags) {
+    const auto place = std::find_if(contexts->begin(), contexts->end(),
+                                    [&](const auto& c) { return c.row == bag.context; });
+    if (place == contexts->end()) continue;
+    QStringList parts;
+    for (const std::string* part :
+         {&place->site_code, &place->trench_code, &place->number, &bag.number})
+      if (!part->empty()) parts << QString::fromStdString(*part);
+    const QString number = parts.join('-');
+    labels.append({number, placeOf(place->site_code, place->trench_code, place->number, bag.number),
+                   QString::fromStdString(bag.collected_on),
+                   codeOf(QLatin1Char('B'), number, bag.id)});
+  }
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const SherdLabel& a, const SherdLabel& b) { return a.number < b.number; });
   return labels;
 }
 

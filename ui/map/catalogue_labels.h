@@ -16,4 +16,8 @@ QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::Pl
                                   const catalogue::Catalogue& catalogue,
                                   const std::string& batch_number);
 
+/// A label for each bag of the project, by place. Read by the camera or a code reader it gives a
+/// batch its context.
+QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue);
+
 }  // namespace ostraka::ui

@@ -7,6 +7,9 @@
 #include <QPalette>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
 
 #include "ui/frame/state_colours.h"
 #include "ui/map/qr_code.h"
@@ -34,21 +37,26 @@ QString wordsOf(const MapMark& mark) {
   return mark.state == CardState::Ask || mark.state == CardState::Alone ? number + " ?" : number;
 }
 
-// Dark letters with a light edge: readable on every clay, on paper too.
-void paintNumber(QPainter& painter, const QPointF& at, const QString& text, double height,
-                 bool highlighted) {
+QFont numberFont(const QPainter& painter, double height) {
   QFont font = painter.font();
   font.setBold(true);
   font.setPixelSize(std::max(1, static_cast<int>(height)));
-  painter.setFont(font);
-  const QRectF box = QFontMetricsF(font).boundingRect(text);
-  QRectF ground(0, 0, box.width() + 0.5 * height, 1.2 * height);
-  ground.moveCenter(at);
+  return font;
+}
+
+// Dark letters with a light edge: readable on every clay, on paper too.
+void paintNumber(QPainter& painter, const QRectF& ground, const QString& text, double height,
+                 bool highlighted) {
+  painter.setFont(numberFont(painter, height));
   painter.setPen(QPen(Qt::black, height / 18));
   painter.setBrush(highlighted ? Qt::yellow : Qt::white);
   painter.drawRoundedRect(ground, 0.25 * height, 0.25 * height);
   painter.setPen(Qt::black);
   painter.drawText(ground, Qt::AlignCenter, text);
+}
+
+double areaOf(const QRectF& r) {
+  return r.width() * r.height();
 }
 
 void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label, double per_mm) {
@@ -94,6 +102,58 @@ QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side) {
   return place;
 }
 
+std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, const QRectF& within) {
+  std::vector<QRectF> taken(numbers.size());
+  // The longest first: they find room least easily.
+  std::vector<std::size_t> order(numbers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return numbers[a].size.width() > numbers[b].size.width();
+  });
+  std::vector<QRectF> placed;
+  for (const std::size_t i : order) {
+    const auto& [size, at, outline] = numbers[i];
+    const QRectF sherd = outline.boundingRect();
+    // On the sherd where it covers less than half of it, else around it, above first.
+    std::vector<QPointF> centres;
+    const bool small = areaOf(QRectF({}, size)) > areaOf(sherd) / 2;
+    if (!small) centres.push_back(at);
+    for (int ring = 0; ring < 8; ++ring) {
+      const double dx = sherd.width() / 2 + size.width() / 2 + ring * size.height() / 2,
+                   dy = sherd.height() / 2 + size.height() / 2 + ring * size.height() / 2;
+      for (const double turn : {-90., 90., 0., 180., -45., -135., 45., 135.}) {
+        const double angle = turn * std::numbers::pi / 180;
+        centres.push_back(sherd.center() + QPointF(dx * std::cos(angle), dy * std::sin(angle)));
+      }
+      if (ring == 0 && !small) {  // elsewhere on the sherd
+        for (const double part : {-0.3, 0.3}) {
+          centres.insert(centres.begin() + 1, at + QPointF(part * sherd.width(), 0));
+          centres.insert(centres.begin() + 1, at + QPointF(0, part * sherd.height()));
+        }
+      }
+    }
+    QRectF best;
+    double least = std::numeric_limits<double>::max();
+    for (const QPointF& centre : centres) {
+      QRectF ground({}, size);
+      ground.moveCenter(centre);
+      ground.moveLeft(std::clamp(ground.left(), within.left(),
+                                 std::max(within.left(), within.right() - size.width())));
+      ground.moveTop(std::clamp(ground.top(), within.top(),
+                                std::max(within.top(), within.bottom() - size.height())));
+      double covered = 0;
+      for (const QRectF& other : placed) covered += areaOf(ground.intersected(other));
+      if (covered >= least) continue;
+      least = covered;
+      best = ground;
+      if (covered == 0) break;
+    }
+    placed.push_back(best);
+    taken[i] = best;
+  }
+  return taken;
+}
+
 void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSide& side,
                   const QImage& photograph, const QString& highlighted) {
   const QRectF place = mapPlace(where, side);
@@ -122,18 +182,68 @@ void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSid
     painter.setBrush(lit ? QColor(255, 255, 0, 60) : QColor(Qt::transparent));
     painter.drawPolygon(outline);
   }
-  // Numbers last, so that no neighbour's outline runs through one; above a sherd that its number
-  // would cover.
+  // Numbers last, so that no neighbour's outline runs through one.
   const double height = std::max(place.width() / 26, 11.0);
+  std::vector<NumberToPlace> numbers;
   for (const MapMark& mark : side.marks) {
-    QPointF at = place.topLeft() + scale * QPointF(mark.at.x(), mark.at.y());
-    double top = at.y();
-    for (const Eigen::Vector2d& p : mark.outline) top = std::min(top, place.top() + scale * p.y());
-    if (at.y() - top < 1.1 * height) at.setY(std::max(place.top(), top - 0.7 * height));
-    paintNumber(painter, at, wordsOf(mark), height,
-                !mark.number.empty() && QString::fromStdString(mark.number) == highlighted);
+    const QRectF box = QFontMetricsF(numberFont(painter, height)).boundingRect(wordsOf(mark));
+    NumberToPlace number{{box.width() + 0.5 * height, 1.2 * height},
+                         place.topLeft() + scale * QPointF(mark.at.x(), mark.at.y()),
+                         {}};
+    for (const Eigen::Vector2d& p : mark.outline)
+      number.outline << place.topLeft() + scale * QPointF(p.x(), p.y());
+    numbers.push_back(std::move(number));
+  }
+  const std::vector<QRectF> grounds = placeNumbers(numbers, place);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const bool lit = !side.marks[i].number.empty() &&
+                     QString::fromStdString(side.marks[i].number) == highlighted;
+    if (!numbers[i].outline.boundingRect().intersects(grounds[i])) {  // whose is it?
+      painter.setPen(QPen(lit ? Qt::yellow : Qt::white, height / 10));
+      painter.drawLine(grounds[i].center(), numbers[i].at);
+    }
+    paintNumber(painter, grounds[i], wordsOf(side.marks[i]), height, lit);
   }
   painter.restore();
+}
+
+namespace {
+
+// The first on a page of its own or on the present one.
+bool paintLabels(QPainter& painter, QPagedPaintDevice& device, const QVector<SherdLabel>& labels,
+                 bool on_new_page, QString* why) {
+  const double per_mm = device.logicalDpiX() / 25.4;
+  const int columns = std::max(1, static_cast<int>(device.width() / (kLabelWide_mm * per_mm)));
+  const int rows = std::max(1, static_cast<int>(device.height() / (kLabelHigh_mm * per_mm)));
+  for (int i = 0; i < labels.size(); ++i) {
+    const int slot = i % (columns * rows);
+    if (slot == 0 && (on_new_page || i > 0) && !device.newPage()) {
+      *why = tr("The printer took no further page.");
+      return false;
+    }
+    const QRectF where((slot % columns) * kLabelWide_mm * per_mm,
+                       (slot / columns) * kLabelHigh_mm * per_mm, kLabelWide_mm * per_mm,
+                       kLabelHigh_mm * per_mm);
+    paintLabel(painter, where, labels[i], per_mm);
+  }
+  return true;
+}
+
+bool finish(QPainter& painter, QString* why) {
+  if (painter.end()) return true;
+  *why = tr("The printer or file could not be finished; is the disk full?");
+  return false;
+}
+
+}  // namespace
+
+bool printLabels(QPagedPaintDevice& device, const QVector<SherdLabel>& labels, QString* why) {
+  QPainter painter;
+  if (!painter.begin(&device)) {
+    *why = tr("The printer or file cannot be written; choose another.");
+    return false;
+  }
+  return paintLabels(painter, device, labels, false, why) && finish(painter, why);
 }
 
 bool printMap(QPagedPaintDevice& device, const MapPicture& picture,
@@ -158,24 +268,7 @@ bool printMap(QPagedPaintDevice& device, const MapPicture& picture,
   paintMapSide(painter, left, picture.map.front, picture.front, {});
   paintMapSide(painter, right, picture.map.back, picture.back, {});
 
-  const int columns = std::max(1, static_cast<int>(page.width() / (kLabelWide_mm * per_mm)));
-  const int rows = std::max(1, static_cast<int>(page.height() / (kLabelHigh_mm * per_mm)));
-  for (int i = 0; i < labels.size(); ++i) {
-    const int slot = i % (columns * rows);
-    if (slot == 0 && !device.newPage()) {
-      *why = tr("The printer took no further page.");
-      return false;
-    }
-    const QRectF where((slot % columns) * kLabelWide_mm * per_mm,
-                       (slot / columns) * kLabelHigh_mm * per_mm, kLabelWide_mm * per_mm,
-                       kLabelHigh_mm * per_mm);
-    paintLabel(painter, where, labels[i], per_mm);
-  }
-  if (!painter.end()) {
-    *why = tr("The printer or file could not be finished; is the disk full?");
-    return false;
-  }
-  return true;
+  return paintLabels(painter, device, labels, true, why) && finish(painter, why);
 }
 
 }  // namespace ostraka::ui

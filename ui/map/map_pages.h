@@ -1,7 +1,9 @@
 #pragma once
 #include <QImage>
+#include <QPolygonF>
 #include <QString>
 #include <QVector>
+#include <vector>
 
 #include "pipeline/plate_map.h"
 
@@ -24,15 +26,28 @@ struct MapPicture {
   QImage front, back;  ///< null: the photograph is gone
 };
 
+/// A number on the map: how large it is written, where its sherd's middle lies, the sherd.
+struct NumberToPlace {
+  QSizeF size;
+  QPointF at;
+  QPolygonF outline;
+};
+/// Where the numbers go: on their sherds or, where these are small or crowded, beside them. None
+/// covers another as long as there is room.
+std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, const QRectF& within);
+
 /// Draws one side into a rectangle, marks and numbers on it; highlighted: the number in hand.
 void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSide& side,
                   const QImage& photograph, const QString& highlighted);
 /// The scale and place at which paintMapSide draws the photograph.
 QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side);
 
-/// The map on the first page, labels of 62 x 29 mm in two columns on the following. Returns false
+/// The map on the first page, labels of 85 x 32 mm side by side on the following. Returns false
 /// with a sentence when the printer or file refuses.
 bool printMap(QPagedPaintDevice& device, const MapPicture& picture,
               const QVector<SherdLabel>& labels, const QString& title, QString* why);
+
+/// Labels alone, from the first page on.
+bool printLabels(QPagedPaintDevice& device, const QVector<SherdLabel>& labels, QString* why);
 
 }  // namespace ostraka::ui

@@ -66,11 +66,26 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   print_->setMinimumHeight(targetSize(*this));
   print_->setEnabled(false);
   connect(print_, &QPushButton::clicked, this, &MapStation::print);
+  auto* bags_action = new QAction(tr("Print bag labels"), this);
+  bags_action->setObjectName("printBags");
+  bags_action->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
+  bags_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(bags_action, &QAction::triggered, this, &MapStation::printBags);
+  addAction(bags_action);
+  bags_ = new QPushButton(tr("Bag labels"), this);
+  bags_->setToolTip(
+      tr("Print a label for each bag; its code gives a batch its context "
+         "(Ctrl+Shift+P)"));
+  bags_->setFocusPolicy(Qt::TabFocus);
+  bags_->setMinimumHeight(targetSize(*this));
+  bags_->setEnabled(false);
+  connect(bags_, &QPushButton::clicked, this, &MapStation::printBags);
   view_ = new MapView(this);
   view_->setObjectName("plate");
   auto* head = new QHBoxLayout;
   head->addWidget(batches_);
   head->addWidget(message_, 1);
+  head->addWidget(bags_);
   head->addWidget(print_);
   auto* all = new QVBoxLayout(this);
   all->addLayout(head);
@@ -93,6 +108,7 @@ void MapStation::openProject(ProjectSession& session) {
     if (batches_->findText(batch) < 0) return;
     if (batch_.isEmpty() || batch == batch_) openBatch(batch);
   });
+  bags_->setEnabled(session.hasProject());
   listBatches();
   if (batches_->count() > 0) openBatch(batches_->itemText(0));
 }
@@ -106,6 +122,7 @@ void MapStation::closeProject() {
   message_->clear();
   view_->setPicture({});
   print_->setEnabled(false);
+  bags_->setEnabled(false);
 }
 
 void MapStation::setInFront(bool in_front) {
@@ -194,6 +211,35 @@ void MapStation::print() {
             ? tr("Map and labels are sent to the printer.")
             : why);
   });
+  dialog->open();
+}
+
+bool MapStation::writeBagLabels(const QString& file) {
+  if (!session_ || !session_->hasProject()) return false;
+  QPdfWriter pdf(file);
+  pdf.setResolution(300);
+  pdf.setPageSize(QPageSize(QPageSize::A4));
+  pdf.setTitle(tr("Bag labels"));
+  QString why;
+  if (printLabels(pdf, bagLabels(session_->project().catalogue()), &why)) return true;
+  say(why);
+  return false;
+}
+
+void MapStation::printBags() {
+  if (!bags_->isEnabled()) return;
+  const QVector<SherdLabel> labels = bagLabels(session_->project().catalogue());
+  if (labels.isEmpty())
+    return say(tr("There is no bag yet: type one at the capture, or import a table of contexts."));
+  auto* dialog = new QPrintDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this,
+          [this, labels](QPrinter* printer) {
+            QString why;
+            say(printLabels(*printer, labels, &why) ? tr("%n label(s) are sent to the printer.",
+                                                         nullptr, static_cast<int>(labels.size()))
+                                                    : why);
+          });
   dialog->open();
 }
 

@@ -32,10 +32,12 @@ class MapStation final : public Station {
   QVector<SherdLabel> labels() const;
   /// Map and labels as PDF. False: said why.
   bool writePdf(const QString& file);
+  bool writeBagLabels(const QString& file);
 
  public slots:
   void showItem(const QString& batch) override;
   void print();  ///< asks for the printer, or for a file where there is none
+  void printBags();
 
  private:
   void listBatches();
@@ -48,7 +50,7 @@ class MapStation final : public Station {
   QComboBox* batches_ = nullptr;
   QLabel* message_ = nullptr;
   MapView* view_ = nullptr;
-  QPushButton* print_ = nullptr;
+  QPushButton *print_ = nullptr, *bags_ = nullptr;
   QPointer<JobHandle> opening_;
 };
 

@@ -1,10 +1,13 @@
 // Labels carry the catalogue's numbers; what has none yet keeps the batch's own.
 #include "ui/map/catalogue_labels.h"
 
+#include <QFileInfo>
+#include <QPdfWriter>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "catalogue/project.h"
+#include "ui/capture/place_text.h"
 
 namespace ostraka::ui {
 
@@ -13,7 +16,31 @@ class CatalogueLabelsTest : public QObject {
 
  private slots:
   void aNumberedSherdHasItsNumberAndAnotherTheBatchs();
+  void aBagsLabelIsReadBackAsItsPlace();
 };
+
+void CatalogueLabelsTest::aBagsLabelIsReadBackAsItsPlace() {
+  QTemporaryDir folder;
+  catalogue::ProjectRecord record;
+  record.code = "ARM";
+  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  QVERIFY(project.has_value());
+  catalogue::Catalogue& rows = project->catalogue();
+  QVERIFY(bagLabels(rows).isEmpty());
+  const PlaceText second{"ARM1", "T3", "0012", "4"}, first{"ARM1", {}, "0007", "12"};
+  for (const PlaceText& place : {second, first}) QVERIFY(bagRowOf(rows, place, {}).has_value());
+  const QVector<SherdLabel> labels = bagLabels(rows);
+  QCOMPARE(labels.size(), 2);
+  QCOMPARE(labels[0].number, QStringLiteral("ARM1-0007-12"));
+  QCOMPARE(labels[1].context, QStringLiteral("ARM1 / T3 / 0012, bag 4"));
+  QVERIFY(labels[1].code.startsWith("OST1:B:ARM1-T3-0012-4:"));
+  QCOMPARE(*readPlaceText(labels[0].code), first);
+  QCOMPARE(*readPlaceText(labels[1].code), second);
+  QPdfWriter pdf(folder.filePath("bags.pdf"));
+  QString why;
+  QVERIFY2(printLabels(pdf, labels, &why), qPrintable(why));
+  QVERIFY(QFileInfo(folder.filePath("bags.pdf")).size() > 1000);
+}
 
 void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QTemporaryDir folder;
@@ -70,5 +97,5 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
 
 }  // namespace ostraka::ui
 
-QTEST_GUILESS_MAIN(ostraka::ui::CatalogueLabelsTest)
+QTEST_MAIN(ostraka::ui::CatalogueLabelsTest)
 #include "catalogue_labels_test.moc"

@@ -27,6 +27,7 @@ class MapTest : public QObject {
   void theQrCodeIsAsSmallAsTheStandardSays();
   void mapAndLabelsAreWrittenAsPdf();
   void aMissingPhotographIsSaid();
+  void noNumberCoversAnother();
 
  private:
   const pipeline::PlateMap& map() { return view()->picture().map; }
@@ -150,6 +151,26 @@ void MapTest::aMissingPhotographIsSaid() {
   QVERIFY(!view()->grab().isNull());
   QCOMPARE(map().back.marks.size(), std::size_t{4});
   std::filesystem::rename(photograph.string() + ".away", photograph);
+}
+
+void MapTest::noNumberCoversAnother() {
+  const QRectF within(0, 0, 400, 300);
+  std::vector<NumberToPlace> numbers;
+  const auto add = [&](double x, double y, double wide, double length) {
+    const QRectF box(x - wide / 2, y - wide / 2, wide, wide);
+    numbers.push_back({{length, 20}, {x, y}, QPolygonF(box)});
+  };
+  add(300, 200, 120, 50);                                            // with room on the sherd
+  for (int i = 0; i < 6; ++i) add(100 + i % 3, 80 + i / 3, 30, 90);  // scans that overlap
+  add(395, 5, 10, 80);                                               // in the corner
+  const std::vector<QRectF> grounds = placeNumbers(numbers, within);
+  QCOMPARE(grounds.size(), numbers.size());
+  QCOMPARE(grounds[0].center(), QPointF(300, 200));
+  for (std::size_t i = 0; i < grounds.size(); ++i) {
+    QCOMPARE(grounds[i].size(), numbers[i].size);
+    QVERIFY(within.contains(grounds[i]));
+    for (std::size_t j = 0; j < i; ++j) QVERIFY(!grounds[i].intersects(grounds[j]));
+  }
 }
 
 }  // namespace ostraka::ui

@@ -425,6 +425,7 @@ QString stageWords(const QString& stage) {
       {"pairs", QT_TRANSLATE_NOOP("Stage", "which back belongs to which front")},
       {"models", QT_TRANSLATE_NOOP("Stage", "models")},
       {"report", QT_TRANSLATE_NOOP("Stage", "report")},
+      {"candidates", QT_TRANSLATE_NOOP("Stage", "more candidates for doubtful pairs")},
       {"catalogue", QT_TRANSLATE_NOOP("Stage", "catalogue")}};
   if (stage.isEmpty()) return QCoreApplication::translate("Stage", "begins");
   for (const Words& known : kStages)

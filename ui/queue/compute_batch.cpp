@@ -5,6 +5,7 @@
 
 #include "catalogue/enter_results.h"
 #include "catalogue/project.h"
+#include "pipeline/more_candidates.h"
 #include "pipeline/process_batch.h"
 #include "pipeline/register_scans.h"
 
@@ -19,6 +20,7 @@ using catalogue::BatchState;
 constexpr double kUsualBatch_bytes = 1.0e9;
 // Below this the next stage would fail half-way on any camera; the queue waits for space instead.
 constexpr double kLeastFree_bytes = 300.0e6;
+constexpr int kWantedCandidates = 3;  // that the review shows for a doubtful front
 
 double sizeOf(const fs::path& folder) {
   double bytes = 0;
@@ -110,6 +112,14 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
                                        : fromPhotographs(options, batch, output, progress, stop);
   if (!figures) return figures.error();
 
+  // Who opens the review finds the candidates registered. Without them it compares them then.
+  if (figures->ask > 0) {
+    progress.begin("candidates", 0.02);
+    const Result<void> prepared =
+        pipeline::prepareCandidates(output, kWantedCandidates, progress, stop);
+    if (!prepared && prepared.error().code == ErrorCode::Cancelled) return prepared.error();
+    if (!prepared) progress.note(NoteLevel::Warning, prepared.error().sentence());
+  }
   const catalogue::Act act{{}, "process", {}};
   progress.begin("catalogue", 0.01);
   if (const auto set = rows.setBatchState(record->row, BatchState::Computed, act); !set)

@@ -232,14 +232,21 @@ void PairReviewModel::hold(const Trial& trial) {
 }
 
 void PairReviewModel::takeCandidates() {
-  candidates_.clear();
-  if (card() != nullptr) candidates_ = card()->candidates;
-  for (const ReviewCandidate& c : more_[trial_.front]) {
-    const bool known = std::any_of(candidates_.begin(), candidates_.end(),
-                                   [&](const ReviewCandidate& o) { return o.back == c.back; });
-    if (!known) candidates_.push_back(c);
-  }
+  candidates_ = candidatesOf(trial_.front);
   emit candidatesChanged();
+}
+
+std::vector<ReviewCandidate> PairReviewModel::candidatesOf(int front) const {
+  std::vector<ReviewCandidate> all;
+  if (const pipeline::ReviewCard* of = review_.ofFront(front)) all = of->candidates;
+  const auto more = more_.find(front);
+  if (more == more_.end()) return all;
+  for (const ReviewCandidate& c : more->second) {
+    const bool known = std::any_of(all.begin(), all.end(),
+                                   [&](const ReviewCandidate& o) { return o.back == c.back; });
+    if (!known) all.push_back(c);
+  }
+  return all;
 }
 
 void PairReviewModel::choose(int candidate) {

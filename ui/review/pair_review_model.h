@@ -114,6 +114,8 @@ class PairReviewModel final : public QAbstractListModel {
   const ReviewRow& at(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
   void fetchScene(Clouds clouds);
   void fetchMore();
+  bool wantsMore(int front) const;
+  std::vector<pipeline::ReviewCandidate> candidatesOf(int front) const;
   void fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work, Made made,
              const QString& text);
   pipeline::PairDecision about(pipeline::DecisionKind kind) const;
@@ -131,7 +133,7 @@ class PairReviewModel final : public QAbstractListModel {
   std::vector<ReviewRow> rows_;
   ScanPictures thumbnails_;
   std::map<int, std::vector<pipeline::ReviewCandidate>> more_;  ///< by front, compared on demand
-  std::set<int> asked_;  ///< fronts for which more were sought
+  std::set<int> asked_;  ///< fronts for which there are no more
   std::vector<pipeline::ReviewCandidate> candidates_;
   Trial trial_;
   pipeline::LiveFit fit_;

@@ -148,32 +148,44 @@ void PairReviewModel::fetchScene(Clouds clouds) {
   });
 }
 
+// One candidate a job, so that each is shown when it is there: for the front in hand, then for the
+// others that want a person, in their order.
 void PairReviewModel::fetchMore() {
-  const int front = trial_.front;
-  if (!live_ || front < 0 || more_job_ || asked_.contains(front)) return;
+  if (!live_ || more_job_) return;
+  int front = wantsMore(trial_.front) ? trial_.front : -1;
+  for (int i = 0; front < 0 && i < rowCount(); ++i)
+    if (wantsMore(at(i).front)) front = at(i).front;
+  if (front < 0) return;
   std::vector<int> known;
-  for (const ReviewCandidate& c : candidates_) known.push_back(c.back);
-  asked_.insert(front);
-  if (static_cast<int>(known.size()) >= kWantedCandidates) return;
-  more_job_ = runner_.start(
-      makeJob(
-          tr("More candidates"),
-          [live = live_, front, known](Progress& progress, std::stop_token stop) {
-            return moreCandidates(live, front, known, kWantedCandidates, progress, stop);
-          },
-          JobPriority::Background),
-      this);
+  for (const ReviewCandidate& c : candidatesOf(front)) known.push_back(c.back);
+  more_job_ =
+      runner_.start(makeJob(
+                        tr("More candidates"),
+                        [live = live_, front, known](Progress& progress, std::stop_token stop) {
+                          return anotherCandidate(live, front, known, progress, stop);
+                        },
+                        JobPriority::Background),
+                    this);
   connect(more_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
     more_job_->deleteLater();
     more_job_ = nullptr;
-    const auto found = outcomeAs<std::vector<ReviewCandidate>>(outcome);
-    if (!found) return;  // there are none; what is there stays
-    for (const ReviewCandidate& c : *found) more_[front].push_back(c);
-    if (front == trial_.front)
-      takeCandidates();
+    const auto found = outcomeAs<std::optional<ReviewCandidate>>(outcome);
+    if (found && *found)
+      more_[front].push_back(**found);
     else
-      fetchMore();
+      asked_.insert(front);  // there is none; what is there stays
+    if (front == trial_.front && found && *found) takeCandidates();
+    fetchMore();
   });
+}
+
+bool PairReviewModel::wantsMore(int front) const {
+  const pipeline::ReviewCard* card = review_.ofFront(front);
+  if (card == nullptr || asked_.contains(front)) return false;
+  const bool doubtful =
+      card->state == pipeline::CardState::Ask || card->state == pipeline::CardState::Alone;
+  return (doubtful || front == trial_.front) &&
+         static_cast<int>(candidatesOf(front).size()) < kWantedCandidates;
 }
 
 }  // namespace ostraka::ui

@@ -4,11 +4,18 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr int kStepsAcross = 40, kMostSteps = 20, kTurn_degrees = 5;
+
+}  // namespace
 
 PicturePair::PicturePair(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Photographs of both sides"));
@@ -27,8 +34,7 @@ void PicturePair::setPictures(const QImage& front, const QImage& back,
 void PicturePair::setNames(const QString& front, const QString& back) {
   front_name_ = front;
   back_name_ = back;
-  setAccessibleDescription(tr("Front %1, back %2").arg(front, back));
-  update();
+  tellLine();
 }
 
 void PicturePair::setMirrored(bool mirrored) {
@@ -39,7 +45,54 @@ void PicturePair::setMirrored(bool mirrored) {
 void PicturePair::setCutting(bool cutting) {
   cutting_ = cutting;
   drawing_ = false;
+  line_steps_ = line_turns_ = 0;
+  line_on_front_ = hasPicture(true) || !hasPicture(false);
   setCursor(cutting ? Qt::CrossCursor : Qt::ArrowCursor);
+  tellLine();
+}
+
+void PicturePair::moveLine(int steps) {
+  line_steps_ = std::clamp(line_steps_ + steps, -kMostSteps, kMostSteps);
+  tellLine();
+}
+
+void PicturePair::turnLine(int steps) {
+  line_turns_ = (line_turns_ + steps) % (360 / kTurn_degrees);
+  tellLine();
+}
+
+void PicturePair::takeOtherSide() {
+  if (!hasPicture(!line_on_front_)) return;
+  line_on_front_ = !line_on_front_;
+  tellLine();
+}
+
+void PicturePair::cutHere() {
+  if (!cutting_ || !hasPicture(line_on_front_) || frame_.width == 0) return;
+  const QLineF here = line();
+  emit cut(line_on_front_, shown(here.p1(), line_on_front_), shown(here.p2(), line_on_front_));
+}
+
+// As long as the picture's diagonal, so that it reaches over the piece however it lies.
+QLineF PicturePair::line() const {
+  const QRectF where = place(line_on_front_);
+  const double whole = std::hypot(where.width(), where.height());
+  QLineF upright = QLineF::fromPolar(whole, 90 - kTurn_degrees * line_turns_);
+  const QLineF across =
+      QLineF::fromPolar(whole * line_steps_ / kStepsAcross, -kTurn_degrees * double(line_turns_));
+  upright.translate(where.center() - upright.center() + across.p2());
+  return upright;
+}
+
+void PicturePair::tellLine() {
+  if (cutting_)
+    setAccessibleDescription(
+        tr("Line over the %1, %2 steps from its middle, turned by %3 degrees")
+            .arg(line_on_front_ ? tr("front %1").arg(front_name_) : tr("back %1").arg(back_name_))
+            .arg(line_steps_)
+            .arg(kTurn_degrees * line_turns_));
+  else
+    setAccessibleDescription(tr("Front %1, back %2").arg(front_name_, back_name_));
   update();
 }
 
@@ -100,6 +153,26 @@ void PicturePair::mouseReleaseEvent(QMouseEvent* event) {
   emit cut(front, shown(from_, front), shown(to_, front));
 }
 
+// Light on dark, so that it is seen on clay and on the plate; what to do below it.
+void PicturePair::paintLine(QPainter& painter) const {
+  const QLineF cut = drawing_ ? QLineF(from_, to_) : line();
+  painter.save();
+  painter.setClipRect(drawing_ ? rect() : half(line_on_front_));
+  for (const auto& [ink, wide] : {std::pair(Qt::black, 5), std::pair(Qt::yellow, 2)}) {
+    painter.setPen(QPen(ink, lineWidth(*this, wide)));
+    painter.drawLine(cut);
+  }
+  painter.restore();
+  const QString words =
+      tr("Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter "
+         "cuts. Or draw a line with the mouse.");
+  const QRect below = rect().adjusted(width() / 6, 0, -width() / 6, 0);
+  QRect box =
+      painter.boundingRect(below, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, words);
+  painter.fillRect(box.adjusted(-4, -2, 4, 2), palette().color(QPalette::Base));
+  painter.drawText(below, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, words);
+}
+
 void PicturePair::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
@@ -124,10 +197,7 @@ void PicturePair::paintEvent(QPaintEvent*) {
     draw(false, flips(false) ? back_.mirrored(true, false) : back_,
          mirrored_ ? tr("back %1, mirrored").arg(back_name_) : tr("back %1").arg(back_name_));
   painter.setPen(QPen(palette().color(QPalette::Text), lineWidth(*this, 3)));
-  if (drawing_) painter.drawLine(from_, to_);
-  if (cutting_)
-    painter.drawText(rect().adjusted(0, 0, 0, -line / 4), Qt::AlignHCenter | Qt::AlignBottom,
-                     tr("Draw a line over the piece where it is to be cut."));
+  if (cutting_) paintLine(painter);
   if (front_.isNull() && back_.isNull()) return;
   const double pixels = 10 / frame_.px_mm * scale();
   const QPointF from(line / 2, height() - line / 2);

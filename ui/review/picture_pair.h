@@ -1,9 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <QImage>
+#include <QLineF>
 #include <QWidget>
 
 #include "pipeline/orthophoto.h"
+
+class QPainter;
 
 namespace ostraka::ui {
 
@@ -22,8 +25,13 @@ class PicturePair final : public QWidget {
 
  public slots:
   void setMirrored(bool mirrored);
-  /// A line drawn over a picture cuts that piece in two.
+  /// A line drawn over a picture cuts that piece in two. One lies there from the beginning, across
+  /// the middle, to be moved by the keys.
   void setCutting(bool cutting);
+  void moveLine(int steps);  ///< across itself, a fortieth of the picture each
+  void turnLine(int steps);  ///< five degrees each
+  void takeOtherSide();
+  void cutHere();  ///< along the line that lies there
 
  signals:
   /// In the pictures' frame, mm.
@@ -41,12 +49,17 @@ class PicturePair final : public QWidget {
   QRectF place(bool front) const;
   bool flips(bool front) const;
   Eigen::Vector2d shown(const QPointF& at, bool front) const;
+  QLineF line() const;  ///< that the keys move
+  bool hasPicture(bool front) const { return !(front ? front_ : back_).isNull(); }
+  void tellLine();
+  void paintLine(QPainter& painter) const;
 
   QImage front_, back_;
   QString front_name_, back_name_;
   pipeline::PictureFrame frame_;
   QPointF from_, to_;
-  bool mirrored_ = false, cutting_ = false, drawing_ = false;
+  bool mirrored_ = false, cutting_ = false, drawing_ = false, line_on_front_ = true;
+  int line_steps_ = 0, line_turns_ = 0;
 };
 
 }  // namespace ostraka::ui

@@ -85,9 +85,11 @@ QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QK
 }
 
 QAction* ReviewPane::step(const char* name, const QString& text, const QKeySequence& key, int by,
-                          void (PairReviewModel::*slot)(int)) {
+                          void (PairReviewModel::*slot)(int), void (PicturePair::*line)(int)) {
   QAction* action = keyed(name, text, {key});
-  connect(action, &QAction::triggered, &model_, [this, slot, by] { (model_.*slot)(by); });
+  connect(action, &QAction::triggered, this, [this, slot, line, by] {
+    pictures_->isCutting() && line ? (pictures_->*line)(by) : (model_.*slot)(by);
+  });
   return action;
 }
 
@@ -105,16 +107,18 @@ void ReviewPane::buildActions() {
   add("accept", tr("This one"), {Qt::Key_Return, Qt::Key_Enter}, &ReviewPane::accept);
   add("next", tr("Next pair"), {Qt::Key_Down}, &ReviewPane::next);
   add("previous", tr("Previous pair"), {Qt::Key_Up}, &ReviewPane::previous);
-  add("leaveJoin", tr("Join nothing"), {Qt::Key_Escape}, &ReviewPane::leave);
+  add("leaveJoin", tr("Join and cut nothing"), {Qt::Key_Escape}, &ReviewPane::leave);
   for (int i = 0; i < 9; ++i)
     step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,
-         &PairReviewModel::choose);
-  step("startBefore", tr("Start point before"), Qt::Key_Left, -1, &PairReviewModel::stepStart);
-  step("startAfter", tr("Next start point"), Qt::Key_Right, 1, &PairReviewModel::stepStart);
+         &PairReviewModel::choose, nullptr);
+  step("startBefore", tr("Start point before"), Qt::Key_Left, -1, &PairReviewModel::stepStart,
+       &PicturePair::moveLine);
+  step("startAfter", tr("Next start point"), Qt::Key_Right, 1, &PairReviewModel::stepStart,
+       &PicturePair::moveLine);
   step("sampleBefore", tr("One sample back"), Qt::SHIFT | Qt::Key_Left, -1,
-       &PairReviewModel::stepSample);
+       &PairReviewModel::stepSample, &PicturePair::turnLine);
   step("sampleAfter", tr("One sample on"), Qt::SHIFT | Qt::Key_Right, 1,
-       &PairReviewModel::stepSample);
+       &PairReviewModel::stepSample, &PicturePair::turnLine);
   mirror_ = toggle("mirror", tr("Mirror back"), Qt::Key_M);
   connect(mirror_, &QAction::toggled, pictures_, &PicturePair::setMirrored);
   apart_ = toggle("apart", tr("Apart"), Qt::Key_A);
@@ -142,7 +146,8 @@ void ReviewPane::buildActions() {
   QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReviewModel::setAside);
   QAction* reshoot = act("reshoot", tr("Shoot again"), {Qt::Key_N}, &PairReviewModel::reshoot);
   cut_ = toggle("cut", tr("Cut"), Qt::Key_K);
-  cut_->setToolTip(tr("Cut a piece that is two sherds in truth: draw a line over its picture (K)"));
+  cut_->setToolTip(
+      tr("Cut a piece that is two sherds in truth, along a line over its picture (K)"));
   connect(cut_, &QAction::toggled, pictures_, &PicturePair::setCutting);
   connect(pictures_, &PicturePair::cut, this,
           [this](bool front, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -155,6 +160,12 @@ void ReviewPane::buildActions() {
   joining_ = new JoinMode(model_, *cards_, join_,
                           toggle("joinBacks", tr("Join backs"), Qt::SHIFT | Qt::Key_J), this);
   connect(joining_, &JoinMode::changed, this, &ReviewPane::showCard);
+  connect(cut_, &QAction::toggled, joining_, [this](bool on) {
+    if (on) joining_->leave();
+  });
+  connect(joining_, &JoinMode::changed, this, [this] {
+    if (joining_->isOn()) cut_->setChecked(false);
+  });
   shown_actions_ = {settle,  mirror_, apart_, section_, measure_, along_rim_,
                     closed_, join_,   cut_,   aside,    reshoot};
 }
@@ -238,18 +249,22 @@ void ReviewPane::showCard() {
 }
 
 void ReviewPane::accept() {
+  if (pictures_->isCutting()) return pictures_->cutHere();
   joining_->isOn() ? joining_->takeMarked() : model_.accept();
 }
 
 void ReviewPane::next() {
+  if (pictures_->isCutting()) return pictures_->takeOtherSide();
   joining_->isOn() ? joining_->move(1) : model_.next();
 }
 
 void ReviewPane::previous() {
+  if (pictures_->isCutting()) return pictures_->takeOtherSide();
   joining_->isOn() ? joining_->move(-1) : model_.previous();
 }
 
 void ReviewPane::leave() {
+  cut_->setChecked(false);
   joining_->leave();
 }
 

@@ -37,7 +37,7 @@ class ReviewPane final : public QWidget {
   QAction* act(const char* name, const QString& text, const QList<QKeySequence>& keys,
                void (PairReviewModel::*slot)());
   QAction* step(const char* name, const QString& text, const QKeySequence& key, int by,
-                void (PairReviewModel::*slot)(int));
+                void (PairReviewModel::*slot)(int), void (PicturePair::*line)(int));
   QAction* toggle(const char* name, const QString& text, const QKeySequence& key);
   void showCard();
   void accept();

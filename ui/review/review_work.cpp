@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cloud/ply.h"
+#include "pipeline/more_candidates.h"
 
 namespace ostraka::ui {
 namespace {
@@ -103,21 +104,15 @@ Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop
   return pictures;
 }
 
-Result<std::vector<pipeline::ReviewCandidate>> moreCandidates(const LivePairsPtr& live, int front,
-                                                              const std::vector<int>& known,
-                                                              int wanted, Progress& progress,
-                                                              std::stop_token stop) {
-  const Result<std::vector<int>> backs = live->likeliestBacks(front, progress, stop);
-  if (!backs) return backs.error();
-  std::vector<pipeline::ReviewCandidate> found;
-  for (const int back : *backs) {
-    if (static_cast<int>(known.size() + found.size()) >= wanted) break;
-    if (std::find(known.begin(), known.end(), back) != known.end()) continue;
-    const Result<pipeline::ReviewCandidate> candidate = oneCandidate(live, front, back, stop);
-    if (!candidate && candidate.error().code == ErrorCode::Cancelled) return candidate.error();
-    if (candidate) found.push_back(*candidate);
-  }
-  return found;
+Result<std::optional<pipeline::ReviewCandidate>> anotherCandidate(const LivePairsPtr& live,
+                                                                  int front,
+                                                                  const std::vector<int>& known,
+                                                                  Progress& progress,
+                                                                  std::stop_token stop) {
+  const auto found = pipeline::nextCandidate(*live, front, known, progress, stop);
+  if (!found) return found.error();
+  if (!*found) return std::optional<pipeline::ReviewCandidate>();
+  return std::optional(shown(**found));
 }
 
 Result<pipeline::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,

@@ -46,12 +46,12 @@ Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number)
 using ScanPictures = std::map<std::pair<batch::Side, int>, QImage>;
 Result<ScanPictures> scanPictures(const LivePairsPtr& live, std::stop_token stop);
 
-/// More backs for a front that has fewer than `wanted` candidates: the likeliest by their outlines,
-/// rims compared.
-Result<std::vector<pipeline::ReviewCandidate>> moreCandidates(const LivePairsPtr& live, int front,
-                                                              const std::vector<int>& known,
-                                                              int wanted, Progress& progress,
-                                                              std::stop_token stop);
+/// The likeliest back that is not known yet, rims compared; nothing when there is none.
+Result<std::optional<pipeline::ReviewCandidate>> anotherCandidate(const LivePairsPtr& live,
+                                                                  int front,
+                                                                  const std::vector<int>& known,
+                                                                  Progress& progress,
+                                                                  std::stop_token stop);
 
 /// One back compared on demand.
 Result<pipeline::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,

@@ -18,6 +18,7 @@
 #include "ui/queue/batch_queue.h"
 #include "ui/review/card_delegate.h"
 #include "ui/review/pair_review_model.h"
+#include "ui/review/picture_pair.h"
 #include "ui/review/review_pane.h"
 #include "ui/review/review_station.h"
 #include "ui/viewport/sherd_view.h"
@@ -35,6 +36,7 @@ class ReviewWindowTest : public QObject {
   void swappedLookAlikesAreFixedByMouse();
   void twentyPairsAreReviewedByKeyboardAlone();
   void theKeysOfThePictureWork();
+  void aPieceIsCutByKeyboard();
   void aBackThatNoFrontHoldsHasACardOfItsOwn();
   void aLoneBackIsDraggedOntoItsFront();
   void piecesOfTheBackAreJoinedByKeyboardAndByMouse();
@@ -232,6 +234,48 @@ void ReviewWindowTest::theKeysOfThePictureWork() {
   QTRY_COMPARE(cardOf(front).state, CardState::Aside);
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(cardOf(front).state, CardState::Ask);
+}
+
+void ReviewWindowTest::aPieceIsCutByKeyboard() {
+  open(4);
+  const int front = model()->front(), back = model()->trial().back;
+  const auto& table = model()->live()->table();
+  key(Qt::Key_K);
+  auto* pictures = station_->findChild<PicturePair*>();
+  QVERIFY(pictures->isCutting());
+  key(Qt::Key_Escape);
+  QVERIFY(!pictures->isCutting());
+  key(Qt::Key_K);
+  key(Qt::Key_J);  // another thing altogether
+  QVERIFY(!pictures->isCutting());
+  QVERIFY(station_->findChild<QLabel*>("reason")->text().contains("Which front"));
+  key(Qt::Key_K);
+  QVERIFY(pictures->isCutting());
+  // Four steps to the right, turned from upright by three times five degrees.
+  for (int i = 0; i < 4; ++i) key(Qt::Key_Right);
+  for (int i = 0; i < 3; ++i) key(Qt::Key_Right, Qt::ShiftModifier);
+  QCOMPARE(model()->front(), front);
+  key(Qt::Key_Return);
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  pipeline::PairDecision cut = standingOnDisk()[0];
+  QCOMPARE(cut.kind, pipeline::DecisionKind::Split);
+  QCOMPARE(cut.scans[0].id, table.fronts[static_cast<std::size_t>(front)].id);
+  const Eigen::Vector2d along = (cut.cut_mm[1] - cut.cut_mm[0]).normalized();
+  QVERIFY(std::abs(std::abs(along.y()) - std::cos(15 * M_PI / 180)) < 1e-6);
+  QVERIFY(std::abs(std::abs(along.x()) - std::sin(15 * M_PI / 180)) < 1e-6);
+  QVERIFY(!pictures->isCutting());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_VERIFY(standingOnDisk().empty());
+  // The other side.
+  model()->select(front);
+  QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+  key(Qt::Key_K);
+  key(Qt::Key_Down);
+  QVERIFY(pictures->accessibleDescription().contains("back"));
+  key(Qt::Key_Enter);
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  cut = standingOnDisk()[0];
+  QCOMPARE(cut.scans[0].id, table.backs[static_cast<std::size_t>(back)].id);
 }
 
 void ReviewWindowTest::aBackThatNoFrontHoldsHasACardOfItsOwn() {

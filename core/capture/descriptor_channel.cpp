@@ -25,6 +25,12 @@ constexpr double kWrite_s = 2;    // nobody takes bytes for so long: the line is
 constexpr double kReopen_s = 2;   // a device needs a moment after it was plugged in
 constexpr double kPoll_s = 0.05;  // how soon a request to stop is noticed
 
+// A peer that left the network must not end the program (SIGPIPE).
+ssize_t send(int fd, std::string_view bytes) {
+  const ssize_t n = ::send(fd, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+  return n < 0 && errno == ENOTSOCK ? ::write(fd, bytes.data(), bytes.size()) : n;
+}
+
 class DescriptorChannel final : public ByteChannel {
  public:
   DescriptorChannel(std::string name, int descriptor, std::function<Result<int>()> open)
@@ -39,7 +45,7 @@ class DescriptorChannel final : public ByteChannel {
     const double deadline_s = clock_->now_s() + kWrite_s;
     while (!bytes.empty()) {
       if (fd_ < 0) return gone("is not open");
-      const ssize_t n = ::write(fd_, bytes.data(), bytes.size());
+      const ssize_t n = send(fd_, bytes);
       if (n > 0) {
         bytes.remove_prefix(static_cast<std::size_t>(n));
         continue;

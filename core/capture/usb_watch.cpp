@@ -3,7 +3,6 @@
 #include <libusb-1.0/libusb.h>
 
 #include <atomic>
-#include <optional>
 #include <thread>
 #include <tuple>
 #include <vector>
@@ -64,22 +63,27 @@ class LibusbWatch final : public UsbWatch {
 
   void watch(const std::stop_token& stop) {
     std::vector<Place> before = registered_ ? std::vector<Place>() : places();
-    std::optional<double> since_s;
+    bool pending = false;
+    double since_s = 0;
     while (!stop.stop_requested()) {
       if (registered_) {
         timeval slice{0, 50'000};
-        libusb_handle_events_timeout_completed(context_, &slice, nullptr);
+        if (libusb_handle_events_timeout_completed(context_, &slice, nullptr) != 0 &&
+            !clock_->sleep(0.05, stop))  // it failed at once: do not spin
+          return;
       } else {
         if (!clock_->sleep(options_.poll_s, stop)) return;
         std::vector<Place> now = places();
         noticed_ = now != before;
         before = std::move(now);
       }
-      if (noticed_.exchange(false)) since_s = clock_->now_s();
-      const bool over =
-          !registered_ || (since_s && clock_->now_s() - *since_s >= options_.settled_s);
-      if (!since_s || !over || stop.stop_requested()) continue;
-      since_s.reset();
+      if (noticed_.exchange(false)) {
+        pending = true;
+        since_s = clock_->now_s();
+      }
+      const bool over = !registered_ || clock_->now_s() - since_s >= options_.settled_s;
+      if (!pending || !over || stop.stop_requested()) continue;
+      pending = false;
       changed_();
     }
   }

@@ -95,8 +95,8 @@ void tell(const CaptureEvent& event, Session& session) {
                    capture::placeName(event.camera).c_str());
       break;
     case CaptureEventKind::ShotKept:
-      for (const capture::ShotProblem problem : event.check.problems)
-        session.progress.note(NoteLevel::Warning, shot + ": " + capture::words(problem));
+      for (const std::string& sentence : event.check.sentences())
+        session.progress.note(NoteLevel::Warning, shot + ": " + sentence);
       break;
     default:
       break;

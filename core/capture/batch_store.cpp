@@ -291,15 +291,24 @@ bool BatchStore::holdsElsewhere(const ManifestEntry& entry) const {
                      });
 }
 
-bool BatchStore::settingsChanged(const ManifestEntry& entry) const {
-  for (const ManifestEntry& e : manifest_.entries) {
-    if (!e.used || e.camera != entry.camera || e.settings.empty()) continue;
-    return std::any_of(entry.settings.begin(), entry.settings.end(), [&](const auto& setting) {
-      const auto first = e.settings.find(setting.first);
-      return first != e.settings.end() && first->second != setting.second;
-    });
+std::vector<std::string> BatchStore::otherSettings(
+    const ManifestEntry& entry, const std::map<std::string, std::string>& of_rig) const {
+  const auto first =
+      std::find_if(manifest_.entries.begin(), manifest_.entries.end(), [&](const ManifestEntry& e) {
+        return e.used && e.camera == entry.camera && !e.settings.empty();
+      });
+  std::vector<std::string> others;
+  for (const auto& [name, now] : entry.settings) {
+    if (const auto rig = of_rig.find(name); rig != of_rig.end()) {
+      if (rig->second != now)
+        others.push_back(name + " is " + now + ", the rig says " + rig->second);
+    } else if (first != manifest_.entries.end()) {
+      const auto then = first->settings.find(name);
+      if (then != first->settings.end() && then->second != now)
+        others.push_back(name + " is " + now + ", at the first photograph it was " + then->second);
+    }
   }
-  return false;
+  return others;
 }
 
 }  // namespace ostraka::capture

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,8 +40,10 @@ class BatchStore {
 
   /// Are these very bytes those of another stop, camera or side?
   bool holdsElsewhere(const ManifestEntry& entry) const;
-  /// Was a setting of the camera another one at its first photograph that is in use?
-  bool settingsChanged(const ManifestEntry& entry) const;
+  /// "exposure is 1/60, the rig says 1/8": settings that are not the rig's; what the rig does not
+  /// name is compared with the camera's first photograph that is in use. Empty: all are the same.
+  std::vector<std::string> otherSettings(const ManifestEntry& entry,
+                                         const std::map<std::string, std::string>& of_rig) const;
   Manifest& manifest() { return manifest_; }
   const Manifest& manifest() const { return manifest_; }
   std::filesystem::path fileOf(const ManifestEntry& entry) const { return batch_ / entry.file; }

@@ -162,8 +162,12 @@ Result<RigDevices> openRigDevices(const fs::path& rig_file, const AskPerson& ask
     if (stop.stop_requested()) return Error::cancelled();
     Result<std::unique_ptr<Camera>> camera = openCamera(place, devices.clock, rig_file);
     if (!camera) return camera.error();
-    for (const auto& [name, value] : place.settings)
-      if (const auto set = (*camera)->set(name, value); !set) return set.error();
+    std::map<std::string, std::string>& wanted = devices.wanted_settings.emplace_back();
+    for (const auto& [name, value] : place.settings) {
+      const Result<CameraSetting> set = (*camera)->set(name, value);
+      if (!set) return set.error();
+      wanted[name] = set->value;  // as the camera writes it
+    }
     devices.cameras.push_back(std::move(*camera));
   }
   Result<std::unique_ptr<Turntable>> table =

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <stop_token>
@@ -23,6 +24,9 @@ struct RigDevices {
   std::vector<std::unique_ptr<Camera>> cameras;  ///< by place; a shot's camera number is its index
   batch::Plate plate;                            ///< what lies on the table
   double settle_s = 1.5;                         ///< from standstill to a still picture
+  /// By camera, as RIG.json has them: set before each side, compared at each shot. A camera without
+  /// any is compared with its own first shot.
+  std::vector<std::map<std::string, std::string>> wanted_settings{};
   std::shared_ptr<Clock> clock = steadyClock();
   /// SHA-256 of every photograph that the cameras handed over since they were opened: none of them
   /// is accepted a second time, whatever side and batch is shot next.

@@ -18,9 +18,10 @@ std::string shotWords(int stop, int camera) {
   return "Camera " + placeName(camera) + ", stop " + std::to_string(stop + 1);
 }
 
-std::string listed(const std::vector<ShotProblem>& problems) {
+std::string listed(const ShotCheck& check) {
   std::string text;
-  for (const ShotProblem p : problems) text += (text.empty() ? "" : "; ") + words(p);
+  for (const std::string& sentence : check.sentences())
+    text += (text.empty() ? "" : "; ") + sentence;
   return text;
 }
 
@@ -102,6 +103,8 @@ Result<void> Series::prepare() {
   }
   if (Result<void> r = readReferences(); !r) return r;
   if (tasks_.empty()) return {};
+  for (int c = 0; c < cameras; ++c)
+    if (Result<void> r = setAsRigSays(c); !r) return r;
   if (devices_.side_placed) devices_.side_placed(options_.side);
   return findPosition();
 }
@@ -224,8 +227,7 @@ Result<void> Series::takeVerdicts() {
     entry->sharpness = shot.check.sharpness;
     entry->markers_seen = shot.check.markers_seen;
     entry->sherds = shot.check.sherds;
-    entry->problems.clear();
-    for (const ShotProblem p : shot.check.problems) entry->problems.push_back(words(p));
+    entry->problems = shot.check.sentences();
     if (!shot.refused) continue;
     if (Result<void> r = refuse(shot); !r) return r;
     again[shot.stop].push_back(shot.camera);
@@ -239,7 +241,7 @@ Result<void> Series::takeVerdicts() {
 }
 
 Result<void> Series::refuse(const Shot& shot) {
-  const std::string why = listed(shot.check.problems);
+  const std::string why = listed(shot.check);
   if (Result<void> r = store_->setAside(shot.stop, shot.camera, why); !r) return r;
   progress_.note(NoteLevel::Info,
                  "capture: " + shotWords(shot.stop, shot.camera) + " is taken again: " + why);

@@ -72,6 +72,7 @@ class Series {
   Result<void> turnOnce(const Task& task, double beyond_deg, std::span<const int> to_empty);
   Result<void> recoverTable(const Error& trouble);
   void emptyCamera(int camera);
+  Result<void> setAsRigSays(int camera);
   bool byHand(int camera) const;
   std::vector<int> doubted(const Task& task) const;
   Result<void> takeProofs(std::vector<int> cameras, const Task& task);
@@ -115,6 +116,6 @@ class Series {
 /// "Camera B, stop 3".
 std::string shotWords(int stop, int camera);
 /// Sentences about the problems, one after the other.
-std::string listed(const std::vector<ShotProblem>& problems);
+std::string listed(const ShotCheck& check);
 
 }  // namespace ostraka::capture

@@ -42,6 +42,17 @@ bool Series::byHand(int camera) const {
          !devices_.turntable->firesShutters();
 }
 
+// A camera that is gone is looked after when it shoots.
+Result<void> Series::setAsRigSays(int camera) {
+  const auto c = static_cast<std::size_t>(camera);
+  if (c >= devices_.wanted_settings.size()) return {};
+  for (const auto& [name, value] : devices_.wanted_settings[c])
+    if (const auto set = devices_.cameras[c]->set(name, value);
+        !set && set.error().code != ErrorCode::Missing)
+      return set.error();
+  return {};
+}
+
 // A camera that cannot be emptied fails again when it shoots, and is looked after there.
 void Series::emptyCamera(int camera) {
   const auto c = static_cast<std::size_t>(camera);
@@ -203,7 +214,11 @@ void Series::judgeShot(Shot& shot, std::shared_ptr<const MappedLook> mapped, boo
     watch.trust = Trust::Doubted;
     shot.epoch = -1;
   }
-  if (store_->settingsChanged(*entry)) shot.check.problems.push_back(ShotProblem::OtherSettings);
+  const auto place = static_cast<std::size_t>(shot.camera);
+  shot.check.other_settings = store_->otherSettings(
+      *entry, place < devices_.wanted_settings.size() ? devices_.wanted_settings[place]
+                                                      : std::map<std::string, std::string>());
+  if (!shot.check.other_settings.empty()) shot.check.problems.push_back(ShotProblem::OtherSettings);
   const auto counted = tries_.find({shot.stop, shot.camera});
   const int tries = counted == tries_.end() ? 0 : counted->second;
   shot.refused = !shot.check.keepable() || (shot.check.again() && tries < options_.tries_per_shot);
@@ -219,7 +234,7 @@ void Series::judgeShot(Shot& shot, std::shared_ptr<const MappedLook> mapped, boo
       .check = shot.check,
       .take = entry->take};
   if (shot.refused)
-    event.trouble = shotWords(shot.stop, shot.camera) + ": " + listed(shot.check.problems) + ".";
+    event.trouble = shotWords(shot.stop, shot.camera) + ": " + listed(shot.check) + ".";
   tell(event);
 }
 
@@ -305,6 +320,7 @@ Result<void> Series::recoverCamera(int camera, int stop, const Error& trouble) {
                  "capture: " + shotWords(stop, camera) + ": " + trouble.sentence());
   Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
   Result<void> back = device.reopen(stop_);
+  if (back) (void)setAsRigSays(camera);     // one that was switched off; the shot's check tells
   if (back) back = device.getReady(stop_);  // drops what the failed try may still deliver
   if (!back && back.error().code == ErrorCode::Missing) return {};  // tried again by the shot
   return back;

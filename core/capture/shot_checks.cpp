@@ -36,7 +36,7 @@ std::string words(ShotProblem problem) {
     case ShotProblem::CutOff:
       return "a sherd is cut off by the picture's edge: move it or the camera";
     case ShotProblem::OtherSettings:
-      return "a setting of the camera is another one than at its first photograph: set it back";
+      return "the camera's settings are others than they were: set them back";
   }
   return {};
 }
@@ -57,6 +57,14 @@ bool ShotCheck::keepable() const {
 
 bool ShotCheck::again() const {
   return !keepable() || may_pass;
+}
+
+std::vector<std::string> ShotCheck::sentences() const {
+  std::vector<std::string> all;
+  for (const ShotProblem p : problems)
+    if (p != ShotProblem::OtherSettings || other_settings.empty()) all.push_back(words(p));
+  for (const std::string& setting : other_settings) all.push_back(setting + ": set it back");
+  return all;
 }
 
 ShotCheck judge(const PlateLook& look, double angle_deg, const CameraReference& reference,

@@ -25,7 +25,7 @@ enum class ShotProblem {
   TooDark,       ///< sherds under 5 % in a channel
   TooBright,     ///< sherds burnt out
   CutOff,        ///< a sherd touches the frame of the photograph
-  OtherSettings  ///< exposure, focus or another setting of the camera is not that of its first shot
+  OtherSettings  ///< exposure, focus or another setting is not the rig's, or the first shot's
 };
 std::string words(ShotProblem problem);
 bool mustNotBeKept(ShotProblem problem);
@@ -81,8 +81,12 @@ struct ShotCheck {
   bool has(ShotProblem problem) const;
   bool keepable() const;  ///< no problem that forbids it
   bool again() const;     ///< a problem that another photograph may not have
+  /// What each problem is, in words.
+  std::vector<std::string> sentences() const;
   /// Blurred, or markers hidden that this camera has seen before.
   bool may_pass = false;
+  /// Of OtherSettings: "exposure is 1/60, the rig says 1/8".
+  std::vector<std::string> other_settings;
 };
 
 /// What one camera's photographs of a side have shown so far.
@@ -112,6 +116,7 @@ void learn(CameraReference& reference, const PlateLook& look, double angle_deg);
 struct SideCheck {
   int sherds = 0;                       ///< on the plate; each of two that touch counts
   int touching = 0;                     ///< pairs that touch or nearly do
+  int doubtful = 0;                     ///< pieces counted as one that may be two
   bool counted = false;                 ///< false: no photograph showed enough of the plate
   std::vector<Eigen::Vector3d> places;  ///< of the pieces: x, y on the plate, mm, and area, mm2
   std::vector<std::string> sentences;   ///< what a person should know before going on

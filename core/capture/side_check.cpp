@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kShift_mm = 15;
 constexpr double kVotes = 0.6;  // of the looks at a place: a shadow lies there in fewer
 
 // How steeply a camera looks down: 1 from straight above.
@@ -74,6 +75,15 @@ std::string placeOf(const Eigen::Vector2d& p) {
          ") mm";
 }
 
+// The votes of all looks round the notches off; each look shows them. A look from aside shifts a
+// sherd by its height.
+std::ptrdiff_t looksAt(const MapPiece& piece, const std::vector<MapPiece>& of_looks) {
+  return std::count_if(of_looks.begin(), of_looks.end(), [&](const MapPiece& other) {
+    return (other.centre_mm - piece.centre_mm).norm() < kShift_mm &&
+           std::abs(other.area_mm2 - piece.area_mm2) < 0.2 * piece.area_mm2;
+  });
+}
+
 // Turning sherds over by hand shifts them by millimetres: the same places twice are the same side.
 bool sameSide(const SideCheck& front, const SideCheck& back) {
   std::size_t same = 0;
@@ -99,6 +109,8 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
   SideCheck side;
   const int camera = steepestCamera(photographs, plate, options, stop);
   cv::Mat1i votes, looks;
+  std::vector<MapPiece> notched;  // of all looks
+  int looked = 0;
   PlateMap together;
   if (camera >= 0)
     for (const SidePhotograph& photograph : photographs[static_cast<std::size_t>(camera)]) {
@@ -112,6 +124,9 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
       }
       cv::add(votes, 1, votes, mapped->map.sherd);
       cv::add(looks, 1, looks, mapped->map.seen);
+      ++looked;
+      for (MapPiece& piece : piecesOf(mapped->map, options.smallest_sherd_mm))
+        if (hasOppositeNotches(piece)) notched.push_back(std::move(piece));
     }
   if (votes.empty()) {
     side.sentences.push_back(
@@ -128,13 +143,16 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
                    cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
 
   const std::vector<MapPiece> pieces = piecesOf(together, options.smallest_sherd_mm);
-  std::vector<std::string> close;
+  std::vector<std::string> close, doubtful;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const int within = sherdsInPiece(pieces[i]);
     side.sherds += within;
     side.places.emplace_back(pieces[i].centre_mm.x(), pieces[i].centre_mm.y(), pieces[i].area_mm2);
     side.touching += within - 1;
-    if (within > 1) close.push_back(placeOf(pieces[i].centre_mm));
+    if (within > 1)
+      close.push_back(placeOf(pieces[i].centre_mm));
+    else if (mayBeSeveral(pieces[i]) || 2 * looksAt(pieces[i], notched) >= looked)
+      doubtful.push_back(placeOf(pieces[i].centre_mm));
     for (std::size_t k = 0; k < i; ++k)
       if (gapBetween_mm(pieces[k], pieces[i]) < options.touching_mm) {
         ++side.touching;
@@ -146,6 +164,11 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
   if (!close.empty())
     side.sentences.push_back("Sherds touch or nearly touch at " + places(close) +
                              " from the plate's middle: move them apart and shoot again.");
+  side.doubtful = static_cast<int>(doubtful.size());
+  if (!doubtful.empty())
+    side.sentences.push_back("What lies at " + places(doubtful) +
+                             " from the plate's middle was counted as one but may be two sherds "
+                             "that touch: look there; if so, move them apart and shoot again.");
   return side;
 }
 

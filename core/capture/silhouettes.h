@@ -51,8 +51,12 @@ double gapBetween_mm(const MapPiece& a, const MapPiece& b);
 /// Sherds that one piece holds when they touch: it is cut where its outline has a narrow neck.
 int sherdsInPiece(const MapPiece& piece);
 
-/// Worth a person's look: a waist as a single sherd rarely has one, or a dent as deep. Never
-/// counted on.
+/// Two notches with a way from one to the other that would cut the piece into two sherds, as where
+/// two lie side by side.
+bool hasOppositeNotches(const MapPiece& piece);
+
+/// Worth a person's look: a waist as a single sherd rarely has one, a dent as deep, or
+/// opposite notches. Never counted on.
 bool mayBeSeveral(const MapPiece& piece);
 
 /// lookAtPlate with the map that it counted on; an empty map where the plate's place is not seen.

@@ -146,8 +146,12 @@ CameraId FlatCamera::id() const {
   return {"flat", "Flat camera", "FLAT-" + std::to_string(number_), "paper"};
 }
 
-Result<CameraSetting> FlatCamera::set(const std::string& name, const std::string&) {
-  return Error{ErrorCode::UnusableInput, "No setting " + name + ".", id().serial};
+Result<CameraSetting> FlatCamera::set(const std::string& name, const std::string& value) {
+  if (!plugged_) return Error{ErrorCode::Missing, "The camera is gone.", id().serial};
+  if (name != "exposure" || (has_dial && value != exposure_time))
+    return Error{ErrorCode::UnusableInput, "No " + value + " for " + name + ".", id().serial};
+  exposure_time = value;
+  return CameraSetting{name, value, {}, false};
 }
 
 Result<std::string> FlatCamera::preview(std::stop_token) {
@@ -201,6 +205,7 @@ Result<void> FlatCamera::reopen(std::stop_token) {
   ++reopened;
   if (!faults.empty() && faults.front() == Fault::Gone)
     return Error{ErrorCode::Missing, "The camera is not plugged in.", id().serial};
+  if (!plugged_ && !has_dial) exposure_time = "1/8";
   plugged_ = true;
   return {};
 }

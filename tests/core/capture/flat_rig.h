@@ -68,7 +68,7 @@ class FlatCamera final : public Camera {
   Result<std::vector<CameraSetting>> settings() override {
     return std::vector<CameraSetting>{{"exposure", exposure_time, {}, false}};
   }
-  Result<CameraSetting> set(const std::string&, const std::string&) override;
+  Result<CameraSetting> set(const std::string& name, const std::string& value) override;
   Result<std::string> preview(std::stop_token) override;
   Result<void> getReady(std::stop_token) override;
   Result<void> trigger() override;
@@ -79,9 +79,10 @@ class FlatCamera final : public Camera {
   /// What goes wrong at the next triggers, one each; then all is well.
   enum class Fault { None, Unplugged, Silent, Late, Truncated, Stale, Blurred, Gone };
   std::deque<Fault> faults;
-  std::function<Fault()> chance;  ///< after them
-  bool lags = false;              ///< hands over what the trigger before made, at each trigger
-  std::string exposure_time = "1/8";
+  std::function<Fault()> chance;      ///< after them
+  bool lags = false;                  ///< hands over what the trigger before made, at each trigger
+  std::string exposure_time = "1/8";  ///< and again after it was pulled out
+  bool has_dial = false;              ///< keeps its exposure whatever it is told
   int reopened = 0;
 
  private:

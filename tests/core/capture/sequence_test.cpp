@@ -253,7 +253,44 @@ TEST_F(Sequence, KeepsTheSettingsOfEachShotAndFlagsOthers) {
   ASSERT_TRUE(manifest.has_value());
   EXPECT_EQ(manifest->find(options_.side, 0, 1)->settings.at("exposure"), "1/8");
   EXPECT_EQ(manifest->find(options_.side, 1, 1)->settings.at("exposure"), "1/60");
-  EXPECT_THAT(manifest->find(options_.side, 1, 1)->problems.at(0), HasSubstr("set it back"));
+  EXPECT_THAT(manifest->find(options_.side, 1, 1)->problems.at(0),
+              HasSubstr("exposure is 1/60, at the first photograph it was 1/8"));
+}
+
+TEST_F(Sequence, SetsTheRigsSettingsBeforeASideAndComparesEachShotWithThem) {
+  rig_.devices.wanted_settings = {{}, {{"exposure", "1/15"}}};
+  on_event_ = [this](const CaptureEvent& e) {
+    if (e.kind == CaptureEventKind::Shooting && e.stop == 0)
+      rig_.cameras[1]->exposure_time = "1/60";
+  };
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_EQ(done->flagged, (std::vector<ShotName>{{1, 1}, {2, 1}}));
+  const auto manifest = readManifest(folder_);
+  ASSERT_TRUE(manifest.has_value());
+  EXPECT_EQ(manifest->find(options_.side, 0, 0)->settings.at("exposure"), "1/8");
+  EXPECT_EQ(manifest->find(options_.side, 0, 1)->settings.at("exposure"), "1/15");
+  for (const int stop : {1, 2})
+    EXPECT_THAT(manifest->find(options_.side, stop, 1)->problems.at(0),
+                HasSubstr("exposure is 1/60, the rig says 1/15"));
+}
+
+TEST_F(Sequence, DoesNotBeginWithACameraThatKeepsAnotherSettingThanTheRigs) {
+  rig_.devices.wanted_settings = {{{"exposure", "1/15"}}, {}};
+  rig_.cameras[0]->has_dial = true;
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(rig_.truth->exposures, 0);
+}
+
+TEST_F(Sequence, SetsACameraAgainThatWasSwitchedOff) {
+  rig_.devices.wanted_settings = {{{"exposure", "1/15"}}, {}};
+  rig_.cameras[0]->faults = {FlatCamera::Fault::None, FlatCamera::Fault::Unplugged};
+  const auto done = shoot();
+  ASSERT_TRUE(done.has_value()) << done.error().what;
+  EXPECT_TRUE(done->flagged.empty());
+  EXPECT_EQ(rig_.cameras[0]->exposure_time, "1/15");
 }
 
 TEST_F(Sequence, AsksForACutOffOrBlurredPhotographAgainAtOnce) {

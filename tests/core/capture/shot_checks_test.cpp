@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "capture/sequence.h"
+#include "capture/silhouettes.h"
 #include "flat_rig.h"
 
 namespace ostraka::capture {
@@ -53,11 +56,48 @@ TEST(LookAtPlate, DoubtsAnOutlineThatLooksLikeTwoSherds) {
   FlatScene scene;
   scene.width = 1280;
   for (const double gap :
-       {-1.0, 0.0, 0.5, 1.0, 2.0}) {  // sherds that hide each other, touch, nearly do
+       {-8.0, -1.0, 0.0, 0.5, 1.0, 2.0}) {  // sherds that hide each other, touch, nearly do
     scene.sherds = {{-30, 0, 15}, {gap, 0, 15}, {-20, 60, 15}};
     const PlateLook look = lookAt(scene, 1, 0);
     EXPECT_EQ(look.too_close.size(), 1u) << gap;
   }
+}
+
+// Corners in mm; half a millimetre a pixel.
+MapPiece pieceOf(const std::vector<cv::Point>& corners_mm) {
+  cv::Mat1b mask(200, 300, uchar{0});
+  std::vector<cv::Point> corners;
+  for (const cv::Point& p : corners_mm) corners.push_back(2 * p + cv::Point(20, 20));
+  cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{corners}, 255);
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  return {.outline = outlines.at(0), .area_mm2 = cv::contourArea(outlines[0]) / 4};
+}
+
+TEST(MayBeSeveral, DoubtsTwoSherdsThatLieSideBySideWithoutAWaist) {
+  // Two of 40 x 30 mm that touch along 24 mm: 0.91 of their hull, and the neck is 0.8 of a width.
+  EXPECT_TRUE(mayBeSeveral(
+      pieceOf({{0, 0}, {40, 0}, {40, 6}, {80, 6}, {80, 36}, {40, 36}, {40, 30}, {0, 30}})));
+  // The same with one step only, and a plain one.
+  EXPECT_FALSE(mayBeSeveral(pieceOf({{0, 0}, {40, 0}, {40, 6}, {80, 6}, {80, 30}, {0, 30}})));
+  EXPECT_FALSE(mayBeSeveral(pieceOf({{0, 10}, {30, 0}, {70, 8}, {80, 36}, {20, 40}})));
+}
+
+TEST(CheckSide, TellsBeforeTheFlipThatOneOutlineMayBeTwoSherds) {
+  FlatScene scene;
+  scene.width = 1280;
+  scene.sherds = {{-30, 0, 15}, {-8, 0, 15}, {-20, 60, 15}};  // the neck is 0.68 of a width
+  std::vector<std::vector<SidePhotograph>> photographs(1);
+  for (const double degrees : {0.0, 120.0, 240.0}) {
+    auto look = lookAndMap(flatPicture(scene, 2, degrees, ""), flatPlate(), {});
+    ASSERT_TRUE(look.has_value());
+    photographs[0].push_back({{}, std::make_shared<const MappedLook>(std::move(*look))});
+  }
+  const SideCheck check = checkSide(photographs, flatPlate(), {}, {});
+  EXPECT_EQ(check.sherds, 2);
+  EXPECT_EQ(check.doubtful, 1);
+  ASSERT_EQ(check.sentences.size(), 1u);
+  EXPECT_NE(check.sentences[0].find("(-19, 0) mm"), std::string::npos) << check.sentences[0];
 }
 
 TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {

@@ -1009,6 +1009,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Getippt, vom Codeleser, oder vom Beuteletikett unter der Kamera</translation>
     </message>
+    <message>
+      <source>%1 The desktop holds a camera, by its program %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Der Schreibtisch hält eine Kamera fest, mit seinem Programm %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1266,6 +1271,21 @@
       <source>%1 and %2 nearly touch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 und %2 berühren sich fast</translation>
+    </message>
+    <message>
+      <source>Looking for what holds the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wird gesucht, was die Kamera festhält</translation>
+    </message>
+    <message>
+      <source>Making the desktop let go of the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Schreibtisch soll die Kamera loslassen</translation>
+    </message>
+    <message>
+      <source>Make the desktop let go</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera vom Schreibtisch lösen</translation>
     </message>
   </context>
   <context>

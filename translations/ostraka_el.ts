@@ -1009,6 +1009,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Με πληκτρολόγηση, από αναγνώστη κωδικών, ή από την ετικέτα της σακούλας κάτω από την κάμερα</translation>
     </message>
+    <message>
+      <source>%1 The desktop holds a camera, by its program %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Η επιφάνεια εργασίας κρατά μια κάμερα, με το πρόγραμμά της %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1266,6 +1271,21 @@
       <source>%1 and %2 nearly touch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 και το %2 σχεδόν ακουμπούν</translation>
+    </message>
+    <message>
+      <source>Looking for what holds the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναζήτηση του τι κρατά την κάμερα</translation>
+    </message>
+    <message>
+      <source>Making the desktop let go of the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η επιφάνεια εργασίας αφήνει την κάμερα</translation>
+    </message>
+    <message>
+      <source>Make the desktop let go</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Απελευθέρωση της κάμερας</translation>
     </message>
   </context>
   <context>

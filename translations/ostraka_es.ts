@@ -1009,6 +1009,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escrito, con un lector de códigos, o con la etiqueta de la bolsa bajo la cámara</translation>
     </message>
+    <message>
+      <source>%1 The desktop holds a camera, by its program %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 El escritorio retiene una cámara, con su programa %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1266,6 +1271,21 @@
       <source>%1 and %2 nearly touch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 y %2 casi se tocan</translation>
+    </message>
+    <message>
+      <source>Looking for what holds the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Buscando qué retiene la cámara</translation>
+    </message>
+    <message>
+      <source>Making the desktop let go of the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Haciendo que el escritorio suelte la cámara</translation>
+    </message>
+    <message>
+      <source>Make the desktop let go</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hacer que el escritorio la suelte</translation>
     </message>
   </context>
   <context>

@@ -1009,6 +1009,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Saisi, par un lecteur de codes, ou par l’étiquette du sac posée sous l’appareil</translation>
     </message>
+    <message>
+      <source>%1 The desktop holds a camera, by its program %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Le bureau retient un appareil, par son programme %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1266,6 +1271,21 @@
       <source>%1 and %2 nearly touch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 et %2 se touchent presque</translation>
+    </message>
+    <message>
+      <source>Looking for what holds the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Recherche de ce qui retient l’appareil</translation>
+    </message>
+    <message>
+      <source>Making the desktop let go of the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bureau doit libérer l’appareil</translation>
+    </message>
+    <message>
+      <source>Make the desktop let go</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Libérer l’appareil du bureau</translation>
     </message>
   </context>
   <context>

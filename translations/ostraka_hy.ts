@@ -1009,6 +1009,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տպելով, կոդ կարդացողով կամ տեսախցիկի տակ դրված տոպրակի պիտակից</translation>
     </message>
+    <message>
+      <source>%1 The desktop holds a camera, by its program %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Աշխատասեղանը պահում է տեսախցիկը իր %2 ծրագրով։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1266,6 +1271,21 @@
       <source>%1 and %2 nearly touch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը և %2-ը գրեթե հպվում են</translation>
+    </message>
+    <message>
+      <source>Looking for what holds the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոնվում է, թե ինչն է պահում տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>Making the desktop let go of the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աշխատասեղանը ազատում է տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>Make the desktop let go</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ազատել տեսախցիկը</translation>
     </message>
   </context>
   <context>

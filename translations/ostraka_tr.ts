@@ -999,6 +999,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yazarak, kod okuyucuyla ya da kameranın altına konan torba etiketinden</translation>
     </message>
+    <message>
+      <source>%1 The desktop holds a camera, by its program %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Masaüstü bir kamerayı %2 programıyla tutuyor.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1251,6 +1256,21 @@
       <source>%1 and %2 nearly touch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ile %2 neredeyse değiyor</translation>
+    </message>
+    <message>
+      <source>Looking for what holds the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamerayı neyin tuttuğu aranıyor</translation>
+    </message>
+    <message>
+      <source>Making the desktop let go of the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masaüstüne kamera bıraktırılıyor</translation>
+    </message>
+    <message>
+      <source>Make the desktop let go</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masaüstüne bıraktır</translation>
     </message>
   </context>
   <context>

@@ -6,25 +6,28 @@
 
 namespace ostraka::capture {
 
-bool heldByDesktop(const std::vector<FoundDevice>& devices) {
-  return std::any_of(devices.begin(), devices.end(), [](const FoundDevice& device) {
-    return std::any_of(device.holders.begin(), device.holders.end(),
-                       [](const std::string& holder) { return holder.starts_with("gvfs"); });
-  });
+std::vector<std::string> desktopHolders(const std::vector<FoundDevice>& devices) {
+  std::vector<std::string> holders;
+  for (const FoundDevice& device : devices)
+    for (const std::string& holder : device.holders)
+      if (holder.starts_with("gvfs") &&
+          std::find(holders.begin(), holders.end(), holder) == holders.end())
+        holders.push_back(holder);
+  return holders;
 }
 
 Result<void> releaseFromDesktop(const std::vector<FoundDevice>& devices, const RunProgram& run,
                                 const std::function<std::vector<FoundDevice>()>& find_again) {
-  if (!heldByDesktop(devices)) return {};
+  if (desktopHolders(devices).empty()) return {};
   // Each may fail where the desktop has no such program or service; only what is left counts.
   (void)run("gio", {"mount", "-s", "gphoto2"});
-  if (!heldByDesktop(find_again())) return {};
+  if (desktopHolders(find_again()).empty()) return {};
   (void)run("systemctl", {"--user", "stop", "gvfs-gphoto2-volume-monitor.service"});
   for (const FoundDevice& device : find_again())
-    if (heldByDesktop({device}))
+    if (const auto holders = desktopHolders({device}); !holders.empty())
       return Error{ErrorCode::Failed,
                    "The desktop does not let go of the camera: it is still held by " +
-                       device.holders.front() + "; close its window of files and try again.",
+                       holders.front() + "; close its window of files and try again.",
                    device.model};
   return {};
 }

@@ -20,8 +20,9 @@ using RunProgram = std::function<Result<void>(const std::string& program,
 Result<void> releaseFromDesktop(const std::vector<FoundDevice>& devices, const RunProgram& run,
                                 const std::function<std::vector<FoundDevice>()>& find_again);
 
-/// Is a camera held by the desktop, so that releaseFromDesktop would help?
-bool heldByDesktop(const std::vector<FoundDevice>& devices);
+/// The desktop's programs that hold a camera, "gvfsd-gphoto2 (1234)"; releaseFromDesktop helps
+/// where there are any.
+std::vector<std::string> desktopHolders(const std::vector<FoundDevice>& devices);
 
 /// RunProgram for real; what the program says is dropped.
 RunProgram programRunner(std::stop_token stop);

@@ -315,10 +315,17 @@ void CaptureStation::followLive() {
 }
 
 void CaptureStation::showTrouble() {
-  if (wizard_->fault())
-    fault_->showError(*wizard_->fault(), wizard_->buttonText(), tr("Space"));
-  else
+  if (wizard_->fault()) {
+    Error shown = *wizard_->fault();
+    if (!wizard_->holders().isEmpty())
+      shown.what = tr("%1 The desktop holds a camera, by its program %2.")
+                       .arg(QString::fromStdString(shown.what),
+                            wizard_->holders().join(QStringLiteral(", ")))
+                       .toStdString();
+    fault_->showError(shown, wizard_->buttonText(), tr("Space"));
+  } else {
     fault_->hide();
+  }
   if (wizard_->doubts().isEmpty() || wizard_->fault())
     doubts_->hide();
   else

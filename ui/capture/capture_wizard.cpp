@@ -164,6 +164,7 @@ void CaptureWizard::setPlace(const PlaceText& place) {
 void CaptureWizard::enter(CapturePhase phase) {
   phase_ = phase;
   fault_.reset();
+  holders_.clear();
   if (phase == CapturePhase::Place) {
     doubts_.clear();
     shots_.clear();
@@ -191,6 +192,7 @@ bool CaptureWizard::canGoOn() const {
 void CaptureWizard::next() {
   if (!canGoOn()) return;
   if (!question().isEmpty()) return question_.answer(true);
+  if (fault_ && !holders_.isEmpty()) return releaseCameras();
   if (fault_ && (phase_ == CapturePhase::Opening || phase_ == CapturePhase::NoRig)) {
     devices_.reset();
     return openRig();
@@ -264,6 +266,7 @@ void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retak
   if (const Result<void> made = makeBatch(); !made) return fail(made.error(), {});
   phase_ = side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
   fault_.reset();
+  holders_.clear();
   doubts_.clear();
   shots_.clear();
   stop_ = -1;
@@ -314,8 +317,8 @@ void CaptureWizard::hear(const capture::CaptureEvent& event) {
     TakenShot shot{event.stop, event.camera,
                    event.take, QString::fromStdString(event.file.string()),
                    {},         event.kind == Kind::ShotRefused};
-    for (const capture::ShotProblem problem : event.check.problems)
-      shot.problems << QString::fromStdString(capture::words(problem));
+    for (const std::string& sentence : event.check.sentences())
+      shot.problems << QString::fromStdString(sentence);
     if (shot.refused && !event.trouble.empty())
       shot.problems << QString::fromStdString(event.trouble);
     std::erase_if(shots_, [&](const TakenShot& old) {
@@ -378,15 +381,6 @@ void CaptureWizard::queueBatch() {
   else
     enter(CapturePhase::Done);
   emit batchQueued(number);
-}
-
-void CaptureWizard::fail(const Error& error, const QString& safe) {
-  Error shown = error;
-  if (!safe.isEmpty())
-    shown.what = tr("%1 %2").arg(QString::fromStdString(shown.what), safe).toStdString();
-  fault_ = shown;
-  stop_ = -1;
-  emit changed();
 }
 
 void CaptureWizard::lookLive() {

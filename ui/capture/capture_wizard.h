@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "capture/free_room.h"
 #include "capture/sequence.h"
+#include "ui/capture/capture_facts.h"
 #include "ui/capture/place_text.h"
 #include "ui/capture/rig_source.h"
 #include "ui/jobs/job.h"
@@ -27,28 +27,6 @@ enum class CapturePhase {
   Flip,  ///< a person turns the sherds over
   ShootBack,
   Done  ///< the plate may be cleared, unless there are doubts
-};
-
-/// A picture of the plate and what is seen on it.
-struct PlatePicture {
-  QImage image;
-  capture::PlateLook look;
-  capture::FreeRoom room;  ///< for more, while sherds are being placed
-  QStringList codes;       ///< QR codes that lie in sight while sherds are being placed
-};
-
-/// One photograph of the side that is being shot.
-struct TakenShot {
-  int stop = 0, camera = 0, take = 0;
-  QString file;
-  QStringList problems;  ///< in words; none: good
-  bool refused = false;  ///< not kept: it is being taken again
-};
-
-/// A line of the facts beside the live picture.
-struct CaptureFact {
-  bool good = true;
-  QString words;
 };
 
 /// Place - Shoot - Flip - Shoot - Done, as a person goes through it; no widget. What was done
@@ -76,6 +54,8 @@ class CaptureWizard final : public QObject {
   std::vector<CaptureFact> facts() const;
   /// What went wrong; it takes the place of the button. Space tries again.
   const std::optional<Error>& fault() const { return fault_; }
+  /// Programs of the desktop that hold a camera: then Space makes them let go and tries again.
+  const QStringList& holders() const { return holders_; }
   /// What a person has to do at the rig now ("Turn the table to 90 degrees."); Space says it is
   /// done. Empty when nothing is asked.
   const QString& question() const { return question_.sentence(); }
@@ -124,6 +104,8 @@ class CaptureWizard final : public QObject {
   void lookAtFront();
   void readLabels(const QStringList& codes);
   void fail(const Error& error, const QString& safe);
+  void askWhoHolds();
+  void releaseCameras();
   JobHandle* start(Job job);
   int batchIndex() const;
 
@@ -137,7 +119,7 @@ class CaptureWizard final : public QObject {
   bool live_on_ = false, live_missing_ = false, queued_ = false;
   std::function<void()> after_live_;  ///< waits until the camera is free
   std::optional<Error> fault_;
-  QStringList doubts_;
+  QStringList doubts_, holders_;
   std::optional<PlatePicture> live_, front_picture_;
   std::optional<capture::SideSummary> summary_[2];
   std::vector<TakenShot> shots_;

@@ -46,7 +46,8 @@ QString CaptureWizard::instruction() const {
 
 QString CaptureWizard::buttonText() const {
   if (!question().isEmpty()) return tr("Done");
-  if (fault_) return tr("Try again");
+  if (fault_ && isBusy()) return tr("One moment");
+  if (fault_) return holders_.isEmpty() ? tr("Try again") : tr("Make the desktop let go");
   switch (phase_) {
     case CapturePhase::Place:
       return tr("Shoot the fronts");

@@ -7,6 +7,7 @@
 #include <QJsonObject>
 
 #include "base/files.h"
+#include "capture/desktop_hold.h"
 #include "virtualrig/virtual_camera.h"
 
 namespace ostraka::ui {
@@ -97,9 +98,14 @@ RigSource fileRigSource(const fs::path& rig_file) {
                               std::stop_token) -> Result<void> {
     const Result<capture::DevicesFile> devices = capture::readDevices(rig_file);
     if (!devices) return devices.error();
-    const fs::path plate = rig_file.parent_path() / devices->plate;
-    if (const Result<void> done = copyWhole(plate, folder / "plate.json"); !done) return done;
+    if (const Result<void> done = copyWhole(devices->plate, folder / "plate.json"); !done)
+      return done;
     return copyWhole(rig_file, folder / "rig.json");
+  };
+  source.holders = [] { return capture::desktopHolders(capture::findDevices({})); };
+  source.release = [](std::stop_token stop) {
+    return capture::releaseFromDesktop(capture::findDevices({}), capture::programRunner(stop),
+                                       [] { return capture::findDevices({}); });
   };
   return source;
 }

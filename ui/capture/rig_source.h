@@ -42,6 +42,10 @@ struct RigSource {
                                              const capture::OnCaptureEvent&, Progress&,
                                              std::stop_token)>
       shoot = capture::shootSide;
+  /// Programs of the desktop that hold a camera, and how they are made to let go (wish W4); absent
+  /// where there is no such camera.
+  std::function<std::vector<std::string>()> holders{};
+  std::function<Result<void>(std::stop_token)> release{};
   bool anew_for_each_batch = false;
   int stops = 8;
   QString words;  ///< for the line at the head: "ready (2 days old)"

@@ -39,14 +39,14 @@ class Desktop {
 
 TEST(ReleaseFromDesktop, LeavesCamerasAloneThatNobodyHolds) {
   Desktop desktop(0);
-  EXPECT_FALSE(heldByDesktop(desktop.devices()));
+  EXPECT_THAT(desktopHolders(desktop.devices()), IsEmpty());
   EXPECT_TRUE(desktop.release().has_value());
   EXPECT_THAT(desktop.ran, IsEmpty());
 }
 
 TEST(ReleaseFromDesktop, StopsTheServiceOnlyWhenAskingWasNotEnough) {
   Desktop polite(1), stubborn(2);
-  EXPECT_TRUE(heldByDesktop(polite.devices()));
+  EXPECT_THAT(desktopHolders(polite.devices()), ElementsAre("gvfsd-gphoto2 (77)"));
   EXPECT_TRUE(polite.release().has_value());
   EXPECT_THAT(polite.ran, ElementsAre("gio gphoto2"));
   EXPECT_TRUE(stubborn.release().has_value());

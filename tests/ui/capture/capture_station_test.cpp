@@ -97,6 +97,22 @@ class CaptureStationTest : public QObject {
     QVERIFY(child<BigButton>("captureButton")->isVisible());
   }
 
+  void aCameraThatTheDesktopHoldsIsReleasedByTheOneButton() {
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B is held by another program.", "7"};
+    rig_->holders = {"gvfsd-gphoto2 (77)"};
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    auto* fault = child<MessagePanel>("captureFault");
+    QTRY_VERIFY(fault->words().contains("by its program gvfsd-gphoto2 (77)"));
+    auto* button = fault->findChild<BigButton*>(QStringLiteral("messageAct"));
+    QCOMPARE(button->text(), QStringLiteral("Make the desktop let go"));
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QCOMPARE(rig_->released, 1);
+    QVERIFY(!fault->isVisible());
+  }
+
   void aDoubtIsShownAndRTakesItAgain() {
     rig_->flagged = {{0, 1}};
     wizard_->setRig(sourceOf(*rig_));

@@ -126,6 +126,52 @@ class CaptureWizardTest : public QObject {
     QCOMPARE(bench.rig.opened, 1);  // a real rig stays open
   }
 
+  void aCameraHeldByTheDesktopIsReleasedAndTriedAgain() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.refuse_open = Error{ErrorCode::Missing, "It is held.", "camera B"};
+    bench.rig.holders = {"gvfsd-gphoto2 (77)"};
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.holders(), QStringList{QStringLiteral("gvfsd-gphoto2 (77)")});
+    QVERIFY(bench.wizard.fault().has_value());
+    QCOMPARE(bench.wizard.buttonText(), QStringLiteral("Make the desktop let go"));
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.rig.released, 1);
+    QCOMPARE(bench.rig.opened, 2);
+    QVERIFY(bench.wizard.holders().isEmpty());
+  }
+
+  void aDesktopThatDoesNotLetGoIsSaidAndAskedAgain() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.refuse_open = Error{ErrorCode::Missing, "It is held.", "camera B"};
+    bench.rig.holders = {"gvfsd-gphoto2 (77)"};
+    bench.rig.stubborn = true;
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_VERIFY(!bench.wizard.holders().isEmpty());
+    bench.wizard.next();
+    QTRY_VERIFY(bench.wizard.fault() && bench.wizard.fault()->where == "D3200");
+    QCOMPARE(bench.wizard.buttonText(), QStringLiteral("Try again"));
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.buttonText(), QStringLiteral("Make the desktop let go"));
+    QCOMPARE(bench.rig.opened, 2);
+  }
+
+  void aFaultThatIsNoLostDeviceAsksNobodyToLetGo() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.holders = {"gvfsd-gphoto2 (77)"};  // of a telephone, say
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.rig.refuse_shoot = Error{ErrorCode::CannotWrite, "The disk is full.", "batch"};
+    bench.wizard.next();
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.rig.released, 0);
+  }
+
   void aRigThatDoesNotAnswerIsTriedAgain() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

@@ -19,6 +19,9 @@ struct FakeRig {
   std::vector<capture::ShotName> flagged;  ///< of the next side
   bool ask = false;                        ///< opening asks a person to do something
   bool wait_for_stop = false;              ///< the next side runs until it is stopped
+  int released = 0;                        ///< how often the desktop was asked to let go
+  std::vector<std::string> holders;        ///< of a camera, until they are asked to let go
+  bool stubborn = false;                   ///< they do not
   std::string preview;                     ///< what the cameras see; empty: no live picture
 };
 
@@ -108,6 +111,14 @@ inline RigSource sourceOf(FakeRig& rig) {
     summary.check.counted = true;
     summary.check.sherds = options.side == batch::Side::Front ? rig.front : rig.back;
     return summary;
+  };
+  source.holders = [&rig] { return rig.holders; };
+  source.release = [&rig](std::stop_token) -> Result<void> {
+    ++rig.released;
+    if (rig.stubborn) return Error{ErrorCode::Failed, "It does not let go.", "D3200"};
+    rig.holders.clear();
+    rig.refuse_open.reset();
+    return {};
   };
   return source;
 }

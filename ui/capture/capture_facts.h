@@ -1,0 +1,32 @@
+#pragma once
+#include <QImage>
+#include <QStringList>
+
+#include "capture/free_room.h"
+#include "capture/shot_checks.h"
+
+namespace ostraka::ui {
+
+/// A picture of the plate and what is seen on it.
+struct PlatePicture {
+  QImage image;
+  capture::PlateLook look;
+  capture::FreeRoom room;  ///< for more, while sherds are being placed
+  QStringList codes;       ///< QR codes that lie in sight while sherds are being placed
+};
+
+/// One photograph of the side that is being shot.
+struct TakenShot {
+  int stop = 0, camera = 0, take = 0;
+  QString file;
+  QStringList problems;  ///< in words; none: good
+  bool refused = false;  ///< not kept: it is being taken again
+};
+
+/// A line of the facts beside the live picture.
+struct CaptureFact {
+  bool good = true;
+  QString words;
+};
+
+}  // namespace ostraka::ui

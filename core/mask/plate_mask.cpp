@@ -31,7 +31,7 @@ struct ViewState {
 };
 
 constexpr float kDarkened = 0.25F;  // log brightness: a fifth of the light is missing
-constexpr int kAround = 15;         // reduced pixels beside a sherd where its own shadow falls
+constexpr double kAround = 6;       // mm beside a sherd: its own shadow is darkest there
 constexpr double kStrange = 0.03;   // share of the bare plate: more than what poses and grain do
 
 Result<void> checkInput(std::span<const rig::PosedImage> images,
@@ -265,10 +265,12 @@ class PlateMasker {
   }
 
   // The share of the plate away from sherds that is darker than the camera's other stops explain.
-  double darkenedShare(const ViewState& view) const {
+  double darkenedShare(std::size_t index) const {
+    const ViewState& view = views_[index];
+    const int reach = cvCeil(kAround / (hull_.reduction * millimetresPerPixel(images_[index])));
     cv::Mat1b near;
     cv::dilate(view.group, near,
-               cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kAround + 1, 2 * kAround + 1}));
+               cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * reach + 1, 2 * reach + 1}));
     int bare = 0, darkened = 0;
     for (int y = 0; y < near.rows; ++y)
       for (int x = 0; x < near.cols; ++x) {
@@ -286,7 +288,7 @@ class PlateMasker {
     for (const auto& [camera, members] : by_camera) {
       if (members.size() < 3) continue;
       std::vector<double> shares;
-      for (const std::size_t i : members) shares.push_back(darkenedShare(views_[i]));
+      for (const std::size_t i : members) shares.push_back(darkenedShare(i));
       std::vector<double> sorted = shares;
       std::sort(sorted.begin(), sorted.end());
       for (std::size_t k = 0; k < members.size(); ++k)

@@ -63,6 +63,10 @@ class LoggedProgress final : public Progress {
   std::ofstream log_;
 };
 
+std::string nameOf(const fs::path& file, const batch::Batch& batch) {
+  return file.lexically_proximate(batch.folder).generic_string();
+}
+
 // Names (relative to the batch) and SHA-256 of all that is read from it.
 ordered_json hashesOf(const batch::Batch& batch, int threads) {
   std::vector<fs::path> files;
@@ -81,12 +85,13 @@ ordered_json hashesOf(const batch::Batch& batch, int threads) {
   });
   ordered_json named = ordered_json::object();
   for (std::size_t i = 0; i < files.size(); ++i)
-    named[files[i].lexically_proximate(batch.folder).generic_string()] = hashes[i];
+    named[nameOf(files[i], batch)] = hashes[i];
   return named;
 }
 
-// An OUT belongs to one batch. A photograph shot again is the same batch; half of them is not.
-Result<void> mayUseOutput(const fs::path& output, const fs::path& file,
+// An OUT belongs to one batch. It is the same one while a third of its photographs are the same:
+// one side may have been shot again. Plate and calibration are those of many batches.
+Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const batch::Batch& batch,
                           const ordered_json& hashes) {
   std::error_code failed;
   if (!fs::exists(file, failed)) {
@@ -100,10 +105,11 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file,
   } else if (const Result<std::string> text = readFile(file)) {
     const ordered_json earlier = ordered_json::parse(*text, nullptr, false);
     std::size_t same = 0;
-    if (earlier.is_object())
-      for (const auto& [name, hash] : hashes.items())
-        if (earlier.contains(name) && earlier[name] == hash) ++same;
-    if (2 * same < hashes.size())
+    for (const batch::Shot& shot : batch.shots) {
+      const std::string name = nameOf(shot.file, batch);
+      if (earlier.is_object() && earlier.contains(name) && earlier[name] == hashes[name]) ++same;
+    }
+    if (3 * same < batch.shots.size())
       return Error{ErrorCode::UnusableInput,
                    "The output folder holds another batch; choose another folder.",
                    output.string()};
@@ -112,9 +118,10 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file,
 }
 
 // Nothing is written before the folder is held: another run may be at work in it.
-Result<FolderLock> claimOutput(const fs::path& output, const ordered_json& hashes) {
+Result<FolderLock> claimOutput(const fs::path& output, const batch::Batch& batch,
+                               const ordered_json& hashes) {
   const fs::path file = output / "work" / "batch.json";
-  if (const Result<void> may = mayUseOutput(output, file, hashes); !may) return may.error();
+  if (const Result<void> may = mayUseOutput(output, file, batch, hashes); !may) return may.error();
   Result<FolderLock> held = FolderLock::take(output / "work");
   if (!held) return held;
   if (const Result<void> written = writeJson(file, hashes); !written) return written.error();
@@ -351,6 +358,19 @@ Result<void> ProcessOptions::check() const {
   if (batch.empty()) return Error{ErrorCode::UnusableInput, "No batch folder was given.", {}};
   if (output.empty())
     return Error{ErrorCode::UnusableInput, "No output folder was given (--output OUT).", {}};
+  std::error_code failed;
+  const fs::path folder = fs::weakly_canonical(batch, failed);
+  const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
+  if (!beyond.empty() && *beyond.begin() != "..")
+    return Error{ErrorCode::UnusableInput,
+                 "The output folder lies in the batch folder, where nothing is ever written; "
+                 "choose one beside it.",
+                 output.string()};
+  if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))
+    return Error{ErrorCode::UnusableInput,
+                 "There is no such segmentation network; masks are 'auto', 'given' or an ONNX "
+                 "file.",
+                 masks};
   return {};
 }
 
@@ -377,7 +397,7 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (!decisions) return decisions.error();
   const Decisions holding = standing(*decisions);
   const ordered_json hashes = hashesOf(*batch, options.threads);
-  const Result<FolderLock> held = claimOutput(options.output, hashes);
+  const Result<FolderLock> held = claimOutput(options.output, *batch, hashes);
   if (!held) return held.error();
   withdrawResults(options.output);
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);

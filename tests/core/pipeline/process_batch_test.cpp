@@ -239,6 +239,56 @@ TEST_F(ProcessBatch, RefusesTheOutputOfAnotherBatch) {
   EXPECT_NE(refused.error().what.find("another batch"), std::string::npos);
 }
 
+TEST_F(ProcessBatch, TheSamePlateAndCalibrationDoNotMakeItTheSameBatch) {
+  // Four stops instead of eight: most of what is read is calibration.
+  const fs::path batch = folder_ / "few_stops";
+  fs::copy(folder_ / "batch", batch, fs::copy_options::recursive);
+  nlohmann::ordered_json earlier;
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(batch))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  for (const fs::path& file : files) {
+    const std::string side = file.parent_path().filename(), stem = file.stem();
+    const bool shot = side == "front" || side == "back";
+    if (shot && stem.substr(stem.size() - 2) > "03")
+      fs::remove(file);
+    else
+      earlier[fs::relative(file, batch).generic_string()] = shot ? "0" : sha256(*readFile(file));
+  }
+  ASSERT_TRUE(writeJson(folder_ / "same_rig" / "work" / "batch.json", earlier).has_value());
+  ProcessOptions options;
+  options.batch = batch;
+  options.output = folder_ / "same_rig";
+  QuietProgress quiet;
+  const Result<ProcessSummary> refused = processBatch(options, quiet, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().what.find("another batch"), std::string::npos);
+}
+
+TEST_F(ProcessBatch, WritesNothingIntoTheBatchItself) {
+  QuietProgress quiet;
+  for (const fs::path& within : {folder_ / "batch", folder_ / "batch" / "front" / "out"}) {
+    const Result<ProcessSummary> refused = process(within, 1, quiet);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_NE(refused.error().what.find("nothing is ever written"), std::string::npos);
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "batch" / "front" / "out"));
+}
+
+TEST_F(ProcessBatch, NamesANetworkThatIsNotThereBeforeItBegins) {
+  ProcessOptions options;
+  options.batch = folder_ / "batch";
+  options.output = folder_ / "no_network";
+  options.masks = "absent.onnx";
+  QuietProgress quiet;
+  const Result<ProcessSummary> refused = processBatch(options, quiet, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_NE(refused.error().sentence().find("absent.onnx"), std::string::npos);
+  EXPECT_FALSE(fs::exists(options.output));
+}
+
 TEST_F(ProcessBatch, NamesAMissingSide) {
   const fs::path half = folder_ / "half";
   fs::copy(folder_ / "batch", half, fs::copy_options::recursive);

@@ -106,6 +106,9 @@ int runImport(const Options& options, Session& session) {
                                                             : exchange::UnknownPlaces::Refuse};
   const auto report = exchange::importTable(project->catalogue(), *bytes, options.other.string(),
                                             how, kAct, session.progress, session.stop);
+  if (report && report->not_reached > 0)
+    std::fprintf(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
+                 report->not_reached);
   return report ? reported(session, *report, options) : fail(session, report.error());
 }
 

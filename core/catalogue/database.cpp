@@ -2,7 +2,9 @@
 
 #include <sqlite3.h>
 
+#include <chrono>
 #include <list>
+#include <thread>
 
 #include "catalogue/values.h"
 
@@ -106,6 +108,16 @@ void Statement::bind(int index, std::nullptr_t) {
   check(sqlite3_bind_null(handle_, index));
 }
 
+// SQLite wakes nobody who waits for the right to write, and its own pauses grow to 100 ms: longer
+// than a person should wait for a decision to be saved, and than many short writers leave room.
+static int lookAgain(void*, int times) {
+  constexpr auto kPause = std::chrono::milliseconds(2);
+  constexpr int kTimes = 5000;
+  if (times >= kTimes) return 0;
+  std::this_thread::sleep_for(kPause);
+  return 1;
+}
+
 Database::Database(sqlite3* handle, fs::path file) : handle_(handle), file_(std::move(file)) {}
 
 Database::~Database() {
@@ -127,7 +139,7 @@ Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode
                  file.string()};
   }
   std::unique_ptr<Database> database(new Database(handle, file));
-  sqlite3_busy_timeout(handle, 10'000);
+  sqlite3_busy_handler(handle, lookAgain, nullptr);
   const Result<void> prepared = database->door([&] {
     database->exec("PRAGMA foreign_keys = ON");
     database->exec("PRAGMA recursive_triggers = ON");

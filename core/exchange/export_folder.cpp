@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace catalogue;
 
+constexpr double kScales[] = {1, 1 / 2.0, 1 / 3.0, 1 / 4.0, 1 / 5.0};  // those in use
 constexpr int kDrawingAsCopies = 20;             // for the progress: a drawing takes its time
 constexpr std::int64_t kDrawingBytes = 300'000;  // SVG and PDF of a sherd of 60 mm together
 
@@ -218,20 +219,18 @@ class Exporting {
 
   Result<void> draw(const Plan& plan, const std::string& title) {
     DrawSherdsOptions how;
-    how.drawing.scale = options_.drawing_scale;
     drawing::SheetOptions sheet;
     sheet.title = title;
     for (const SherdRecord* sherd : plan.drawn()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_, total_);
       done_ += kDrawingAsCopies;
-      Result<drawing::SherdDrawing> drawn = drawSherd(*sherd, plan.project(), how);
+      const Result<std::vector<Page>> drawn = drawnPages(*sherd, plan.project(), how, sheet);
       if (!drawn) {
         exported_.warnings.push_back("Not drawn: " + drawn.error().sentence());
         continue;
       }
-      const std::vector<Page> pages =
-          drawing::layOut({std::move(*drawn)}, options_.drawing_scale, sheet);
+      const std::vector<Page>& pages = *drawn;
       const std::string to = "drawings/" + slugOf(*sherd);
       for (const auto& [path, bytes] :
            {std::pair(to + ".svg", formatSvg(pages.front(), sherd->number)),
@@ -242,6 +241,23 @@ class Exporting {
       }
     }
     return {};
+  }
+
+  Result<std::vector<Page>> drawnPages(const SherdRecord& sherd, const fs::path& project,
+                                       DrawSherdsOptions how, const drawing::SheetOptions& sheet) {
+    const std::vector<double> scales =
+        options_.drawing_scale ? std::vector{*options_.drawing_scale}
+                               : std::vector<double>(std::begin(kScales), std::end(kScales));
+    for (const double scale : scales) {
+      how.drawing.scale = scale;
+      Result<drawing::SherdDrawing> drawn = drawSherd(sherd, project, how);
+      if (!drawn) return drawn.error();
+      std::vector<Page> pages = drawing::layOut({std::move(*drawn)}, scale, sheet);
+      const Eigen::Vector2d wanted = paperSize(sheet.paper);
+      const bool fits = pages.front().width_mm * pages.front().height_mm <= wanted.prod() + 1;
+      if (fits || scale == scales.back()) return pages;
+    }
+    return Error{ErrorCode::Failed, "There is no scale to draw it at.", sherd.number};
   }
 
   Result<void> records(const std::vector<SherdRecord>& sherds, std::span<const SherdRow> rows) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <stop_token>
@@ -21,7 +22,8 @@ struct ExportOptions {
   /// Drawings made for sherds beforehand; each is copied to drawings/SLUG.ending. Sherds that have
   /// none here are drawn when drawings are wanted: SVG and PDF, a sheet each.
   std::map<catalogue::SherdRow, std::vector<std::filesystem::path>> drawings;
-  double drawing_scale = 1;         ///< mm on paper per mm
+  /// mm on paper per mm; nothing: for each sherd the largest of 1:1 to 1:5 that fits its sheet.
+  std::optional<double> drawing_scale = 1;
   std::string program = "ostraka";  ///< with its version
 };
 

@@ -1,7 +1,10 @@
 #include "exchange/import_table.h"
 
 #include <algorithm>
+#include <chrono>
 #include <set>
+#include <sstream>
+#include <thread>
 
 #include "catalogue/names.h"
 #include "exchange/csv.h"
@@ -18,6 +21,9 @@ using catalogue::SherdRecord;
 using catalogue::SherdRow;
 
 constexpr const char* kClear = "<clear>";
+constexpr const char* kUnfinished = "import.unfinished";
+constexpr auto kTogether = std::chrono::milliseconds(20);  // rows of one transaction
+constexpr auto kForOthers = std::chrono::milliseconds(5);  // who waits looks every 2 ms
 // Columns that an export writes beside the fields; they say nothing about the sherd itself.
 const std::set<std::string> kBeside = {"model_file", "image_file", "drawing_file", "licence"};
 
@@ -201,6 +207,14 @@ Result<void> checkColumns(const CsvTable& table, const std::string& where) {
   return {};
 }
 
+// That an import is on its way, or that it came to its end.
+Result<void> remember(Catalogue& catalogue, const std::string& source, std::size_t entered,
+                      std::size_t of) {
+  return catalogue.setSetting(kUnfinished, entered == of ? std::string()
+                                                         : std::to_string(entered) + " " +
+                                                               std::to_string(of) + " " + source);
+}
+
 bool has(const CsvTable& table, const std::string& column) {
   return std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end();
 }
@@ -223,18 +237,44 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
                                   const ImportOptions& options, const Act& act, Progress& progress,
                                   std::stop_token stop) {
   ImportReport report;
-  const Result<void> done = previewOrEnter(catalogue, options.mode, [&]() -> Result<void> {
-    Importing importing(catalogue, options, act, report);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (stop.stop_requested()) return Error::cancelled();
-      if (i % 64 == 0)
-        progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(rows.size()));
-      if (Result<void> entered = importing.row(rows[i]); !entered) return entered;
+  Importing importing(catalogue, options, act, report);
+  const bool preview = options.mode == ImportMode::Preview;
+  std::size_t next = 0;
+  // Rows until others have waited long enough; of a preview all.
+  const auto portion = [&]() -> Result<void> {
+    const auto begin = std::chrono::steady_clock::now();
+    while (next < rows.size()) {
+      if (stop.stop_requested()) return preview ? Error::cancelled() : Result<void>();
+      if (next % 64 == 0)
+        progress.report(static_cast<std::int64_t>(next), static_cast<std::int64_t>(rows.size()));
+      if (Result<void> entered = importing.row(rows[next]); !entered) return entered;
+      ++next;
+      if (!preview && std::chrono::steady_clock::now() - begin > kTogether) break;
     }
-    return {};
-  });
-  if (!done) return done.error();
+    return preview ? Result<void>() : remember(catalogue, options.source, next, rows.size());
+  };
+  if (preview) {
+    if (const Result<void> done = previewOrEnter(catalogue, options.mode, portion); !done)
+      return done.error();
+    return report;
+  }
+  while (next < rows.size() && !stop.stop_requested()) {
+    if (const Result<void> done = catalogue.together(portion); !done) return done.error();
+    if (next < rows.size()) std::this_thread::sleep_for(kForOthers);
+  }
+  if (next == 0 && !rows.empty()) return Error::cancelled();
+  report.not_reached = static_cast<int>(rows.size() - next);
   return report;
+}
+
+std::optional<UnfinishedImport> unfinishedImport(const Catalogue& catalogue) {
+  const Result<std::string> kept = catalogue.setting(kUnfinished);
+  if (!kept || kept->empty()) return std::nullopt;
+  UnfinishedImport import;
+  std::istringstream text(*kept);
+  text >> import.entered >> import.of;
+  std::getline(text >> std::ws, import.source);
+  return import;
 }
 
 Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
@@ -267,7 +307,9 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
         row.values[table->columns[i]] = catalogue::trimmed(unguarded(read.values[i]));
     rows.push_back(std::move(row));
   }
-  Result<ImportReport> report = importSherds(catalogue, rows, options, act, progress, stop);
+  ImportOptions named = options;
+  if (named.source.empty()) named.source = where;
+  Result<ImportReport> report = importSherds(catalogue, rows, named, act, progress, stop);
   if (!report) return report;
   report->refused += static_cast<int>(broken.size());
   for (const Refusal& refusal : broken) report->rows.emplace_back(refusal.line, RowFate::Refused);

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@ enum class UnknownPlaces { Refuse, Make };
 struct ImportOptions {
   ImportMode mode = ImportMode::Preview;
   UnknownPlaces unknown_places = UnknownPlaces::Refuse;
+  std::string source = {};  ///< name of the table, for unfinishedImport()
 };
 
 /// One sherd to be entered: values by the names of sherdFields(); others go to the user's own
@@ -35,6 +37,7 @@ struct Refusal {
 enum class RowFate { Fresh, Same, Changed, Refused };
 struct ImportReport {
   int fresh = 0, same = 0, changed = 0, refused = 0;
+  int not_reached = 0;  ///< rows of which nothing is entered, since the import was stopped
   std::vector<Refusal> refusals;
   std::vector<std::string> warnings;
   std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
@@ -42,7 +45,10 @@ struct ImportReport {
   std::vector<catalogue::FieldChange> changes, undo;
 };
 
-/// One transaction; refused rows stay out, the others enter. Doing it twice changes nothing.
+/// Refused rows stay out, the others enter, each of them whole, some at a time so that others can
+/// write between; within Catalogue::together all at once. When it is stopped or fails, the rows
+/// entered so far stay and unfinishedImport() tells of it: the same import goes on, for doing it
+/// twice changes nothing. Errors: Cancelled of a preview, what keeps the catalogue from writing.
 Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
                                   const std::vector<ImportRow>& rows, const ImportOptions& options,
                                   const catalogue::Act& act, Progress& progress,
@@ -54,6 +60,14 @@ Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_vi
                                  const std::string& where, const ImportOptions& options,
                                  const catalogue::Act& act, Progress& progress,
                                  std::stop_token stop);
+
+/// An import that was stopped, or whose program or computer was.
+struct UnfinishedImport {
+  std::string source;  ///< as ImportOptions said
+  int entered = 0, of = 0;
+};
+/// The last one; nothing when it came to its end.
+std::optional<UnfinishedImport> unfinishedImport(const catalogue::Catalogue& catalogue);
 
 /// line, column, value, reason: to be mended in a spreadsheet.
 std::string refusalsCsv(const ImportReport& report);

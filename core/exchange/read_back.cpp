@@ -26,6 +26,29 @@ std::string mediaTypeOf(const std::string& path) {
   return "application/octet-stream";
 }
 
+// What a record says otherwise than the project does, as fields of the user's own beside those of
+// the project: two laptops wrote about one sherd, and a person decides.
+std::vector<FieldChange> otherVersion(const SherdRecord& sherd, const ImportRow& row,
+                                      const std::string& from) {
+  std::vector<FieldChange> kept;
+  const auto keep = [&](const std::string& name, const std::string& value) {
+    kept.push_back({sherd.row, "extra." + name + "_in_" + from, value.empty() ? "-" : value});
+  };
+  for (const SherdField& field : sherdFields()) {
+    const std::string name = field.name;
+    if (!field.editable || field.kind == FieldKind::Number) continue;
+    const auto found = row.values.find(name);
+    const std::string value = found == row.values.end() ? std::string() : found->second;
+    if (value != textOf(sherd, name)) keep(name, value);
+  }
+  for (const auto& [m, initials] : row.measured) {
+    const auto value = sherd.measures.find(m.kind);
+    if (value == sherd.measures.end() || value->second != m.value)
+      keep(m.kind, numberText(m.value));
+  }
+  return kept;
+}
+
 bool sameAs(const SherdRecord& sherd, const ImportRow& row, const Catalogue& catalogue) {
   for (const SherdField& field : sherdFields()) {
     const std::string name = field.name;
@@ -103,15 +126,22 @@ class ReadingBack {
         continue;
       }
       ++kept.refused;
-      const std::string number = sherd->number;
-      kept.refusals.push_back({record.row.line, "number", number,
-                               "The project has this sherd with other values; they stay."});
+      const std::string from = slug(folder_.filename().string());
+      const auto undo = catalogue.change(otherVersion(*sherd, record.row, from), act_);
+      if (!undo) return undo.error();
+      kept.undo.insert(kept.undo.begin(), undo->begin(), undo->end());
+      kept.refusals.push_back({record.row.line, "number", sherd->number,
+                               "The project has this sherd with other values; they stay, and what "
+                               "differs is kept beside them in fields that end in _in_" +
+                                   from + "."});
     }
     Result<ImportReport> report = importSherds(catalogue, fresh, options, act_, progress, stop);
     if (!report) return report;
+    if (report->not_reached > 0) return Error::cancelled();
     for (const ReadSherdJson& record : records_)
       if (Result<void> done = afterwards(record); !done) return done.error();
     report->same += kept.same;
+    report->undo.insert(report->undo.begin(), kept.undo.begin(), kept.undo.end());
     report->refused += kept.refused;
     report->refusals.insert(report->refusals.end(), kept.refusals.begin(), kept.refusals.end());
     return report;

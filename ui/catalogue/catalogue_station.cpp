@@ -16,6 +16,7 @@
 #include <QToolButton>
 
 #include "catalogue/project.h"
+#include "exchange/import_table.h"
 #include "ui/catalogue/bulk_edit.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/field_words.h"
@@ -96,7 +97,7 @@ void CatalogueStation::buildLayout() {
   auto* to_import = new QPushButton(icon("import"), tr("Import …"), this);
   to_import->setObjectName("import");
   to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
-                         .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
+                            .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
   to_import->setMinimumHeight(targetSize(*this));
   connect(to_import, &QPushButton::clicked, this, &CatalogueStation::openImport);
   chips_ = new QHBoxLayout;
@@ -259,6 +260,12 @@ void CatalogueStation::openProject(ProjectSession& session) {
   details_->setVocabularies(session.project().catalogue());
   model_->setCatalogue(&session.project().catalogue(), session.folder(), &session.jobs());
   setEnabled(true);
+  if (const auto left = exchange::unfinishedImport(session.project().catalogue()))
+    complain(tr("The import of %1 broke off after %2 of %3 rows; these are whole. Import it again "
+                "for the rest.")
+                 .arg(QString::fromStdString(left->source))
+                 .arg(left->entered)
+                 .arg(left->of));
 }
 
 void CatalogueStation::closeProject() {

@@ -121,7 +121,7 @@ void ImportModel::look() {
   fraction_ = 0;
   if (!session_ || source_.isEmpty()) return;
   state_ = State::Looking;
-  Task task{source_.toStdString(), {}, session_->act()};
+  Task task{source_.toStdString(), exchange::ImportOptions(), session_->act()};
   task.options.unknown_places =
       make_places_ ? exchange::UnknownPlaces::Make : exchange::UnknownPlaces::Refuse;
   task.act.source = "import";
@@ -208,7 +208,7 @@ void ImportModel::enter() {
   if (!canEnter()) return;
   state_ = State::Entering;
   fraction_ = 0;
-  Task task{source_.toStdString(), {}, session_->act()};
+  Task task{source_.toStdString(), exchange::ImportOptions(), session_->act()};
   task.options.mode = exchange::ImportMode::Enter;
   task.options.unknown_places =
       make_places_ ? exchange::UnknownPlaces::Make : exchange::UnknownPlaces::Refuse;
@@ -236,7 +236,10 @@ void ImportModel::enter() {
       return emit changed();
     }
     state_ = State::Done;
-    problem_.clear();
+    problem_ = report->not_reached == 0
+                   ? QString()
+                   : tr("Stopped: %n row(s) are not entered. Import the table again for the rest.",
+                        nullptr, report->not_reached);
     report_ = *report;
     emit changed();
     emit entered(source_, *report);

@@ -21,7 +21,7 @@ namespace {
 constexpr int kHeight = 240;
 constexpr int kPicture = 480;
 // A processor that draws alone turns so many triangles in 0.1 s; models have several times as many.
-constexpr std::size_t kTriangles = 80'000;
+constexpr std::size_t kTriangles = 80000;
 constexpr double kDeviation_mm = 0.03;  // less than a pixel of the view
 
 using MeshPtr = std::shared_ptr<const TriangleMesh>;

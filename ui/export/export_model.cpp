@@ -73,6 +73,12 @@ void ExportModel::setForm(exchange::Form form, bool wanted) {
   measureSize();
 }
 
+void ExportModel::setDrawingScale(std::optional<double> scale) {
+  drawing_scale_ = scale;
+  if (state_ != State::Running) state_ = State::Choosing;
+  emit changed();
+}
+
 void ExportModel::setTarget(const QString& folder) {
   target_ = folder.trimmed();
   if (state_ != State::Running) state_ = State::Choosing;
@@ -83,6 +89,7 @@ exchange::ExportOptions ExportModel::options() const {
   exchange::ExportOptions options;
   options.target = target_.toStdString();
   options.forms = forms_;
+  options.drawing_scale = drawing_scale_;
   options.program = ("ostraka " + QCoreApplication::applicationVersion()).trimmed().toStdString();
   return options;
 }

@@ -32,6 +32,7 @@ class ExportModel final : public QObject {
   void setFilter(const QString& line);
   void setChosen(std::vector<catalogue::SherdRow> sherds);
   void setForm(exchange::Form form, bool wanted);
+  void setDrawingScale(std::optional<double> scale);  ///< nothing: what fits the sheet
   void setTarget(const QString& folder);
 
   State state() const { return state_; }
@@ -60,6 +61,7 @@ class ExportModel final : public QObject {
   QString filter_, target_, problem_;
   std::vector<catalogue::SherdRow> chosen_;
   std::set<exchange::Form> forms_ = exchange::ExportOptions().forms;
+  std::optional<double> drawing_scale_ = 1;
   State state_ = State::Choosing;
   std::optional<exchange::ExportSize> size_;
   std::optional<exchange::Exported> done_;

@@ -1,6 +1,7 @@
 #include "ui/export/export_station.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDesktopServices>
 #include <QFileDialog>
 #include <QGroupBox>
@@ -70,7 +71,7 @@ QWidget* ExportStation::buildForms() {
       {exchange::Form::Ply, tr("Models as PLY, in mm")},
       {exchange::Form::Glb, tr("Models as GLB, for the web and for slides")},
       {exchange::Form::Obj, tr("Models as OBJ, in mm")},
-      {exchange::Form::Drawings, tr("Drawings for print (SVG and PDF), 1 : 1")},
+      {exchange::Form::Drawings, tr("Drawings for print (SVG and PDF)")},
       {exchange::Form::Photographs, tr("The photographs, unchanged")}};
   for (const auto& [form, text] : all) {
     auto* check = new QCheckBox(text, box);
@@ -79,9 +80,32 @@ QWidget* ExportStation::buildForms() {
     connect(check, &QCheckBox::clicked, this,
             [this, kind = form](bool wanted) { model_.setForm(kind, wanted); });
     forms_.emplace_back(check, form);
-    column->addWidget(check);
+    if (form != exchange::Form::Drawings) {
+      column->addWidget(check);
+      continue;
+    }
+    auto* row = new QHBoxLayout;
+    row->addWidget(check);
+    row->addWidget(buildScale(box));
+    row->addStretch();
+    column->addLayout(row);
   }
   return box;
+}
+
+QWidget* ExportStation::buildScale(QWidget* box) {
+  auto* scale = new QComboBox(box);
+  scale->setObjectName("exportScale");
+  scale->setAccessibleName(tr("Scale of the drawings"));
+  scale->setMinimumHeight(targetSize(*this) * 3 / 4);
+  scale->addItem(tr("1 : 1"), 1.0);
+  scale->addItem(tr("1 : 2"), 0.5);
+  scale->addItem(tr("as fits A4"), QVariant());
+  connect(scale, &QComboBox::activated, &model_, [this, scale](int at) {
+    const QVariant chosen = scale->itemData(at);
+    model_.setDrawingScale(chosen.isValid() ? std::optional(chosen.toDouble()) : std::nullopt);
+  });
+  return scale;
 }
 
 QWidget* ExportStation::buildWhere() {

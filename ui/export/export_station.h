@@ -34,6 +34,7 @@ class ExportStation final : public Station {
   QWidget* buildWhat();
   QWidget* buildForms();
   QWidget* buildWhere();
+  QWidget* buildScale(QWidget* box);
   void refresh();
   void browse();
 

@@ -93,5 +93,24 @@ TEST_F(DrawnSherds, TravelInTheExportWithTheirChecksums) {
               HasSubstr("\"role\": \"drawing\""));
 }
 
+TEST_F(DrawnSherds, AreExportedAtTheScaleWantedOrAtTheOneThatFits) {
+  TriangleMesh large = closedShell();
+  for (Eigen::Vector3f& p : large.vertices) p *= 4;  // 224 by 176 mm: no A4 holds both views at 1:1
+  model(1, large);
+  const auto pageOf = [&](std::optional<double> scale, const std::string& name) {
+    ExportOptions options;
+    options.target = folder_.path() / name;
+    options.forms = {Form::Drawings};
+    options.drawing_scale = scale;
+    const std::vector<catalogue::SherdRow> one = {rows[1]};
+    EXPECT_TRUE(exportFolder(catalogue(), project_->folder(), one, options, quiet, {}));
+    return *readFile(options.target / "data/drawings/ARM1-T3-0012-0002.svg");
+  };
+  EXPECT_THAT(pageOf(0.5, "half"), HasSubstr("1 : 2"));
+  const std::string fits = pageOf(std::nullopt, "fits");
+  EXPECT_THAT(fits, testing::AnyOf(HasSubstr("1 : 2"), HasSubstr("1 : 3"), HasSubstr("1 : 4")));
+  EXPECT_THAT(fits, testing::AnyOf(HasSubstr("width=\"297mm\""), HasSubstr("width=\"210mm\"")));
+}
+
 }  // namespace
 }  // namespace ostraka::exchange

@@ -2,6 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <utility>
+
 #include "exchange/csv.h"
 #include "exchange/export_folder.h"
 #include "small_project.h"
@@ -182,6 +187,69 @@ TEST_F(Import, CanBeStoppedAndThenEntersNothing) {
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
   EXPECT_FALSE(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+}
+
+std::string manyRows(int count) {
+  std::string text = "number,site,trench,context,ware\r\n";
+  for (int i = 1; i <= count; ++i)
+    text += "ARM1-T3-0012-" + std::to_string(10'000 + i) + ",ARM1,T3,0012,grey\r\n";
+  return text;
+}
+
+// Calls for something as soon as so many rows were read.
+class At final : public Progress {
+ public:
+  At(std::int64_t row, std::function<void()> act) : row_(row), act_(std::move(act)) {}
+  void report(std::int64_t done, std::int64_t) override {
+    if (done >= row_ && act_) std::exchange(act_, nullptr)();
+  }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  std::int64_t row_;
+  std::function<void()> act_;
+};
+
+TEST_F(Import, ThatIsStoppedKeepsWholeRowsSaysSoAndGoesOn) {
+  std::stop_source stop;
+  At progress(64, [&] { stop.request_stop(); });
+  const Result<ImportReport> part =
+      importTable(catalogue(), manyRows(200), "bags.csv",
+                  {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress, stop.get_token());
+  ASSERT_TRUE(part) << part.error().sentence();
+  EXPECT_GE(part->fresh, 64);
+  EXPECT_EQ(part->not_reached, 200 - part->fresh);
+  EXPECT_EQ(catalogue().sherdRows({}, {})->size(), static_cast<std::size_t>(part->fresh));
+  const auto left = unfinishedImport(catalogue());
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->source, "bags.csv");
+  EXPECT_EQ(left->entered, part->fresh);
+  EXPECT_EQ(left->of, 200);
+
+  const ImportReport rest = import(manyRows(200));
+  EXPECT_EQ(rest.same, part->fresh);
+  EXPECT_EQ(rest.fresh, part->not_reached);
+  EXPECT_FALSE(unfinishedImport(catalogue()));
+  EXPECT_TRUE(catalogue().checkIntegrity());
+}
+
+TEST_F(Import, LetsOthersWriteMeanwhile) {
+  std::atomic<bool> over = false, began = false, meanwhile = false;
+  std::thread other([&] {
+    while (!began) std::this_thread::yield();
+    Result<Catalogue> second = Project::connect(project_->folder());
+    const bool written = second && second->setSetting("a.window", "decides");
+    meanwhile = written && !over;
+  });
+  At progress(64, [&] { began = true; });
+  const auto report = importTable(catalogue(), manyRows(2000), "t.csv",
+                                  {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress, {});
+  over = true;
+  began = true;
+  other.join();
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->fresh, 2000);
+  EXPECT_TRUE(meanwhile);
 }
 
 }  // namespace

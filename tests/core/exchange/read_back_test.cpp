@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "catalogue/database.h"
+#include "catalogue/names.h"
 #include "catalogue/piece_decisions.h"
 #include "exported_project.h"
 
@@ -60,6 +61,33 @@ TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
   options.program = "ostraka 1.0.0";
   ASSERT_TRUE(exportFolder(other.catalogue(), other.folder(),
                            *other.catalogue().sherdRows(Filter{}, {}), options, quiet, {}));
+}
+
+TEST_F(ReadingBack, KeepsBothVersionsOfASherdThatTwoLaptopsChanged) {
+  ASSERT_TRUE(set(rows[0], "ware", "grey"));
+  ASSERT_TRUE(exportTo("laptop b", all));
+  ASSERT_TRUE(set(rows[0], "ware", "cooking"));
+  ASSERT_TRUE(set(rows[0], "note", "mine alone"));
+  const auto merge = [&] {
+    return readBack(*project_, folder_.path() / "laptop b", ImportMode::Enter, anna, quiet, {});
+  };
+  const Result<ImportReport> report = merge();
+  ASSERT_TRUE(report) << report.error().sentence();
+  EXPECT_EQ(report->same, 2);
+  ASSERT_EQ(report->refusals.size(), 1u);
+  EXPECT_THAT(report->refusals[0].reason, testing::HasSubstr("_in_laptop"));
+  const std::string from = "_in_" + slug("laptop b");
+  const SherdRecord both = *catalogue().sherd(rows[0]);
+  EXPECT_EQ(both.ware, "cooking");
+  EXPECT_EQ(both.note, "mine alone");
+  EXPECT_EQ(textOf(both, "extra.ware" + from), "grey");
+  EXPECT_FALSE(textOf(both, "extra.note" + from).empty());
+  // Once more changes nothing, and it can be taken back.
+  const std::int64_t history = catalogue().historyLength();
+  ASSERT_TRUE(merge());
+  EXPECT_EQ(catalogue().historyLength(), history);
+  ASSERT_TRUE(catalogue().change(report->undo, anna));
+  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "");
 }
 
 // One text a row, in which ids stand for rows; when something entered a catalogue is its own.

@@ -136,6 +136,13 @@ class ImportTest : public QObject {
     QCOMPARE(sample_->session().undo().count(), 0);
   }
 
+  void anImportThatBrokeOffIsToldWhenTheProjectIsOpened() {
+    QVERIFY(sample_->catalogue().setSetting("import.unfinished", "30 100 my bags.csv"));
+    station_->openProject(sample_->session());
+    const QString told = child<QLabel>("problem")->text();
+    QVERIFY2(told.contains("my bags.csv") && told.contains("30 of 100"), qPrintable(told));
+  }
+
   void contextsComeFromATableOfTheirOwn() {
     open();
     model_->setSource(

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -87,6 +88,10 @@ class ExportStationTest : public QObject {
         qPrintable("form" + QString::number(static_cast<int>(exchange::Form::Drawings))));
     QVERIFY(!drawings->isChecked());
     QTest::mouseClick(drawings, Qt::LeftButton, {}, QPoint(8, drawings->height() / 2));
+    auto* scale = child<QComboBox>("exportScale");
+    QCOMPARE(scale->currentText(), QString("1 : 1"));
+    scale->setFocus();
+    QTest::keyClick(scale, Qt::Key_Down);
     toFolder("drawn");
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("1 sherd(s), 4 files"));
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
@@ -98,6 +103,9 @@ class ExportStationTest : public QObject {
     const QString base = sample_->folder() + "/drawn/data/drawings/ARM1-T3-0013-0001.";
     QVERIFY(QFileInfo(base + "svg").size() > 10000);
     QVERIFY(QFileInfo(base + "pdf").size() > 10000);
+    QFile svg(base + "svg");
+    QVERIFY(svg.open(QIODevice::ReadOnly));
+    QVERIFY(svg.readAll().contains("1 : 2"));
   }
 
   void stoppingLeavesNothingBehind() {

@@ -308,6 +308,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>beginnt</translation>
     </message>
+    <message>
+      <source>more candidates for doubtful pairs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>weitere Kandidaten für zweifelhafte Paare</translation>
+    </message>
   </context>
   <context>
     <name>Time</name>
@@ -1268,11 +1273,6 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 und %2 berühren sich fast</translation>
-    </message>
-    <message>
       <source>Looking for what holds the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es wird gesucht, was die Kamera festhält</translation>
@@ -1387,11 +1387,6 @@
       <translation>in einen anderen Befund verlegen</translation>
     </message>
     <message>
-      <source>The sherds that are chosen have their numbers.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die gewählten Scherben haben ihre Nummern.</translation>
-    </message>
-    <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Änderungen durch das Einlesen von %1</translation>
@@ -1440,6 +1435,11 @@
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einlesen</translation>
+    </message>
+    <message>
+      <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Einlesen von %1 brach nach %2 von %3 Zeilen ab; diese sind vollständig. Für den Rest noch einmal einlesen.</translation>
     </message>
   </context>
   <context>
@@ -1855,9 +1855,29 @@
       </translation>
     </message>
     <message>
-      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zeichnungen für den Druck (SVG und PDF), 1 : 1</translation>
+      <translation>Zeichnungen für den Druck (SVG und PDF)</translation>
+    </message>
+    <message>
+      <source>Scale of the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab der Zeichnungen</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>as fits A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wie es auf A4 passt</translation>
     </message>
   </context>
   <context>
@@ -2135,6 +2155,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Angehalten; nichts wurde eingetragen.</translation>
     </message>
+    <message numerus="yes">
+      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Angehalten: %n Zeile ist nicht eingetragen. Für den Rest die Tabelle noch einmal einlesen.</numerusform>
+        <numerusform>Angehalten: %n Zeilen sind nicht eingetragen. Für den Rest die Tabelle noch einmal einlesen.</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2303,6 +2331,34 @@
       <source>Map</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plan</translation>
+    </message>
+    <message>
+      <source>Print bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beuteletiketten drucken</translation>
+    </message>
+    <message>
+      <source>Bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beuteletiketten</translation>
+    </message>
+    <message>
+      <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Etikett für jeden Beutel drucken; sein Code gibt einer Ladung ihren Befund (Strg+Umschalt+P)</translation>
+    </message>
+    <message>
+      <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es gibt noch keinen Beutel: beim Aufnehmen einen eintippen oder eine Befundtabelle einlesen.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n label(s) are sent to the printer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Etikett ist zum Drucker geschickt.</numerusform>
+        <numerusform>%n Etiketten sind zum Drucker geschickt.</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2611,14 +2667,19 @@
       <translation>Rückseite %1</translation>
     </message>
     <message>
-      <source>Draw a line over the piece where it is to be cut.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ziehen Sie eine Linie über das Stück, wo es zerschnitten werden soll.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
+    </message>
+    <message>
+      <source>Line over the %1, %2 steps from its middle, turned by %3 degrees</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Linie über %1, %2 Schritte neben der Mitte, um %3 Grad gedreht</translation>
+    </message>
+    <message>
+      <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pfeile verschieben die Linie, mit Umschalt drehen sie sie, Auf oder Ab nimmt die andere Seite, Enter schneidet. Oder mit der Maus eine Linie ziehen.</translation>
     </message>
   </context>
   <context>
@@ -2892,11 +2953,6 @@
       <translation>Zerteilen</translation>
     </message>
     <message>
-      <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Stück zerteilen, das in Wahrheit zwei Scherben ist: eine Linie über sein Bild ziehen (K)</translation>
-    </message>
-    <message>
       <source>Join</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Verbinden</translation>
@@ -2932,11 +2988,6 @@
       <translation>Paare der Ladung</translation>
     </message>
     <message>
-      <source>Join nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nichts verbinden</translation>
-    </message>
-    <message>
       <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwei Stücke einer Scherbe verbinden: danach die andere Karte wählen (J Vorderseiten, Umschalt+J Rückseiten)</translation>
@@ -2945,6 +2996,16 @@
       <source>Join backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rückseiten verbinden</translation>
+    </message>
+    <message>
+      <source>Join and cut nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nichts verbinden oder schneiden</translation>
+    </message>
+    <message>
+      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Stück zerschneiden, das in Wahrheit zwei Scherben ist, entlang einer Linie über seinem Bild (K)</translation>
     </message>
   </context>
   <context>
@@ -3218,11 +3279,6 @@
       <source>Details of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einzelheiten der Scherbe</translation>
-    </message>
-    <message>
-      <source>Picture of the sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bild der Scherbe</translation>
     </message>
     <message>
       <source>Number of the sherd</source>

@@ -308,6 +308,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αρχίζει</translation>
     </message>
+    <message>
+      <source>more candidates for doubtful pairs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>περισσότεροι υποψήφιοι για αμφίβολα ζεύγη</translation>
+    </message>
   </context>
   <context>
     <name>Time</name>
@@ -1268,11 +1273,6 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 και το %2 σχεδόν ακουμπούν</translation>
-    </message>
-    <message>
       <source>Looking for what holds the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αναζήτηση του τι κρατά την κάμερα</translation>
@@ -1387,11 +1387,6 @@
       <translation>μεταφορά σε άλλο πλαίσιο</translation>
     </message>
     <message>
-      <source>The sherds that are chosen have their numbers.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα επιλεγμένα όστρακα έχουν τους αριθμούς τους.</translation>
-    </message>
-    <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αλλαγές από την εισαγωγή του %1</translation>
@@ -1440,6 +1435,11 @@
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εισαγωγή</translation>
+    </message>
+    <message>
+      <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εισαγωγή του %1 διακόπηκε μετά από %2 από %3 γραμμές· αυτές είναι πλήρεις. Εισαγάγετε ξανά για τα υπόλοιπα.</translation>
     </message>
   </context>
   <context>
@@ -1855,9 +1855,29 @@
       </translation>
     </message>
     <message>
-      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σχέδια για εκτύπωση (SVG και PDF), 1 : 1</translation>
+      <translation>Σχέδια για εκτύπωση (SVG και PDF)</translation>
+    </message>
+    <message>
+      <source>Scale of the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα των σχεδίων</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>as fits A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όπως χωρά σε A4</translation>
     </message>
   </context>
   <context>
@@ -2135,6 +2155,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σταμάτησε· δεν καταχωρίστηκε τίποτα.</translation>
     </message>
+    <message numerus="yes">
+      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Σταμάτησε: %n γραμμή δεν καταχωρήθηκε. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
+        <numerusform>Σταμάτησε: %n γραμμές δεν καταχωρήθηκαν. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2303,6 +2331,34 @@
       <source>Map</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χάρτης</translation>
+    </message>
+    <message>
+      <source>Print bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση ετικετών σακουλών</translation>
+    </message>
+    <message>
+      <source>Bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ετικέτες σακουλών</translation>
+    </message>
+    <message>
+      <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση ετικέτας για κάθε σακούλα· ο κωδικός της δίνει στην παρτίδα το πλαίσιό της (Ctrl+Shift+P)</translation>
+    </message>
+    <message>
+      <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει ακόμη σακούλα: πληκτρολογήστε μία στη λήψη ή εισαγάγετε πίνακα πλαισίων.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n label(s) are sent to the printer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n ετικέτα στάλθηκε στον εκτυπωτή.</numerusform>
+        <numerusform>%n ετικέτες στάλθηκαν στον εκτυπωτή.</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2611,14 +2667,19 @@
       <translation>πίσω %1</translation>
     </message>
     <message>
-      <source>Draw a line over the piece where it is to be cut.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τραβήξτε μια γραμμή πάνω στο κομμάτι εκεί που θα κοπεί.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
+    </message>
+    <message>
+      <source>Line over the %1, %2 steps from its middle, turned by %3 degrees</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Γραμμή πάνω στο %1, %2 βήματα από το μέσο, στραμμένη κατά %3 μοίρες</translation>
+    </message>
+    <message>
+      <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα βέλη μετακινούν τη γραμμή, με Shift τη στρέφουν, Πάνω ή Κάτω παίρνει την άλλη όψη, Enter κόβει. Ή σχεδιάστε γραμμή με το ποντίκι.</translation>
     </message>
   </context>
   <context>
@@ -2892,11 +2953,6 @@
       <translation>Κόψιμο</translation>
     </message>
     <message>
-      <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κόψιμο ενός κομματιού που στην πραγματικότητα είναι δύο όστρακα: τραβήξτε γραμμή στην εικόνα του (K)</translation>
-    </message>
-    <message>
       <source>Join</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένωση</translation>
@@ -2932,11 +2988,6 @@
       <translation>Ζεύγη της παρτίδας</translation>
     </message>
     <message>
-      <source>Join nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία ένωση</translation>
-    </message>
-    <message>
       <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένωση δύο κομματιών ενός οστράκου: μετά επιλέξτε την άλλη κάρτα (J μπροστινές, Shift+J πίσω)</translation>
@@ -2945,6 +2996,16 @@
       <source>Join backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένωση πίσω όψεων</translation>
+    </message>
+    <message>
+      <source>Join and cut nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία ένωση ή κοπή</translation>
+    </message>
+    <message>
+      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κοπή κομματιού που στην πραγματικότητα είναι δύο όστρακα, κατά μήκος γραμμής πάνω στην εικόνα του (K)</translation>
     </message>
   </context>
   <context>
@@ -3218,11 +3279,6 @@
       <source>Details of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στοιχεία του οστράκου</translation>
-    </message>
-    <message>
-      <source>Picture of the sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εικόνα του οστράκου</translation>
     </message>
     <message>
       <source>Number of the sherd</source>

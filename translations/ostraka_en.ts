@@ -227,6 +227,26 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::ImportModel</name>
+    <message numerus="yes">
+      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <translation>
+        <numerusform>Stopped: %n row are not entered. Import the table again for the rest.</numerusform>
+        <numerusform>Stopped: %n rows are not entered. Import the table again for the rest.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MapStation</name>
+    <message numerus="yes">
+      <source>%n label(s) are sent to the printer.</source>
+      <translation>
+        <numerusform>%n label are sent to the printer.</numerusform>
+        <numerusform>%n labels are sent to the printer.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::PlateView</name>
     <message numerus="yes">
       <source>%n sherd(s) seen</source>

@@ -308,6 +308,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>empieza</translation>
     </message>
+    <message>
+      <source>more candidates for doubtful pairs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>más candidatos para las parejas dudosas</translation>
+    </message>
   </context>
   <context>
     <name>Time</name>
@@ -1268,11 +1273,6 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 y %2 casi se tocan</translation>
-    </message>
-    <message>
       <source>Looking for what holds the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Buscando qué retiene la cámara</translation>
@@ -1387,11 +1387,6 @@
       <translation>mover a otro contexto</translation>
     </message>
     <message>
-      <source>The sherds that are chosen have their numbers.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los fragmentos elegidos tienen sus números.</translation>
-    </message>
-    <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>cambios por la importación de %1</translation>
@@ -1440,6 +1435,11 @@
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importar</translation>
+    </message>
+    <message>
+      <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La importación de %1 se interrumpió tras %2 de %3 filas; estas están completas. Impórtela otra vez para el resto.</translation>
     </message>
   </context>
   <context>
@@ -1855,9 +1855,29 @@
       </translation>
     </message>
     <message>
-      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dibujos para imprimir (SVG y PDF), 1 : 1</translation>
+      <translation>Dibujos para imprimir (SVG y PDF)</translation>
+    </message>
+    <message>
+      <source>Scale of the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala de los dibujos</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>as fits A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>según A4</translation>
     </message>
   </context>
   <context>
@@ -2135,6 +2155,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detenido; no se anotó nada.</translation>
     </message>
+    <message numerus="yes">
+      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Detenido: %n fila no se ha introducido. Importe la tabla otra vez para el resto.</numerusform>
+        <numerusform>Detenido: %n filas no se han introducido. Importe la tabla otra vez para el resto.</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2303,6 +2331,34 @@
       <source>Map</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plano</translation>
+    </message>
+    <message>
+      <source>Print bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimir etiquetas de bolsas</translation>
+    </message>
+    <message>
+      <source>Bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Etiquetas de bolsas</translation>
+    </message>
+    <message>
+      <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimir una etiqueta por bolsa; su código da a una tanda su contexto (Ctrl+Mayús+P)</translation>
+    </message>
+    <message>
+      <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aún no hay ninguna bolsa: escriba una en la captura o importe una tabla de contextos.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n label(s) are sent to the printer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n etiqueta se ha enviado a la impresora.</numerusform>
+        <numerusform>%n etiquetas se han enviado a la impresora.</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2611,14 +2667,19 @@
       <translation>reverso %1</translation>
     </message>
     <message>
-      <source>Draw a line over the piece where it is to be cut.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Trace una línea sobre la pieza por donde se corta.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
+    </message>
+    <message>
+      <source>Line over the %1, %2 steps from its middle, turned by %3 degrees</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Línea sobre %1, a %2 pasos del centro, girada %3 grados</translation>
+    </message>
+    <message>
+      <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las flechas mueven la línea, con Mayús la giran, Arriba o Abajo toma el otro lado, Intro corta. O trace una línea con el ratón.</translation>
     </message>
   </context>
   <context>
@@ -2892,11 +2953,6 @@
       <translation>Cortar</translation>
     </message>
     <message>
-      <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cortar una pieza que en verdad son dos fragmentos: trace una línea sobre su imagen (K)</translation>
-    </message>
-    <message>
       <source>Join</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Unir</translation>
@@ -2932,11 +2988,6 @@
       <translation>Parejas de la tanda</translation>
     </message>
     <message>
-      <source>Join nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No unir nada</translation>
-    </message>
-    <message>
       <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Unir dos piezas de un fragmento: elija después la otra ficha (J anversos, Mayús+J reversos)</translation>
@@ -2945,6 +2996,16 @@
       <source>Join backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Unir reversos</translation>
+    </message>
+    <message>
+      <source>Join and cut nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No unir ni cortar nada</translation>
+    </message>
+    <message>
+      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cortar una pieza que en realidad son dos fragmentos, por una línea sobre su imagen (K)</translation>
     </message>
   </context>
   <context>
@@ -3218,11 +3279,6 @@
       <source>Details of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detalles del fragmento</translation>
-    </message>
-    <message>
-      <source>Picture of the sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imagen del fragmento</translation>
     </message>
     <message>
       <source>Number of the sherd</source>

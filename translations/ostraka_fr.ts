@@ -308,6 +308,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>commence</translation>
     </message>
+    <message>
+      <source>more candidates for doubtful pairs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>autres candidats pour les paires douteuses</translation>
+    </message>
   </context>
   <context>
     <name>Time</name>
@@ -1268,11 +1273,6 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 et %2 se touchent presque</translation>
-    </message>
-    <message>
       <source>Looking for what holds the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Recherche de ce qui retient l’appareil</translation>
@@ -1387,11 +1387,6 @@
       <translation>déplacer vers un autre contexte</translation>
     </message>
     <message>
-      <source>The sherds that are chosen have their numbers.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les tessons choisis ont leurs numéros.</translation>
-    </message>
-    <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>modifications par l’importation de %1</translation>
@@ -1440,6 +1435,11 @@
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importation</translation>
+    </message>
+    <message>
+      <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L'importation de %1 s'est interrompue après %2 lignes sur %3 ; celles-ci sont complètes. Importez de nouveau pour le reste.</translation>
     </message>
   </context>
   <context>
@@ -1855,9 +1855,29 @@
       </translation>
     </message>
     <message>
-      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dessins pour l’impression (SVG et PDF), 1 : 1</translation>
+      <translation>Dessins pour l'impression (SVG et PDF)</translation>
+    </message>
+    <message>
+      <source>Scale of the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle des dessins</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>as fits A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>selon A4</translation>
     </message>
   </context>
   <context>
@@ -2135,6 +2155,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêté ; rien n’a été inscrit.</translation>
     </message>
+    <message numerus="yes">
+      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Arrêté : %n ligne n'est pas saisie. Importez de nouveau le tableau pour le reste.</numerusform>
+        <numerusform>Arrêté : %n lignes ne sont pas saisies. Importez de nouveau le tableau pour le reste.</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2303,6 +2331,34 @@
       <source>Map</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plan</translation>
+    </message>
+    <message>
+      <source>Print bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimer les étiquettes des sacs</translation>
+    </message>
+    <message>
+      <source>Bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Étiquettes des sacs</translation>
+    </message>
+    <message>
+      <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimer une étiquette par sac ; son code donne à un lot son contexte (Ctrl+Maj+P)</translation>
+    </message>
+    <message>
+      <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n'y a pas encore de sac : saisissez-en un à la prise de vue ou importez un tableau de contextes.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n label(s) are sent to the printer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n étiquette est envoyée à l'imprimante.</numerusform>
+        <numerusform>%n étiquettes sont envoyées à l'imprimante.</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2611,14 +2667,19 @@
       <translation>face arrière %1</translation>
     </message>
     <message>
-      <source>Draw a line over the piece where it is to be cut.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tracez une ligne sur le morceau, là où il doit être coupé.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
+    </message>
+    <message>
+      <source>Line over the %1, %2 steps from its middle, turned by %3 degrees</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ligne sur %1, à %2 pas du milieu, tournée de %3 degrés</translation>
+    </message>
+    <message>
+      <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les flèches déplacent la ligne, avec Maj elles la tournent, Haut ou Bas prend l'autre face, Entrée coupe. Ou tracez une ligne à la souris.</translation>
     </message>
   </context>
   <context>
@@ -2892,11 +2953,6 @@
       <translation>Couper</translation>
     </message>
     <message>
-      <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Couper un morceau qui est en vérité deux tessons : tracez une ligne sur son image (K)</translation>
-    </message>
-    <message>
       <source>Join</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Joindre</translation>
@@ -2932,11 +2988,6 @@
       <translation>Paires du lot</translation>
     </message>
     <message>
-      <source>Join nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne rien joindre</translation>
-    </message>
-    <message>
       <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Joindre deux morceaux d’un tesson : choisissez ensuite l’autre carte (J faces avant, Maj+J faces arrière)</translation>
@@ -2945,6 +2996,16 @@
       <source>Join backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Joindre les faces arrière</translation>
+    </message>
+    <message>
+      <source>Join and cut nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne rien joindre ni couper</translation>
+    </message>
+    <message>
+      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Couper un morceau qui est en réalité deux tessons, le long d'une ligne sur son image (K)</translation>
     </message>
   </context>
   <context>
@@ -3218,11 +3279,6 @@
       <source>Details of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Détails du tesson</translation>
-    </message>
-    <message>
-      <source>Picture of the sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Image du tesson</translation>
     </message>
     <message>
       <source>Number of the sherd</source>

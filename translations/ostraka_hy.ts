@@ -308,6 +308,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>սկսվում է</translation>
     </message>
+    <message>
+      <source>more candidates for doubtful pairs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>այլ թեկնածուներ կասկածելի զույգերի համար</translation>
+    </message>
   </context>
   <context>
     <name>Time</name>
@@ -1268,11 +1273,6 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը և %2-ը գրեթե հպվում են</translation>
-    </message>
-    <message>
       <source>Looking for what holds the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոնվում է, թե ինչն է պահում տեսախցիկը</translation>
@@ -1387,11 +1387,6 @@
       <translation>տեղափոխել այլ համատեքստ</translation>
     </message>
     <message>
-      <source>The sherds that are chosen have their numbers.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ընտրված բեկորներն ունեն իրենց համարները։</translation>
-    </message>
-    <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի ներմուծման փոփոխությունները</translation>
@@ -1440,6 +1435,11 @@
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծում</translation>
+    </message>
+    <message>
+      <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի ներմուծումն ընդհատվել է %3 տողից %2-ից հետո. դրանք ամբողջական են: Մնացածի համար կրկին ներմուծեք:</translation>
     </message>
   </context>
   <context>
@@ -1855,9 +1855,29 @@
       </translation>
     </message>
     <message>
-      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գծանկարներ տպագրության համար (SVG և PDF), 1 : 1</translation>
+      <translation>Գծագրեր տպագրության համար (SVG և PDF)</translation>
+    </message>
+    <message>
+      <source>Scale of the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծագրերի մասշտաբը</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>as fits A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ըստ A4-ի</translation>
     </message>
   </context>
   <context>
@@ -2135,6 +2155,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցված է. ոչինչ չի գրանցվել։</translation>
     </message>
+    <message numerus="yes">
+      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
+        <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2303,6 +2331,34 @@
       <source>Map</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Քարտեզ</translation>
+    </message>
+    <message>
+      <source>Print bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել տոպրակների պիտակները</translation>
+    </message>
+    <message>
+      <source>Bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակների պիտակներ</translation>
+    </message>
+    <message>
+      <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել պիտակ յուրաքանչյուր տոպրակի համար. դրա կոդը խմբաքանակին տալիս է համատեքստը (Ctrl+Shift+P)</translation>
+    </message>
+    <message>
+      <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ տոպրակ չկա. մուտքագրեք նկարահանման ժամանակ կամ ներմուծեք համատեքստերի աղյուսակ:</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n label(s) are sent to the printer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n պիտակ ուղարկվել է տպիչին:</numerusform>
+        <numerusform>%n պիտակ ուղարկվել է տպիչին:</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2611,14 +2667,19 @@
       <translation>հետև %1</translation>
     </message>
     <message>
-      <source>Draw a line over the piece where it is to be cut.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գիծ քաշեք կտորի վրա այնտեղ, որտեղ պետք է կտրել։</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
+    </message>
+    <message>
+      <source>Line over the %1, %2 steps from its middle, turned by %3 degrees</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գիծ %1 վրա, մեջտեղից %2 քայլ, թեքված %3 աստիճանով</translation>
+    </message>
+    <message>
+      <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սլաքները տեղաշարժում են գիծը, Shift-ի հետ՝ թեքում, Վերև կամ Ներքև՝ մյուս կողմը, Enter՝ կտրում է: Կամ մկնիկով գիծ քաշեք:</translation>
     </message>
   </context>
   <context>
@@ -2892,11 +2953,6 @@
       <translation>Կտրել</translation>
     </message>
     <message>
-      <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կտրել մի կտոր, որն իրականում երկու բեկոր է. գիծ քաշեք պատկերի վրա (K)</translation>
-    </message>
-    <message>
       <source>Join</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միացնել</translation>
@@ -2932,11 +2988,6 @@
       <translation>Խմբաքանակի զույգերը</translation>
     </message>
     <message>
-      <source>Join nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ չմիացնել</translation>
-    </message>
-    <message>
       <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միացնել մեկ բեկորի երկու կտոր. հետո ընտրեք մյուս քարտը (J՝ առջև, Shift+J՝ հետև)</translation>
@@ -2945,6 +2996,16 @@
       <source>Join backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միացնել հետևի երեսները</translation>
+    </message>
+    <message>
+      <source>Join and cut nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չմիացնել և չկտրել</translation>
+    </message>
+    <message>
+      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրել կտորը, որն իրականում երկու բեկոր է, նրա նկարի վրայի գծով (K)</translation>
     </message>
   </context>
   <context>
@@ -3218,11 +3279,6 @@
       <source>Details of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորի մանրամասները</translation>
-    </message>
-    <message>
-      <source>Picture of the sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորի պատկերը</translation>
     </message>
     <message>
       <source>Number of the sherd</source>

@@ -307,6 +307,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>başlıyor</translation>
     </message>
+    <message>
+      <source>more candidates for doubtful pairs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kuşkulu çiftler için başka adaylar</translation>
+    </message>
   </context>
   <context>
     <name>Time</name>
@@ -1253,11 +1258,6 @@
       </translation>
     </message>
     <message>
-      <source>%1 and %2 nearly touch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ile %2 neredeyse değiyor</translation>
-    </message>
-    <message>
       <source>Looking for what holds the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamerayı neyin tuttuğu aranıyor</translation>
@@ -1370,11 +1370,6 @@
       <translation>başka kontekste taşı</translation>
     </message>
     <message>
-      <source>The sherds that are chosen have their numbers.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seçilen parçaların numaraları var.</translation>
-    </message>
-    <message>
       <source>changes by the import of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alımıyla gelen değişiklikler</translation>
@@ -1423,6 +1418,11 @@
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Al</translation>
+    </message>
+    <message>
+      <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 alımı %3 satırdan %2 satır sonra kesildi; bunlar tamdır. Kalanı için yeniden alın.</translation>
     </message>
   </context>
   <context>
@@ -1830,9 +1830,29 @@
       </translation>
     </message>
     <message>
-      <source>Drawings for print (SVG and PDF), 1 : 1</source>
+      <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Baskı için çizimler (SVG ve PDF), 1 : 1</translation>
+      <translation>Baskı için çizimler (SVG ve PDF)</translation>
+    </message>
+    <message>
+      <source>Scale of the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizimlerin ölçeği</translation>
+    </message>
+    <message>
+      <source>1 : 1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 1</translation>
+    </message>
+    <message>
+      <source>1 : 2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>1 : 2</translation>
+    </message>
+    <message>
+      <source>as fits A4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A4'e sığdığı gibi</translation>
     </message>
   </context>
   <context>
@@ -2108,6 +2128,13 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durduruldu; hiçbir şey girilmedi.</translation>
     </message>
+    <message numerus="yes">
+      <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Durduruldu: %n satır girilmedi. Kalanı için tabloyu yeniden alın.</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::JoinMode</name>
@@ -2276,6 +2303,33 @@
       <source>Map</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plan</translation>
+    </message>
+    <message>
+      <source>Print bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Torba etiketlerini yazdır</translation>
+    </message>
+    <message>
+      <source>Bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Torba etiketleri</translation>
+    </message>
+    <message>
+      <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her torba için etiket yazdır; kodu partiye kontekstini verir (Ctrl+Shift+P)</translation>
+    </message>
+    <message>
+      <source>There is no bag yet: type one at the capture, or import a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz torba yok: çekimde birini yazın ya da bir kontekst tablosu alın.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n label(s) are sent to the printer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n etiket yazıcıya gönderildi.</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2584,14 +2638,19 @@
       <translation>arka %1</translation>
     </message>
     <message>
-      <source>Draw a line over the piece where it is to be cut.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçanın kesileceği yere bir çizgi çizin.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
+    </message>
+    <message>
+      <source>Line over the %1, %2 steps from its middle, turned by %3 degrees</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 üzerinde çizgi, ortasından %2 adım uzakta, %3 derece döndürülmüş</translation>
+    </message>
+    <message>
+      <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oklar çizgiyi kaydırır, Shift ile döndürür, Yukarı veya Aşağı öbür yüzü alır, Enter keser. Ya da fareyle bir çizgi çizin.</translation>
     </message>
   </context>
   <context>
@@ -2863,11 +2922,6 @@
       <translation>Kes</translation>
     </message>
     <message>
-      <source>Cut a piece that is two sherds in truth: draw a line over its picture (K)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gerçekte iki parça olanı kesin: resminin üzerine bir çizgi çizin (K)</translation>
-    </message>
-    <message>
       <source>Join</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birleştir</translation>
@@ -2903,11 +2957,6 @@
       <translation>Partinin eşleri</translation>
     </message>
     <message>
-      <source>Join nothing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir şey birleştirme</translation>
-    </message>
-    <message>
       <source>Join two pieces of one sherd: then choose the other card (J fronts, Shift+J backs)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parçanın iki kırığını birleştirin: sonra öteki kartı seçin (J ön yüzler, Shift+J arka yüzler)</translation>
@@ -2916,6 +2965,16 @@
       <source>Join backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzleri birleştir</translation>
+    </message>
+    <message>
+      <source>Join and cut nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir şeyi birleştirme veya kesme</translation>
+    </message>
+    <message>
+      <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aslında iki parça olan bir parçayı resminin üzerindeki çizgi boyunca kes (K)</translation>
     </message>
   </context>
   <context>
@@ -3188,11 +3247,6 @@
       <source>Details of the sherd</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçanın ayrıntıları</translation>
-    </message>
-    <message>
-      <source>Picture of the sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçanın resmi</translation>
     </message>
     <message>
       <source>Number of the sherd</source>

@@ -148,7 +148,7 @@ Result<SideResult> shoot(const CaptureArguments& arguments, batch::Side side, Ri
   return result;
 }
 
-nlohmann::ordered_json toJson(const SideResult& result, batch::Side side, int stops) {
+nlohmann::ordered_json asJson(const SideResult& result, batch::Side side, int stops) {
   nlohmann::ordered_json flagged = nlohmann::ordered_json::array();
   for (const ShotName& shot : result.summary.flagged)
     flagged.push_back({{"stop", shot.stop}, {"camera", shot.camera}});
@@ -188,7 +188,7 @@ int runCapture(const CaptureArguments& arguments, Session& session) {
     Result<SideResult> result = shoot(arguments, side, *devices, session);
     if (!result) return fail(session, result.error());
     asks = asks || !result->sentences.empty();
-    list.push_back(toJson(*result, side, arguments.stops));
+    list.push_back(asJson(*result, side, arguments.stops));
     results.emplace_back(side, std::move(*result));
   }
   if (arguments.rig == "virtual") {

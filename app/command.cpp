@@ -1,13 +1,31 @@
 #include "command.h"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
+
+#include "pairing/candidates.h"
 
 namespace ostraka::app {
 
 ExitStatus statusOf(const Error& error) {
   const bool input = error.code == ErrorCode::UnusableInput || error.code == ErrorCode::NotEnough;
   return input ? UnusableInputStatus : NotWhole;
+}
+
+void addThreads(CLI::App& command, int& threads) {
+  command
+      .add_option("--threads", threads,
+                  "Threads; 0 = all processors. The result does not depend on it")
+      ->check(CLI::Range(0, 1024));
+}
+
+void addPairing(CLI::App& command, pairing::Method& method) {
+  command.add_option("--pairing", method, "Pairing: default, or paper (Wang et al. 2023)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{
+          {"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}))
+      ->default_str("default");
 }
 
 void printJson(const nlohmann::ordered_json& value) {

@@ -10,6 +10,9 @@
 namespace CLI {
 class App;
 }
+namespace ostraka::pairing {
+enum class Method;
+}
 
 namespace ostraka::app {
 
@@ -44,6 +47,10 @@ void addPlate(CLI::App& root, Command& chosen);
 void addCatalogue(CLI::App& root, Command& chosen);
 void addCompletion(CLI::App& root, Command& chosen);
 void addManPages(CLI::App& root, Command& chosen);
+
+/// Options that several commands have.
+void addThreads(CLI::App& command, int& threads);
+void addPairing(CLI::App& command, pairing::Method& method);
 
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives
 /// the exit status.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "command.h"
 #include "help.h"
 
@@ -63,12 +64,6 @@ std::string escaped(const std::string& text, const std::string& special) {
   return result;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 // `case` branches that follow the words typed so far down to the command they name.
 std::string pathBranches(const std::vector<Node>& nodes, const std::string& open) {
   std::string script;
@@ -91,7 +86,7 @@ std::string bashScript(const std::vector<Node>& nodes) {
     if (node.path != "ostraka")
       for (const Choice& option : nodes.front().options)
         if (isOfEveryCommand(option)) script += option.name + " ";
-    script += "' words='" + joined(node.first_words);
+    script += "' words='" + joined(node.first_words, " ");
     for (const auto& [name, text] : node.commands) script += name + " ";
     script += "';;\n";
   }
@@ -100,7 +95,7 @@ std::string bashScript(const std::vector<Node>& nodes) {
     for (const Choice& option : node.options)
       if (option.takes_value)
         script += "    '" + node.path + " " + option.name + "') values='" +
-                  (option.values.empty() ? "FILES" : joined(option.values)) + "';;\n";
+                  (option.values.empty() ? "FILES" : joined(option.values, " ")) + "';;\n";
   return script +
          "  esac\n"
          "  if [[ $values == FILES ]]; then\n    COMPREPLY=($(compgen -f -- \"$word\"))\n"
@@ -130,9 +125,10 @@ std::string zshScript(const std::vector<Node>& nodes) {
   for (const Node& node : nodes)
     for (const Choice& option : node.options)
       if (option.takes_value)
-        script += "    ('" + node.path + " " + option.name + "') " +
-                  (option.values.empty() ? "_files; return" : "values=(" + joined(option.values)) +
-                  (option.values.empty() ? ";;\n" : ");;\n");
+        script +=
+            "    ('" + node.path + " " + option.name + "') " +
+            (option.values.empty() ? "_files; return" : "values=(" + joined(option.values, " ")) +
+            (option.values.empty() ? ";;\n" : ");;\n");
   script +=
       "  esac\n"
       "  if (( $#values )); then compadd -a values; return; fi\n"
@@ -177,10 +173,10 @@ std::string fishScript(const std::vector<Node>& nodes) {
     };
     const std::string here = "-n '" + when + "' ";
     for (const auto& [name, text] : node.commands) line(here, "-f -a " + name, text);
-    if (!node.first_words.empty()) line(here, "-f -a '" + joined(node.first_words) + "'", "");
+    if (!node.first_words.empty()) line(here, "-f -a '" + joined(node.first_words, " ") + "'", "");
     for (const Choice& option : node.options) {
       std::string value = option.takes_value ? " -r" : "";
-      if (!option.values.empty()) value = " -x -a '" + joined(option.values) + "'";
+      if (!option.values.empty()) value = " -x -a '" + joined(option.values, " ") + "'";
       const bool everywhere = node.path == "ostraka" && option.name != "--version";
       if (everywhere || option.name != "--help")
         line(everywhere ? "" : here, "-l " + option.name.substr(2) + value, option.description);

@@ -241,8 +241,7 @@ void addDense(CLI::App& root, Command& chosen) {
                    "Folder of masks: NAME.png for NAME.jpg, 0 = background")
       ->check(CLI::ExistingDirectory);
   command->add_option("--output,-o", arguments->output, "The cloud, a PLY file")->required();
-  command->add_option("--threads", arguments->threads, "Threads; 0 = all processors")
-      ->check(CLI::Range(0, 1024));
+  addThreads(*command, arguments->threads);
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return runDense(*arguments, session); };
   });

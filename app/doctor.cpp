@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Verdict { Good, Slow, Missing };
+enum class State { Good, Slow, Missing };
 
 struct Finding {
-  Verdict verdict = Verdict::Good;
+  State verdict = State::Good;
   std::string subject;  ///< "memory"
   std::string words;    ///< what is there, and what to do
 };
@@ -47,9 +47,9 @@ Finding processors() {
     if (line.starts_with("flags")) avx2 = avx2 || line.find(" avx2") != std::string::npos;
   }
   const std::string words = std::to_string(threads) + " (" + model + ")";
-  if (threads < 2) return {Verdict::Slow, "processors", words + "; two compute twice as fast"};
-  if (!avx2) return {Verdict::Slow, "processors", words + " without AVX2: stereo takes longer"};
-  return {Verdict::Good, "processors", words};
+  if (threads < 2) return {State::Slow, "processors", words + "; two compute twice as fast"};
+  if (!avx2) return {State::Slow, "processors", words + " without AVX2: stereo takes longer"};
+  return {State::Good, "processors", words};
 }
 
 Finding memory() {
@@ -64,9 +64,9 @@ Finding memory() {
   }
   const std::string words = gigabytes(total) + ", " + gigabytes(available) + " free";
   if (total < 3.5e9)
-    return {Verdict::Slow, "memory", words + "; 4 GB are wanted for photographs of 24 megapixels"};
-  if (available < 1.5e9) return {Verdict::Slow, "memory", words + "; close other programs"};
-  return {Verdict::Good, "memory", words};
+    return {State::Slow, "memory", words + "; 4 GB are wanted for photographs of 24 megapixels"};
+  if (available < 1.5e9) return {State::Slow, "memory", words + "; close other programs"};
+  return {State::Good, "memory", words};
 }
 
 // Megabytes a second with everything on the disk, as photographs are written; below 0: refused.
@@ -91,34 +91,34 @@ double writingSpeed(const fs::path& folder) {
 Finding disk(const fs::path& folder) {
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
-  if (error) return {Verdict::Missing, "disk", folder.string() + ": " + error.message()};
+  if (error) return {State::Missing, "disk", folder.string() + ": " + error.message()};
   const double speed = writingSpeed(folder);
   char text[64];
   std::snprintf(text, sizeof text, ", writes %.0f MB a second", speed);
   const std::string words = folder.string() + ": " +
                             gigabytes(static_cast<double>(space.available)) + " free" +
                             (speed < 0 ? "" : text);
-  if (speed < 0) return {Verdict::Missing, "disk", words + "; nothing can be written there"};
+  if (speed < 0) return {State::Missing, "disk", words + "; nothing can be written there"};
   if (static_cast<double>(space.available) < 5e9)
-    return {Verdict::Missing, "disk", words + "; a batch takes about 1 GB: make room"};
-  if (speed < 20) return {Verdict::Slow, "disk", words + "; that is slow for photographs"};
-  return {Verdict::Good, "disk", words};
+    return {State::Missing, "disk", words + "; a batch takes about 1 GB: make room"};
+  if (speed < 20) return {State::Slow, "disk", words + "; that is slow for photographs"};
+  return {State::Good, "disk", words};
 }
 
 Finding program(const std::string& name, const std::string& use) {
   const auto found = rig::findProgram(name);
-  if (found) return {Verdict::Good, name, found->string()};
-  return {Verdict::Good, name, "not installed; it is optional: " + use};
+  if (found) return {State::Good, name, found->string()};
+  return {State::Good, name, "not installed; it is optional: " + use};
 }
 
 Finding openGl() {
   bool ok = false;
   const std::string words = openGlWords(ok);
-  if (words.starts_with("not looked at")) return {Verdict::Good, "OpenGL", words};
-  if (!ok) return {Verdict::Missing, "OpenGL", words + ". The window works, without 3D views"};
+  if (words.starts_with("not looked at")) return {State::Good, "OpenGL", words};
+  if (!ok) return {State::Missing, "OpenGL", words + ". The window works, without 3D views"};
   if (words.find("llvmpipe") != std::string::npos)
-    return {Verdict::Slow, "OpenGL", words + "; drawn by the processor: turning is less smooth"};
-  return {Verdict::Good, "OpenGL", words};
+    return {State::Slow, "OpenGL", words + "; drawn by the processor: turning is less smooth"};
+  return {State::Good, "OpenGL", words};
 }
 
 bool usable(const fs::path& device) {
@@ -139,10 +139,10 @@ Finding devices(const std::string& subject, const fs::path& folder,
     ++there;
     if (!usable(at->path())) refused += " " + at->path().string();
   }
-  if (there == 0) return {Verdict::Good, subject, "none is plugged in"};
+  if (there == 0) return {State::Good, subject, "none is plugged in"};
   if (!refused.empty())
-    return {Verdict::Missing, subject, "no permission for" + refused + "; " + repair};
-  return {Verdict::Good, subject, std::to_string(there) + " found, all may be used"};
+    return {State::Missing, subject, "no permission for" + refused + "; " + repair};
+  return {State::Good, subject, std::to_string(there) + " found, all may be used"};
 }
 
 bool isRunning(const std::string& program) {
@@ -165,11 +165,11 @@ std::vector<Finding> examine(const fs::path& folder) {
   findings.push_back(devices("cameras (video)", "/dev", {"video"},
                              "add yourself to the group 'video' and log in again"));
   if (isRunning("gvfs-gphoto2-volume-monitor"))
-    findings.push_back({Verdict::Slow, "gvfs",
+    findings.push_back({State::Slow, "gvfs",
                         "the desktop takes cameras for itself; 'systemctl --user stop "
                         "gvfs-gphoto2-volume-monitor' lets them go"});
   if (isRunning("ModemManager"))
-    findings.push_back({Verdict::Slow, "ModemManager",
+    findings.push_back({State::Slow, "ModemManager",
                         "it talks to turntables as if they were modems for ten seconds after they "
                         "are plugged in; the udev rules of the package prevent that"});
   return findings;
@@ -179,11 +179,11 @@ int runDoctor(const fs::path& folder, Session& session) {
   const std::vector<Finding> findings = examine(folder);
   session.finishProgress();
   const bool missing = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.verdict == Verdict::Missing;
+    return finding.verdict == State::Missing;
   });
   const int status = missing ? NotWhole : Whole;
-  const auto name = [](Verdict verdict) {
-    return verdict == Verdict::Good ? "good" : verdict == Verdict::Slow ? "slow" : "missing";
+  const auto name = [](State verdict) {
+    return verdict == State::Good ? "good" : verdict == State::Slow ? "slow" : "missing";
   };
   if (session.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();

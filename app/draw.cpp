@@ -32,7 +32,7 @@ std::string idOf(const fs::path& model) {
              : model.stem().string();
 }
 
-ordered_json toJson(const SherdDrawing& drawing) {
+ordered_json asJson(const SherdDrawing& drawing) {
   ordered_json rim;
   if (drawing.rim) {
     const RimEstimate& r = *drawing.rim;
@@ -76,7 +76,7 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     const std::string id = arguments.ids.empty() ? idOf(arguments.models[i]) : arguments.ids[i];
     Result<SherdDrawing> drawing = drawSherd(model->mesh, id, arguments.drawing);
     if (!drawing) return fail(session, drawing.error());
-    list.push_back(toJson(*drawing));
+    list.push_back(asJson(*drawing));
     drawings.push_back(std::move(*drawing));
   }
   const Result<std::vector<fs::path>> files =

@@ -286,8 +286,7 @@ void addEvaluate(CLI::App& root, Command& chosen) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Align>{{"none", Align::None}, {"icp", Align::Icp}}))
       ->default_str("none");
-  command->add_option("--threads", arguments->threads, "Threads; 0 = all processors")
-      ->check(CLI::Range(0, 1024));
+  addThreads(*command, arguments->threads);
   command->add_flag("--gate", arguments->gate, "Exit status 1 when a goal is missed");
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return runEvaluate(*arguments, session); };

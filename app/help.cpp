@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/text.h"
+
 namespace ostraka::app {
 namespace {
 
@@ -26,14 +28,12 @@ std::vector<std::string> wordsIn(const std::string& text) {
   return words;
 }
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
 class PlainHelp final : public CLI::Formatter {
  public:
+  std::string make_footer(const CLI::App* app) const override {
+    const std::string own = app->get_footer();
+    return own + (own.empty() ? "" : "\n\n") + kExitStatusWords + "\n";
+  }
   std::string make_option_opts(const CLI::Option* option) const override {
     const std::string word = valueWord(*option);
     if (word.empty()) return {};
@@ -81,6 +81,10 @@ std::string inWords(const std::string& message) {
   if (const std::size_t none = message.find(" not in {"); none != std::string::npos)
     return name + " takes " + joined(wordsIn(message), ", ") + "; not '" +
            message.substr(colon + 2, none - colon - 2) + "'";
+  if (message.starts_with("Could not convert: "))  // "Could not convert: --diameter = abc"
+    if (const std::size_t equals = message.find(" = "); equals != std::string::npos)
+      return message.substr(colon + 2, equals - colon - 2) + " takes a number; not '" +
+             message.substr(equals + 3) + "'";
   if (message.find(" required ") != std::string::npos && message.ends_with(" missing"))
     return name + " needs a value";
   return message;

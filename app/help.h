@@ -12,7 +12,7 @@ class ParseError;
 
 namespace ostraka::app {
 
-/// What every manual page says of the shell's status.
+/// What the help of each command says of the shell's status.
 inline constexpr const char* kExitStatusWords =
     "Exit status: 0 the result is whole, 1 it is not (or was stopped; the same command goes on),\n"
     "2 the input cannot be used, 3 a person must decide (ambiguous pairs).";

@@ -61,7 +61,6 @@ int run(const app::Command& chosen, bool json, bool quiet, bool verbose) {
 
 int main(int argc, char** argv) {
   CLI::App root(kDescription, "ostraka");
-  root.footer(app::kExitStatusWords);
   root.formatter(app::plainHelp());
   root.set_version_flag("--version", "ostraka " OSTRAKA_VERSION);
   root.require_subcommand(0, 1);

@@ -95,8 +95,7 @@ std::string pageOf(const CLI::App& app, const CLI::App& root, const std::string&
     page += ".SS Of every command\n";
     addOptions(root, page);
   }
-  if (!app.get_footer().empty() && app.get_footer() != kExitStatusWords)
-    page += ".SH NOTES\n.nf\n" + roff(app.get_footer()) + "\n.fi\n";
+  if (!app.get_footer().empty()) page += ".SH NOTES\n.nf\n" + roff(app.get_footer()) + "\n.fi\n";
   return page + exitStatus();
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "command.h"
 #include "rig/plate_print.h"
 
@@ -26,6 +27,10 @@ Result<void> writeAll(const std::filesystem::path& output, const PlatePrint& pri
 
 int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem::path& output,
              const Session& session) {
+  if (lowerCase(output.extension().string()) != ".pdf")
+    return fail(session,
+                {ErrorCode::UnusableInput,
+                 "The plate is written as a PDF; name a file that ends in .pdf.", output.string()});
   options.paper.reset();
   if (paper != PaperChoice::Whole) options.paper = paper == PaperChoice::A4 ? Paper::A4 : Paper::A3;
   const Result<PlatePrint> print = rig::printPlate(options);

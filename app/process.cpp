@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "command.h"
 #include "pipeline/process_batch.h"
 
@@ -12,12 +13,11 @@ namespace {
 
 using nlohmann::ordered_json;
 using pipeline::DenseMethod;
-using pipeline::PairingForm;
 using pipeline::ProcessOptions;
 using pipeline::ProcessSummary;
 using pipeline::SherdSummary;
 
-ordered_json toJson(const ProcessSummary& summary, int status) {
+ordered_json asJson(const ProcessSummary& summary, int status) {
   ordered_json sherds = ordered_json::array();
   for (const SherdSummary& s : summary.sherds)
     sherds.push_back({{"number", s.number},
@@ -44,12 +44,6 @@ ordered_json toJson(const ProcessSummary& summary, int status) {
           {"exit_status", status}};
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-  return text;
-}
-
 void printTable(const ProcessSummary& summary) {
   std::printf("%-6s %-8s %-8s %7s %10s %12s  %s\n", "sherd", "front", "back", "score", "rim RMS mm",
               "uncertain mm", "");
@@ -61,14 +55,15 @@ void printTable(const ProcessSummary& summary) {
                 s.back.c_str(), s.score, s.rim_rms_mm, s.uncertainty_mm, state.c_str());
   }
   if (!summary.unpaired_front.empty())
-    std::printf("Fronts without a back: %s\n", joined(summary.unpaired_front).c_str());
+    std::printf("Fronts without a back: %s\n", joined(summary.unpaired_front, " ").c_str());
   if (!summary.unpaired_back.empty())
-    std::printf("Backs without a front: %s\n", joined(summary.unpaired_back).c_str());
+    std::printf("Backs without a front: %s\n", joined(summary.unpaired_back, " ").c_str());
   if (!summary.reshoot.empty())
-    std::printf("To be photographed again: %s\n", joined(summary.reshoot).c_str());
+    std::printf("To be photographed again: %s\n", joined(summary.reshoot, " ").c_str());
   if (!summary.moved.empty())
-    std::printf("Pushed while photographed: %s\n", joined(summary.moved).c_str());
-  if (!summary.set_aside.empty()) std::printf("Set aside: %s\n", joined(summary.set_aside).c_str());
+    std::printf("Pushed while photographed: %s\n", joined(summary.moved, " ").c_str());
+  if (!summary.set_aside.empty())
+    std::printf("Set aside: %s\n", joined(summary.set_aside, " ").c_str());
   std::printf("%zu sherds, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
               summary.reprojection_rms_px, summary.seconds, summary.report.c_str());
   if (!summary.warnings.empty())
@@ -90,7 +85,7 @@ int runProcess(const ProcessOptions& options, Session& session) {
                                                                          : NotWhole;
   session.finishProgress();
   if (session.json)
-    printJson(toJson(*summary, status));
+    printJson(asJson(*summary, status));
   else
     printTable(*summary);
   return status;
@@ -111,10 +106,7 @@ void addProcess(CLI::App& root, Command& chosen) {
   command->add_option("--output,-o", options->output, "Folder for the result; made when absent")
       ->required();
   command->add_option("--rig", options->rig, "RIG.json of an earlier calibration");
-  command
-      ->add_option("--threads", options->threads,
-                   "Threads; 0 = all processors. The result does not depend on it")
-      ->check(CLI::Range(0, 1024));
+  addThreads(*command, options->threads);
   command->add_option("--dense", options->dense, "Dense reconstruction: builtin, colmap or openmvs")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, DenseMethod>{{"builtin", DenseMethod::Builtin},
@@ -126,11 +118,7 @@ void addProcess(CLI::App& root, Command& chosen) {
                    "Masks: auto (from the plate), given (beside the photographs), or a "
                    "segmentation network as an ONNX file")
       ->capture_default_str();
-  command
-      ->add_option("--pairing", options->pairing, "Pairing: default, or paper (Wang et al. 2023)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PairingForm>{
-          {"default", PairingForm::Default}, {"paper", PairingForm::Paper}}))
-      ->default_str("default");
+  addPairing(*command, options->pairing);
   command->callback([options, &chosen] {
     chosen = [options](Session& session) { return runProcess(*options, session); };
   });

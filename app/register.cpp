@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 using pipeline::RegisterOptions;
 using pipeline::RegisterSummary;
 
-ordered_json toJson(const RegisterSummary& summary, int status) {
+ordered_json asJson(const RegisterSummary& summary, int status) {
   ordered_json pairs = ordered_json::array();
   for (const RegisterSummary::Pair& p : summary.pairs) pairs.push_back(pipeline::toJson(p));
   return {{"pairs", pairs},
@@ -59,7 +59,7 @@ int runRegister(const RegisterOptions& options, Session& session) {
   const int status = summary->ambiguous() > 0 ? PersonMustDecide : whole ? Whole : NotWhole;
   session.finishProgress();
   if (session.json)
-    printJson(toJson(*summary, status));
+    printJson(asJson(*summary, status));
   else
     printTable(*summary);
   return status;
@@ -82,13 +82,8 @@ void addRegister(CLI::App& root, Command& chosen) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Scale>{
           {"fixed", pairing::Scale::Fixed}, {"free", pairing::Scale::Free}}))
       ->default_str("fixed");
-  command
-      ->add_option("--pairing", options->pairing, "Pairing: default, or paper (Wang et al. 2023)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{
-          {"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}))
-      ->default_str("default");
-  command->add_option("--threads", options->threads, "Threads; 0 = all processors")
-      ->check(CLI::Range(0, 1024));
+  addPairing(*command, options->pairing);
+  addThreads(*command, options->threads);
   command->callback([options, &chosen] {
     chosen = [options](Session& session) { return runRegister(*options, session); };
   });

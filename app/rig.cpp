@@ -60,8 +60,7 @@ void addSimulate(CLI::App& rig, Command& chosen) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, ScanNoise>{
           {"scanner", ScanNoise::Scanner}, {"stereo", ScanNoise::Stereo}}))
       ->default_str("scanner");
-  command->add_option("--threads", options->threads, "Threads; 0 = all processors")
-      ->check(CLI::Range(0, 1024));
+  addThreads(*command, options->threads);
   command->add_option("--fault", options->fault, "Something that goes wrong on purpose")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Fault>{{"blur", Fault::Blur},

@@ -18,7 +18,7 @@ const char* name(Verdict verdict) {
   return verdict == Verdict::Good ? "good" : verdict == Verdict::Usable ? "usable" : "not usable";
 }
 
-ordered_json toJson(const CalibrationReport& report, const std::string& output, int status) {
+ordered_json asJson(const CalibrationReport& report, const std::string& output, int status) {
   ordered_json cameras = ordered_json::array(), held_out = cameras, lengths = cameras;
   for (const rig::CameraCalibration& c : report.cameras)
     cameras.push_back({{"camera", c.camera},
@@ -66,7 +66,7 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
       return fail(session, written.error());
   const int status = report->rig ? Whole : rig::scaleIsRight(*report) ? NotWhole : PersonMustDecide;
   if (session.json) {
-    printJson(toJson(*report, output.string(), status));
+    printJson(asJson(*report, output.string(), status));
     return status;
   }
   for (const std::string& line : rig::inWords(*report)) std::printf("%s\n", line.c_str());
@@ -114,8 +114,7 @@ void addRigCalibrate(CLI::App& rig, Command& chosen) {
           "Scale check: A,B,MM as measured by hand between the middles of the outer edges of "
           "markers A and B")
       ->allow_extra_args(false);
-  command->add_option("--threads", options->threads, "Threads; 0 = all processors")
-      ->check(CLI::Range(0, 1024));
+  addThreads(*command, options->threads);
   command->callback([options, folder, output, &chosen] {
     chosen = [options, folder, output](Session& session) {
       return runCalibrate(*folder, *output, *options, session);

@@ -17,7 +17,7 @@ using virtualrig::Prediction;
 using virtualrig::PredictOptions;
 using virtualrig::SizePrediction;
 
-ordered_json toJson(const Prediction& p) {
+ordered_json asJson(const Prediction& p) {
   ordered_json sizes = ordered_json::array();
   for (const SizePrediction& s : p.sizes)
     sizes.push_back({{"size", s.name},
@@ -75,7 +75,7 @@ int runPredict(const fs::path& rig_file, PredictOptions options, Session& sessio
   if (!prediction) return fail(session, prediction.error());
   session.finishProgress();
   if (session.json)
-    printJson(toJson(*prediction));
+    printJson(asJson(*prediction));
   else
     print(*prediction);
   return Whole;
@@ -106,8 +106,7 @@ void addRigPredict(CLI::App& rig, Command& chosen) {
   command->add_option("--seed", options->seed, "Start of all chance")->capture_default_str();
   command->add_option("--work", options->work,
                       "New folder that keeps the simulated batch and its models");
-  command->add_option("--threads", options->threads, "Threads; 0 = all processors")
-      ->check(CLI::Range(0, 1024));
+  addThreads(*command, options->threads);
   command->callback([options, file, &chosen] {
     chosen = [options, file](Session& session) { return runPredict(*file, *options, session); };
   });

@@ -11,14 +11,11 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr int kMaxDepth = 64;
 
-Error unusable(std::string what, const std::string& where) {
-  return {ErrorCode::UnusableInput, std::move(what), where};
-}
-
 }  // namespace
 
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& where) {
-  if (text.size() > kMaxBytes) return unusable("The JSON text is larger than 64 MiB.", where);
+  if (text.size() > kMaxBytes)
+    return Error::unusable("The JSON text is larger than 64 MiB.", where);
   bool too_deep = false;
   const nlohmann::json::parser_callback_t check = [&](int depth, nlohmann::json::parse_event_t,
                                                       nlohmann::json&) {
@@ -27,16 +24,16 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& where
   };
   try {
     nlohmann::json value = nlohmann::json::parse(text, check);
-    if (too_deep) return unusable("The JSON is nested deeper than 64 levels.", where);
+    if (too_deep) return Error::unusable("The JSON is nested deeper than 64 levels.", where);
     return value;
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    return unusable("This is not valid JSON (line " +
-                        std::to_string(1 + std::count(text.begin(), end, '\n')) +
-                        "); mend it there, or copy the file again.",
-                    where);
+    return Error::unusable("This is not valid JSON (line " +
+                               std::to_string(1 + std::count(text.begin(), end, '\n')) +
+                               "); mend it there, or copy the file again.",
+                           where);
   } catch (const nlohmann::json::exception&) {
-    return unusable("The JSON holds a number that is too large; mend it.", where);
+    return Error::unusable("The JSON holds a number that is too large; mend it.", where);
   }
 }
 
@@ -70,10 +67,11 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
       else
         flat.push_back(row);
     }
-  if (flat.size() != 16) return unusable("A transform must be a 4x4 matrix.", where);
+  if (flat.size() != 16) return Error::unusable("A transform must be a 4x4 matrix.", where);
   Eigen::Matrix4d matrix;
   for (int i = 0; i < 16; ++i) {
-    if (!flat[i].is_number()) return unusable("A transform holds something not a number.", where);
+    if (!flat[i].is_number())
+      return Error::unusable("A transform holds something not a number.", where);
     matrix(i / 4, i % 4) = flat[i].get<double>();
   }
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
@@ -81,7 +79,7 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!matrix.allFinite() || !(skew < 1e-3) || rotation.determinant() < 0 ||
       (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-6)
-    return unusable("A transform is not rigid.", where);
+    return Error::unusable("A transform is not rigid.", where);
   Eigen::Isometry3d transform;
   transform.matrix() = matrix;
   return transform;

@@ -23,6 +23,9 @@ struct Error {
   std::string where;
 
   static Error cancelled() { return {ErrorCode::Cancelled, "Stopped on request.", {}}; }
+  static Error unusable(std::string what, std::string where = {}) {
+    return {ErrorCode::UnusableInput, std::move(what), std::move(where)};
+  }
   /// "where: what", or just what.
   std::string sentence() const { return where.empty() ? what : where + ": " + what; }
 };

@@ -7,6 +7,7 @@
 
 #include "base/markup.h"
 #include "base/sheet_text.h"
+#include "base/text.h"
 
 namespace ostraka {
 namespace {
@@ -28,9 +29,7 @@ int widthOf(unsigned char c) {
 }
 
 std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4f", value);
-  std::string out = text;
+  std::string out = fixed(value, 4);
   while (out.back() == '0') out.pop_back();
   if (out.back() == '.') out.pop_back();
   return out == "-0" ? "0" : out;

@@ -2,17 +2,12 @@
 
 #include "base/sheet.h"
 #include "base/sheet_text.h"
+#include "base/text.h"
 
 namespace ostraka {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4f", value);
-  return text;
-}
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -28,16 +23,16 @@ class Content {
  public:
   Content(const Page& page, std::vector<const Picture*>& pictures) : pictures_(pictures) {
     // To points with y up: one matrix for all.
-    out_ = number(kPointsPerMm) + " 0 0 " + number(-kPointsPerMm) + " 0 " +
-           number(page.height_mm * kPointsPerMm) + " cm 1 j\n";
+    out_ = fixed(kPointsPerMm, 4) + " 0 0 " + fixed(-kPointsPerMm, 4) + " 0 " +
+           fixed(page.height_mm * kPointsPerMm, 4) + " cm 1 j\n";
     for (const Layer& layer : page.layers) {
       out_ += "q\n";
       if (layer.window) {
         const Eigen::Vector2d size = layer.window->sizes();
-        out_ += number(layer.window->min().x()) + " " + number(layer.window->min().y()) + " " +
-                number(size.x()) + " " + number(size.y()) + " re W n\n";
+        out_ += fixed(layer.window->min().x(), 4) + " " + fixed(layer.window->min().y(), 4) + " " +
+                fixed(size.x(), 4) + " " + fixed(size.y(), 4) + " re W n\n";
       }
-      out_ += "1 0 0 1 " + number(layer.at.x()) + " " + number(layer.at.y()) + " cm\n";
+      out_ += "1 0 0 1 " + fixed(layer.at.x(), 4) + " " + fixed(layer.at.y(), 4) + " cm\n";
       for (const auto& item : layer.sheet.items) std::visit(*this, item);
       out_ += "Q\n";
     }
@@ -46,12 +41,12 @@ class Content {
 
   void operator()(const Shape& shape) {
     if (!shape.fill && !shape.stroke) return;
-    if (shape.fill) out_ += number(*shape.fill) + " g\n";
-    if (shape.stroke) out_ += number(*shape.stroke) + " G " + number(shape.stroke_mm) + " w\n";
-    out_ += shape.dash_mm > 0 ? "[" + number(shape.dash_mm) + "] 0 d\n" : std::string("[] 0 d\n");
+    if (shape.fill) out_ += fixed(*shape.fill, 4) + " g\n";
+    if (shape.stroke) out_ += fixed(*shape.stroke, 4) + " G " + fixed(shape.stroke_mm, 4) + " w\n";
+    out_ += shape.dash_mm > 0 ? "[" + fixed(shape.dash_mm, 4) + "] 0 d\n" : std::string("[] 0 d\n");
     for (const auto& line : shape.lines) {
       for (std::size_t i = 0; i < line.size(); ++i)
-        out_ += number(line[i].x()) + " " + number(line[i].y()) + (i == 0 ? " m\n" : " l\n");
+        out_ += fixed(line[i].x(), 4) + " " + fixed(line[i].y(), 4) + (i == 0 ? " m\n" : " l\n");
       if (shape.closed) out_ += "h\n";
     }
     out_ += shape.fill && shape.stroke ? "B*\n" : shape.fill ? "f*\n" : "S\n";
@@ -59,13 +54,14 @@ class Content {
   void operator()(const Text& text) {
     const double shift = text.anchor == Anchor::Left ? 0 : text.anchor == Anchor::Middle ? 0.5 : 1;
     out_ += std::string("0 g BT /") + (text.weight == Weight::Bold ? "B" : "R") + " " +
-            number(text.size_mm) + " Tf 1 0 0 -1 " + number(text.at.x() - shift * textWidth(text)) +
-            " " + number(text.at.y()) + " Tm (" + escaped(winAnsi(text.text)) + ") Tj ET\n";
+            fixed(text.size_mm, 4) + " Tf 1 0 0 -1 " +
+            fixed(text.at.x() - shift * textWidth(text), 4) + " " + fixed(text.at.y(), 4) +
+            " Tm (" + escaped(winAnsi(text.text)) + ") Tj ET\n";
   }
   void operator()(const Picture& picture) {
     pictures_.push_back(&picture);
-    out_ += "q " + number(picture.size.x()) + " 0 0 " + number(-picture.size.y()) + " " +
-            number(picture.corner.x()) + " " + number(picture.corner.y() + picture.size.y()) +
+    out_ += "q " + fixed(picture.size.x(), 4) + " 0 0 " + fixed(-picture.size.y(), 4) + " " +
+            fixed(picture.corner.x(), 4) + " " + fixed(picture.corner.y() + picture.size.y(), 4) +
             " cm /P" + std::to_string(pictures_.size() - 1) + " Do Q\n";
   }
 
@@ -140,8 +136,8 @@ std::string formatPdf(const std::vector<Page>& pages, const std::string& title) 
       named += "/P" + std::to_string(i) + " " + Objects::reference(id) + " ";
     }
     const int id = objects.add("<< /Type /Page /Parent " + Objects::reference(tree) +
-                               " /MediaBox [0 0 " + number(page.width_mm * kPointsPerMm) + " " +
-                               number(page.height_mm * kPointsPerMm) + "] /Contents " +
+                               " /MediaBox [0 0 " + fixed(page.width_mm * kPointsPerMm, 4) + " " +
+                               fixed(page.height_mm * kPointsPerMm, 4) + "] /Contents " +
                                Objects::reference(content) + " /Resources << /Font << /R " +
                                Objects::reference(plain) + " /B " + Objects::reference(bold) +
                                " >> /XObject << " + named + ">> >> >>");

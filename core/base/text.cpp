@@ -1,6 +1,7 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <ctime>
 
@@ -18,8 +19,9 @@ std::string utcText(std::time_t seconds, const char* form) {
 
 std::string fixed(double value, int digits) {
   char text[400];  // the largest double has 309 digits before the point
-  const int length = std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return {text, std::min(static_cast<std::size_t>(length), sizeof text - 1)};
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
+  return {text, end};
 }
 
 std::string lowerCase(std::string text) {

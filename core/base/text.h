@@ -5,7 +5,8 @@
 
 namespace ostraka {
 
-/// A number with so many digits behind the point.
+/// A number with so many digits behind the point, whatever the person's locale writes.
+/// digits: 0 to 80.
 std::string fixed(double value, int digits);
 
 /// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.

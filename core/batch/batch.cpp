@@ -83,7 +83,7 @@ class Reader {
   Result<Batch> read() {
     std::error_code ignored;
     if (!fs::is_directory(batch_.folder, ignored))
-      return unusable("There is no such folder; name the folder of a batch.", batch_.folder);
+      return Error::unusable("There is no such folder; name the folder of a batch.", batch_.folder);
     const Result<Layout> layout = findLayout();
     if (!layout) return layout.error();
     for (const Side side : {Side::Front, Side::Back}) collectShots(*layout, side);
@@ -97,9 +97,6 @@ class Reader {
   }
 
  private:
-  static Error unusable(const std::string& what, const fs::path& file) {
-    return {ErrorCode::UnusableInput, what, file.string()};
-  }
   void warn(const fs::path& file, const std::string& what) {
     progress_.note(NoteLevel::Warning, file.string() + ": " + what);
   }
@@ -114,13 +111,13 @@ class Reader {
       if (there[0] && options_.min_views_per_side == 0) return layout;
       if (there[0] || there[1]) {
         const int s = there[0] ? 1 : 0;
-        return unusable(std::string("The ") + name(s ? Side::Back : Side::Front) +
-                            " side is missing; put its photographs into the folder '" +
-                            layout.folder[s] + "'.",
-                        batch_.folder / layout.folder[s]);
+        return Error::unusable(std::string("The ") + name(s ? Side::Back : Side::Front) +
+                                   " side is missing; put its photographs into the folder '" +
+                                   layout.folder[s] + "'.",
+                               batch_.folder / layout.folder[s]);
       }
     }
-    return unusable(
+    return Error::unusable(
         "This is no batch: it has neither the folders 'front' and 'back' nor "
         "'top_images' and 'bottom_images'; name the folder of a batch.",
         batch_.folder);

@@ -33,20 +33,17 @@ class Bytes {
   std::string_view bytes_;
 };
 
-Error unusable(const std::string& what, const std::string& where) {
-  return {ErrorCode::UnusableInput, what, where};
-}
-
 Error cutOff(const std::string& where) {
-  return unusable("The image is cut off before its end; copy it from the camera again.", where);
+  return Error::unusable("The image is cut off before its end; copy it from the camera again.",
+                         where);
 }
 
 Result<ImageSize> checked(std::int64_t width, std::int64_t height, const std::string& where) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
       width * height > kMaxPixels)
-    return unusable("The image claims a size of " + std::to_string(width) + " x " +
-                        std::to_string(height) + " pixels, which cannot be used.",
-                    where);
+    return Error::unusable("The image claims a size of " + std::to_string(width) + " x " +
+                               std::to_string(height) + " pixels, which cannot be used.",
+                           where);
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
@@ -77,7 +74,7 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
     const auto lead = bytes.at(offset, 1, true);
     const auto marker = bytes.at(offset + 1, 1, true);
     if (!lead || !marker) return cutOff(where);
-    if (*lead != 0xFF) return unusable("The JPEG image is damaged; copy it again.", where);
+    if (*lead != 0xFF) return Error::unusable("The JPEG image is damaged; copy it again.", where);
     if (*marker == 0xFF) {  // filler
       ++offset;
       continue;
@@ -89,7 +86,7 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
     }
     const auto length = bytes.at(offset + 2, 2, true);
     if (!length) return cutOff(where);
-    if (*length < 2) return unusable("The JPEG image is damaged; copy it again.", where);
+    if (*length < 2) return Error::unusable("The JPEG image is damaged; copy it again.", where);
     if (isStartOfFrame(*marker) && !size) {
       const auto height = bytes.at(offset + 5, 2, true);
       const auto width = bytes.at(offset + 7, 2, true);
@@ -101,7 +98,7 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
     offset += 2 + *length;
     if (*marker == 0xDA) offset = afterScan(bytes, offset);
   }
-  if (!size) return unusable("The JPEG image has no picture in it.", where);
+  if (!size) return Error::unusable("The JPEG image has no picture in it.", where);
   return *size;
 }
 
@@ -110,7 +107,7 @@ Result<ImageSize> pngSize(const Bytes& bytes, const std::string& where) {
   const auto first = bytes.at(12, 4, true), width = bytes.at(16, 4, true);
   const auto height = bytes.at(20, 4, true);
   if (!first || !width || !height) return cutOff(where);
-  if (*first != kHeader) return unusable("The PNG image is damaged; copy it again.", where);
+  if (*first != kHeader) return Error::unusable("The PNG image is damaged; copy it again.", where);
   const Result<ImageSize> size = checked(*width, *height, where);
   if (!size) return size.error();
   std::size_t offset = 8;
@@ -166,7 +163,7 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
     if (*tag == 279 || *tag == 325) lengths = entry;
   }
   const auto w = number(bytes, width, 0, big), h = number(bytes, height, 0, big);
-  if (!w || !h) return unusable("The TIFF image has no size in it.", where);
+  if (!w || !h) return Error::unusable("The TIFF image has no size in it.", where);
   const Result<ImageSize> size = checked(*w, *h, where);
   if (size && !reachesItsEnd(bytes, starts, lengths, big)) return cutOff(where);
   return size;
@@ -176,12 +173,13 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
 
 Result<ImageSize> imageSize(std::string_view text, const std::string& where) {
   const Bytes bytes(text);
-  if (text.empty()) return unusable("The file is empty; copy it from the camera again.", where);
+  if (text.empty())
+    return Error::unusable("The file is empty; copy it from the camera again.", where);
   if (text.starts_with("\xFF\xD8\xFF")) return jpegSize(bytes, where);
   if (text.starts_with("\x89PNG\r\n\x1A\n")) return pngSize(bytes, where);
   if (text.starts_with(std::string_view("II*\0", 4))) return tiffSize(bytes, false, where);
   if (text.starts_with(std::string_view("MM\0*", 4))) return tiffSize(bytes, true, where);
-  return unusable("This is no JPEG, PNG or TIFF image.", where);
+  return Error::unusable("This is no JPEG, PNG or TIFF image.", where);
 }
 
 Result<ImageSize> readImageSize(const std::filesystem::path& file) {

@@ -11,10 +11,6 @@ namespace {
 constexpr double kMaxMm = 10'000;  // a plate of 20 m is a mistake in the unit
 constexpr std::size_t kMaxMarkers = 1024;
 
-Error unusable(const std::string& what, const std::filesystem::path& file) {
-  return {ErrorCode::UnusableInput, what, file.string()};
-}
-
 bool usable(const Marker& marker) {
   for (const Eigen::Vector3d& corner : marker.corners)
     if (!corner.allFinite() || corner.cwiseAbs().maxCoeff() > kMaxMm) return false;
@@ -45,28 +41,29 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
   Plate plate;
   try {
     if (json->value("unit", "mm") != "mm")
-      return unusable("The plate's unit must be mm; print the plate's file again.", file);
+      return Error::unusable("The plate's unit must be mm; print the plate's file again.", file);
     plate.dictionary = json->at("dictionary").get<std::string>();
     plate.diameter_mm = json->value("diameter", 0.0);
     for (const nlohmann::json& value : json->at("markers")) {
       if (plate.markers.size() >= kMaxMarkers)
-        return unusable("The plate names more than 1024 markers.", file);
+        return Error::unusable("The plate names more than 1024 markers.", file);
       plate.markers.push_back(markerFromJson(value));
     }
   } catch (const nlohmann::json::exception&) {
-    return unusable(
+    return Error::unusable(
         "The plate needs 'dictionary', 'diameter' and 'markers' with an id and four "
         "corners of three numbers each.",
         file);
   }
-  if (plate.markers.empty()) return unusable("The plate names no marker.", file);
+  if (plate.markers.empty()) return Error::unusable("The plate names no marker.", file);
   if (!(plate.diameter_mm >= 0 && plate.diameter_mm <= 2 * kMaxMm))
-    return unusable("The plate's diameter is no length in mm.", file);
+    return Error::unusable("The plate's diameter is no length in mm.", file);
   std::set<int> ids;
   for (const Marker& marker : plate.markers) {
     const std::string name = "Marker " + std::to_string(marker.id);
-    if (!usable(marker)) return unusable(name + " of the plate has no valid corners.", file);
-    if (!ids.insert(marker.id).second) return unusable(name + " stands twice on the plate.", file);
+    if (!usable(marker)) return Error::unusable(name + " of the plate has no valid corners.", file);
+    if (!ids.insert(marker.id).second)
+      return Error::unusable(name + " stands twice on the plate.", file);
   }
   return plate;
 }
@@ -82,7 +79,7 @@ Result<Board> readBoard(const std::filesystem::path& file) {
     board.square_mm = lengthFromJson(*json, "square_mm", "square_length");
     board.marker_mm = lengthFromJson(*json, "marker_mm", "marker_length");
   } catch (const nlohmann::json::exception&) {
-    return unusable(
+    return Error::unusable(
         "The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and "
         "'marker_mm'.",
         file);
@@ -91,7 +88,7 @@ Result<Board> readBoard(const std::filesystem::path& file) {
                        board.squares_y <= 100;
   if (!squares || !(board.marker_mm > 0 && board.marker_mm < board.square_mm) ||
       !(board.square_mm <= kMaxMm))
-    return unusable("The board's squares and markers have no valid number or size.", file);
+    return Error::unusable("The board's squares and markers have no valid number or size.", file);
   return board;
 }
 

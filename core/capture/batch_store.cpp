@@ -6,13 +6,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <ctime>
 #include <map>
 #include <set>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "rig/plate_print.h"
 
 namespace ostraka::capture {
@@ -46,10 +45,7 @@ Result<void> makeFolder(const fs::path& folder) {
 }
 
 std::string lowerExtension(const std::string& name) {
-  std::string extension = fs::path(name).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lowerCase(fs::path(name).extension().string());
 }
 
 // The extension under which the chain reads it; empty for raw formats. The camera's own name
@@ -71,15 +67,6 @@ std::string shotName(int camera, int stop) {
 
 fs::path hidden(const fs::path& file) {
   return file.parent_path() / ("." + file.filename().string() + kArriving);
-}
-
-std::string utcNow() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  ::gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
 }
 
 // "set_aside/front_cam0_pos00_take1.jpg" for "front/cam0_pos00.jpg".

@@ -1,11 +1,13 @@
 #include "capture/comxim.h"
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
 #include <mutex>
 #include <vector>
 
+#include "base/text.h"
 #include "capture/conversation.h"
 
 namespace ostraka::capture {
@@ -13,7 +15,7 @@ namespace {
 
 using Kind = ComXimReply::Kind;
 
-constexpr double kReply_s = 1.0;
+constexpr double kComXimReply_s = 1.0;
 constexpr double kBetween_s = 0.1;      // the tables want a pause between commands
 constexpr double kTolerance_deg = 0.3;  // they turn to about a tenth
 constexpr int kMostTurns = 3;           // a first one and two corrections
@@ -25,12 +27,6 @@ std::optional<double> numberIn(std::string_view text) {
   if (failed != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     return std::nullopt;
   return value;
-}
-
-std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 2).ptr;
-  return {text, end};
 }
 
 class ComXimTurntable final : public Turntable {
@@ -165,13 +161,14 @@ class ComXimTurntable final : public Turntable {
     return {};
   }
 
-  // Other: nothing that was understood came in time.
-  Result<ComXimReply> command(const std::string& text, std::stop_token stop) {
+  // Sends it and gives the first reply of one of these kinds; Other: none came in time.
+  Result<ComXimReply> ask(const std::string& text, std::initializer_list<Kind> wanted,
+                          std::stop_token stop) {
     heard_ = false;
     if (!line_.clock().sleep(kBetween_s, stop)) return Error::cancelled();
     if (Result<void> r = drain(); !r) return r.error();
     if (Result<void> r = line_.send(text + ";"); !r) return r.error();
-    for (const double deadline_s = now_s() + kReply_s; now_s() < deadline_s;) {
+    for (const double deadline_s = now_s() + kComXimReply_s; now_s() < deadline_s;) {
       const auto message = line_.next(deadline_s - now_s(), stop);
       if (!message) return message.error();
       if (stop.stop_requested()) return Error::cancelled();
@@ -179,9 +176,13 @@ class ComXimTurntable final : public Turntable {
       const ComXimReply reply = parseComXimReply(**message, options_.dialect);
       heard_ = heard_ || (*message)->starts_with("CR+") || (*message)->starts_with("+DATA") ||
                (*message)->starts_with("+OK") || (*message)->starts_with("+FAIL");
-      if (reply.kind == Kind::Accepted || reply.kind == Kind::Refused) return reply;
+      if (std::find(wanted.begin(), wanted.end(), reply.kind) != wanted.end()) return reply;
     }
     return ComXimReply{};
+  }
+
+  Result<ComXimReply> command(const std::string& text, std::stop_token stop) {
+    return ask(text, {Kind::Accepted, Kind::Refused}, stop);
   }
 
   // True: it said that it arrived. False: it said nothing.
@@ -202,19 +203,10 @@ class ComXimTurntable final : public Turntable {
   }
 
   Result<std::optional<double>> askAngle(std::stop_token stop) {
-    if (!line_.clock().sleep(kBetween_s, stop)) return Error::cancelled();
-    if (Result<void> r = drain(); !r) return r.error();
-    if (Result<void> r = line_.send(brackets() ? "CT+GETOFFSETANGLE();" : "+QT,CHANGEANGLE;"); !r)
-      return r.error();
-    for (const double deadline_s = now_s() + kReply_s; now_s() < deadline_s;) {
-      const auto message = line_.next(deadline_s - now_s(), stop);
-      if (!message) return message.error();
-      if (stop.stop_requested()) return Error::cancelled();
-      if (!*message) break;
-      const ComXimReply reply = parseComXimReply(**message, options_.dialect);
-      if (reply.kind == Kind::Angle) return std::optional(sign() * reply.angle_deg);
-      if (reply.kind == Kind::Refused) break;
-    }
+    const Result<ComXimReply> reply = ask(brackets() ? "CT+GETOFFSETANGLE()" : "+QT,CHANGEANGLE",
+                                          {Kind::Angle, Kind::Refused}, stop);
+    if (!reply) return reply.error();
+    if (reply->kind == Kind::Angle) return std::optional(sign() * reply->angle_deg);
     return std::optional<double>();
   }
 
@@ -240,8 +232,8 @@ class ComXimTurntable final : public Turntable {
     const double way = sign() * by;
     const std::string text =
         brackets() ? std::string(new_spelling_ ? "CT+TURNSINGLE(" : "CT+TRUNSINGLE(") +
-                         (way > 0 ? "1," : "0,") + number(std::abs(way)) + ")"
-                   : "+CT,TURNANGLE=" + number(way);
+                         (way > 0 ? "1," : "0,") + fixed(std::abs(way), 2) + ")"
+                   : "+CT,TURNANGLE=" + fixed(way, 2);
     const Result<ComXimReply> reply = command(text, stop);
     if (!reply) return reply.error().code == ErrorCode::Cancelled ? haltAt() : reply.error();
     if (reply->kind == Kind::Refused) {

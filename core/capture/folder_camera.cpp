@@ -5,29 +5,19 @@
 #include <set>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "batch/image_header.h"
+#include "batch/photograph.h"
 
 namespace ostraka::capture {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-bool isPhotograph(const fs::path& file) {
-  const std::string extension = lower(file.extension().string());
-  return extension == ".jpg" || extension == ".jpeg" || extension == ".png" ||
-         extension == ".tif" || extension == ".tiff";
-}
-
 // What other programs write while they copy.
 bool isPartial(const fs::path& file) {
-  const std::string name = lower(file.filename().string()),
-                    extension = lower(file.extension().string());
+  const std::string name = lowerCase(file.filename().string()),
+                    extension = lowerCase(file.extension().string());
   return name.starts_with(".") || name.ends_with("~") || extension == ".part" ||
          extension == ".partial" || extension == ".tmp" || extension == ".crdownload" ||
          extension == ".xmp";
@@ -121,7 +111,7 @@ class FolderCamera final : public Camera {
 
   static bool hasPhotograph(const std::map<fs::path, FileState>& files) {
     return std::any_of(files.begin(), files.end(),
-                       [](const auto& file) { return isPhotograph(file.first); });
+                       [](const auto& file) { return batch::hasPhotographEnding(file.first); });
   }
 
   // Missing: not whole yet, wait on.
@@ -129,7 +119,7 @@ class FolderCamera final : public Camera {
     std::vector<CameraFile> files;
     std::string photograph;
     for (const auto& [file, state] : fresh) {
-      if (!isPhotograph(file)) continue;
+      if (!batch::hasPhotographEnding(file)) continue;
       if (!photograph.empty())
         return Error{ErrorCode::UnusableInput,
                      "Two photographs came for one shot, " + photograph + " and " +
@@ -141,15 +131,16 @@ class FolderCamera final : public Camera {
     for (const auto& [file, state] : fresh) {
       Result<std::string> bytes = readFile(file);
       if (!bytes) return Error{ErrorCode::Missing, bytes.error().what, bytes.error().where};
-      if (isPhotograph(file))
+      if (batch::hasPhotographEnding(file))
         if (const auto size = batch::imageSize(*bytes, file.string()); !size)
           return Error{ErrorCode::Missing, size.error().what, file.string()};
-      const bool belongs = isPhotograph(file) || file.stem() == fs::path(photograph).stem();
+      const bool belongs =
+          batch::hasPhotographEnding(file) || file.stem() == fs::path(photograph).stem();
       if (belongs) files.push_back({file.filename().string(), std::move(*bytes)});
       known_.insert(file);
     }
     std::stable_partition(files.begin(), files.end(),
-                          [](const CameraFile& f) { return isPhotograph(f.name); });
+                          [](const CameraFile& f) { return batch::hasPhotographEnding(f.name); });
     return files;
   }
 

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 
+#include "base/text.h"
 #include "capture/gphoto_library.h"
 
 namespace ostraka::capture {
@@ -43,12 +44,6 @@ const std::map<std::string, std::vector<std::string>>& keysOf() {
       {"focus", {"focusmode", "focusmode2"}},
       {"white_balance", {"whitebalance"}}};
   return keys;
-}
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 class GphotoCamera final : public Camera {
@@ -269,7 +264,7 @@ class GphotoCamera final : public Camera {
     }
     model_ = seen.model;
     port_ = seen.port;
-    const std::string format = lower(text("imageformat") + text("imagequality"));
+    const std::string format = lowerCase(text("imageformat") + text("imagequality"));
     two_files_ = format.find("raw") != std::string::npos &&
                  (format.find('+') != std::string::npos || format.find("jp") != std::string::npos);
     return {};

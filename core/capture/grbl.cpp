@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "base/text.h"
 #include "capture/conversation.h"
 
 namespace ostraka::capture {
@@ -24,12 +25,6 @@ struct Answer {
   Reply reply = Reply::Lost;
   std::string words;  // of Refused and Alarm
 };
-
-std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 3).ptr;
-  return {text, end};
-}
 
 class GrblTurntable final : public Turntable {
  public:
@@ -314,7 +309,7 @@ class GrblTurntable final : public Turntable {
     const Result<GrblReport> before = settled(stop);
     if (!before) return before.error();
     for (int again = 0; again < 3; ++again) {  // saying it twice changes nothing
-      const Result<Answer> answer = command("G92 X" + number(sign() * degrees), kReply_s, stop);
+      const Result<Answer> answer = command("G92 X" + fixed(sign() * degrees, 3), kReply_s, stop);
       if (!answer) return answer.error();
       if (answer->reply != Reply::Ok && answer->reply != Reply::Lost) return judge(*answer, {});
       if (before->machine) offset_ = *before->machine - sign() * degrees;
@@ -359,7 +354,7 @@ class GrblTurntable final : public Turntable {
     const double patience_s = 1.5 * std::abs(target - start) / options_.speed_deg_s + 3;
     double deadline_s = now_s() + patience_s;
     const std::string move =
-        "G1 X" + number(sign() * target) + " F" + number(60 * options_.speed_deg_s);
+        "G1 X" + fixed(sign() * target, 3) + " F" + fixed(60 * options_.speed_deg_s, 3);
     int sent = 0, arrived = 0, resting = 0, silences = 0;
     bool must_send = true;
     while (true) {

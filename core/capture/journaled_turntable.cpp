@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFormat = "ostraka-turntable/1";
+constexpr const char* kJournalFormat = "ostraka-turntable/1";
 
 class JournaledTurntable final : public Turntable {
  public:
@@ -72,7 +72,8 @@ class JournaledTurntable final : public Turntable {
 
   std::optional<double> readPlace() const {
     const Result<nlohmann::json> json = readJson(journal_);
-    if (!json || !json->is_object() || !json->contains("format") || json->at("format") != kFormat)
+    if (!json || !json->is_object() || !json->contains("format") ||
+        json->at("format") != kJournalFormat)
       return std::nullopt;
     const auto place = json->find("stands_at_deg");
     if (place == json->end() || !place->is_number()) return std::nullopt;
@@ -82,12 +83,12 @@ class JournaledTurntable final : public Turntable {
 
   // Written before the command is sent: from here on nobody knows the place until it is arrived().
   void setOut(double target_deg) const {
-    if (!writeJson(journal_, {{"format", kFormat}, {"turns_to_deg", target_deg}})) forget();
+    if (!writeJson(journal_, {{"format", kJournalFormat}, {"turns_to_deg", target_deg}})) forget();
   }
   void arrived() const {
     const std::optional<double> place = position_deg();
     if (!place) return;
-    if (!writeJson(journal_, {{"format", kFormat}, {"stands_at_deg", *place}})) forget();
+    if (!writeJson(journal_, {{"format", kJournalFormat}, {"stands_at_deg", *place}})) forget();
   }
   // What cannot be kept up to date must not be believed later.
   void forget() const {

@@ -8,7 +8,7 @@
 namespace ostraka::capture {
 namespace {
 
-constexpr const char* kFormat = "ostraka-capture/1";
+constexpr const char* kManifestFormat = "ostraka-capture/1";
 
 std::filesystem::path manifestFile(const std::filesystem::path& batch) {
   return batch / "manifest.json";
@@ -106,7 +106,7 @@ Result<Manifest> readManifest(const std::filesystem::path& batch) {
                        "batch.",
                        file.string()};
   try {
-    if (json->at("format") != kFormat) return unusable;
+    if (json->at("format") != kManifestFormat) return unusable;
     manifest.stops = json->at("stops").get<int>();
     manifest.cameras = json->at("cameras").get<int>();
     for (const nlohmann::json& entry : json->at("photographs")) {
@@ -128,7 +128,7 @@ Result<void> writeManifest(const std::filesystem::path& batch, const Manifest& m
   });
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ManifestEntry* e : sorted) list.push_back(toJson(*e));
-  return writeJson(manifestFile(batch), {{"format", kFormat},
+  return writeJson(manifestFile(batch), {{"format", kManifestFormat},
                                          {"stops", manifest.stops},
                                          {"cameras", manifest.cameras},
                                          {"photographs", list}});

@@ -4,10 +4,9 @@
 #include <map>
 #include <numbers>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "batch/image_header.h"
+#include "batch/photograph.h"
 #include "capture/shot_checks.h"
 #include "capture/silhouettes.h"
 #include "rig/edge_width.h"
@@ -19,22 +18,6 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kQuickWidth_px = 960;
 constexpr int kLeastMarkers = 4;  // one marker's corners alone tilt the plane
-
-Result<cv::Mat> decoded(std::string_view picture) {
-  const Result<batch::ImageSize> size = batch::imageSize(picture, {});
-  if (!size) return size.error();
-  cv::Mat image;
-  try {
-    const cv::Mat raw(1, static_cast<int>(picture.size()), CV_8U,
-                      const_cast<char*>(picture.data()));
-    image = cv::imdecode(raw, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    image.release();
-  }
-  if (image.empty() || image.cols != size->width || image.rows != size->height)
-    return Error{ErrorCode::UnusableInput, "The picture cannot be decoded.", {}};
-  return image;
-}
 
 // Most of the time goes into the markers. A smaller picture shows nearly all of them as well; only
 // when it does not, as with small markers or a camera that sees the plate from afar, all of it
@@ -164,7 +147,7 @@ Result<PlateLook> lookAtPlate(std::string_view picture, const batch::Plate& plat
 Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plate,
                               const LookOptions& options) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
-  const Result<cv::Mat> whole = decoded(picture);
+  const Result<cv::Mat> whole = batch::decodePhotograph(picture, {});
   if (!whole) return whole.error();
   MappedLook mapped;
   PlateLook& look = mapped.look;

@@ -63,10 +63,6 @@ nlohmann::ordered_json toJson(const DevicesFile& devices) {
           {"plate", devices.plate.string()}};
 }
 
-Error unusable(const std::string& what, const fs::path& file) {
-  return {ErrorCode::UnusableInput, what, file.string()};
-}
-
 Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, const AskPerson& ask,
                                                  const std::shared_ptr<Clock>& clock,
                                                  const fs::path& rig_file, std::stop_token stop) {
@@ -74,14 +70,14 @@ Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, co
   const bool comxim = place.driver == "comxim1" || place.driver == "comxim2";
   const bool text = place.driver == "text";
   if (!comxim && !text && place.driver != "grbl")
-    return unusable("The turntable's driver " + place.driver +
-                        " is not known; there are: grbl, comxim1, comxim2, text, hand.",
-                    rig_file);
+    return Error::unusable("The turntable's driver " + place.driver +
+                               " is not known; there are: grbl, comxim1, comxim2, text, hand.",
+                           rig_file);
   TextTableOptions words{marlinDialect(), place.speed_deg_s, place.clockwise};
   if (text && !place.dialect.empty()) {
     const Result<TextDialect> dialect =
         dialectFromJson(nlohmann::json::parse(place.dialect, nullptr, false));
-    if (!dialect) return unusable(dialect.error().what, rig_file);
+    if (!dialect) return Error::unusable(dialect.error().what, rig_file);
     words.dialect = *dialect;
   }
   Result<std::unique_ptr<ByteChannel>> channel = openChannel(place.channel, place.baud);
@@ -112,7 +108,7 @@ Result<std::unique_ptr<Camera>> openCamera(const CameraPlace& place,
     options.source = place.serial;
     return openUvcCamera(options, clock);
   }
-  return unusable(
+  return Error::unusable(
       "The camera driver " + place.driver + " is not known; there are: folder, gphoto2, uvc.",
       rig_file);
 }
@@ -123,16 +119,18 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
   const Result<nlohmann::json> json = readJson(rig_file);
   if (!json) return json.error();
   if (!json->is_object() || !json->contains("devices"))
-    return unusable("The rig names no devices; choose them in the window's settings.", rig_file);
+    return Error::unusable("The rig names no devices; choose them in the window's settings.",
+                           rig_file);
   try {
     DevicesFile devices = devicesFromJson(json->at("devices"));
-    if (devices.cameras.empty()) return unusable("The rig names no camera.", rig_file);
+    if (devices.cameras.empty()) return Error::unusable("The rig names no camera.", rig_file);
     if (!(devices.settle_s >= 0) || !(devices.turntable.speed_deg_s > 0))
-      return unusable("settle_s and speed_deg_s must be positive.", rig_file);
+      return Error::unusable("settle_s and speed_deg_s must be positive.", rig_file);
     if (devices.plate.is_relative()) devices.plate = rig_file.parent_path() / devices.plate;
     return devices;
   } catch (const nlohmann::json::exception&) {
-    return unusable("The part 'devices' cannot be read; choose the devices again.", rig_file);
+    return Error::unusable("The part 'devices' cannot be read; choose the devices again.",
+                           rig_file);
   }
 }
 
@@ -142,7 +140,7 @@ Result<void> writeDevices(const fs::path& rig_file, const DevicesFile& devices) 
   if (fs::exists(rig_file, absent)) {
     const Result<nlohmann::json> there = readJson(rig_file);
     if (!there) return there.error();
-    if (!there->is_object()) return unusable("This is no rig file.", rig_file);
+    if (!there->is_object()) return Error::unusable("This is no rig file.", rig_file);
     for (const auto& [key, value] : there->items()) whole[key] = value;
   }
   whole["devices"] = toJson(devices);

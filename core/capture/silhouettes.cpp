@@ -7,6 +7,7 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
 #include "cloud/point_cloud.h"
 #include "scan/split.h"
 #include "scan/touching.h"
@@ -36,13 +37,6 @@ Row6 lightTerms(double x, double y) {
   Row6 row;
   row << 1, x, y, x * x, x * y, y * y;
   return row;
-}
-
-float median(std::vector<float> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // The most frequent brightness among the samples: that of the felt, when most of it is bare.
@@ -93,7 +87,7 @@ Eigen::Matrix<double, 6, 3> fitFelt(const Samples& samples, float& spread) {
       distance[i] = static_cast<float>(left.cwiseAbs().maxCoeff());
       if (used[i]) inside.push_back(distance[i]);
     }
-    spread = std::max(3 * median(std::move(inside)), 0.12f);
+    spread = std::max(3 * medianOf(std::move(inside)), 0.12f);
     for (std::size_t i = 0; i < used.size(); ++i) used[i] = distance[i] < spread;
   }
   return fit;
@@ -149,11 +143,11 @@ cv::Mat1b differing(const Difference& d, const cv::Mat1b& seen, float spread) {
         brightness.push_back(std::abs(d.brightness(y, x)));
         roughness.push_back(d.roughness(y, x));
       }
-  const float most_tint = std::max(kLeastTint, kTintSpreads * median(std::move(tint)));
+  const float most_tint = std::max(kLeastTint, kTintSpreads * medianOf(std::move(tint)));
   const float most_light =
-      std::max(kLeastBrightness, kBrightnessSpreads * median(std::move(brightness)));
+      std::max(kLeastBrightness, kBrightnessSpreads * medianOf(std::move(brightness)));
   const float most_rough =
-      std::max(kLeastRoughness, kRoughnessSpreads * median(std::move(roughness)));
+      std::max(kLeastRoughness, kRoughnessSpreads * medianOf(std::move(roughness)));
   cv::Mat1b rough = d.roughness > most_rough;
   cv::erode(rough, rough, disc(5));  // its window reaches over the outline
   cv::Mat1b all = (d.tint > most_tint) | (d.brightness > most_light) |

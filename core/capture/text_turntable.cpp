@@ -8,33 +8,28 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "base/text.h"
 #include "capture/conversation.h"
 
 namespace ostraka::capture {
 namespace {
 
-constexpr double kTolerance_deg = 0.1;
-constexpr int kTries = 3;
-constexpr double kHoming_s = 60;
-constexpr double kBoot_s = 3;
-constexpr double kTrail_s = 0.3;  // within which the end of an answer follows it
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-std::string number(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 3).ptr;
-  return {text, end};
-}
-
 std::string filledIn(std::string text, const std::string& name, double value) {
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name))
-    text.replace(at, name.size(), number(value));
+    text.replace(at, name.size(), fixed(value, 3));
   return text;
 }
 
-enum class Answer { Accepted, Arrived, Refused, Restarted, Lost };
-
 class TextTurntable final : public Turntable {
+  static constexpr double kTolerance_deg = 0.1;
+  static constexpr int kTries = 3;
+  static constexpr double kHoming_s = 60;
+  static constexpr double kBoot_s = 3;
+  static constexpr double kTrail_s = 0.3;  // within which the end of an answer follows it
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+  enum class Answer { Accepted, Arrived, Refused, Restarted, Lost };
+
  public:
   TextTurntable(std::unique_ptr<ByteChannel> channel, const TextTableOptions& options,
                 std::shared_ptr<Clock> clock)
@@ -233,8 +228,8 @@ class TextTurntable final : public Turntable {
     const Result<std::optional<double>> place = ask(stop);
     if (!place) return place.error();
     if (*place && std::abs(**place - target) > kTolerance_deg)
-      return gone("The turntable stands at " + number(**place) + " degrees instead of " +
-                  number(target) + ".");
+      return gone("The turntable stands at " + fixed(**place, 3) + " degrees instead of " +
+                  fixed(target, 3) + ".");
     return {};
   }
 

@@ -12,7 +12,7 @@
 namespace ostraka::capture {
 namespace {
 
-constexpr double kReopen_s = 2;              // a device needs a moment after it was plugged in
+constexpr double kUsbReopen_s = 2;           // a device needs a moment after it was plugged in
 constexpr unsigned kWrite_ms = 1000;         // for one short line
 constexpr unsigned kSlice_ms = 50;           // libusb is asked in slices: a stop is noticed
 constexpr std::uint8_t kToInterface = 0x21;  // class request, host to interface
@@ -150,7 +150,7 @@ class UsbChannel final : public ByteChannel {
 
   Result<void> reopen(std::stop_token stop) override {
     close();
-    const double deadline_s = clock_->now_s() + kReopen_s;
+    const double deadline_s = clock_->now_s() + kUsbReopen_s;
     while (true) {
       const Result<void> opened = open();
       if (opened || clock_->now_s() >= deadline_s) return opened;

@@ -38,10 +38,6 @@ std::vector<HistoryEntry> readHistory(Statement& rows) {
   return all;
 }
 
-std::string rowText(std::int64_t row) {
-  return row > 0 ? std::to_string(row) : std::string();
-}
-
 }  // namespace
 
 void remember(const Catalogue& catalogue, const Act& act, const char* table, std::int64_t row,

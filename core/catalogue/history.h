@@ -19,4 +19,9 @@ struct SavedField {
 bool rememberDifferences(const Catalogue& catalogue, const Act& act, const char* table,
                          std::int64_t row, const std::vector<SavedField>& fields);
 
+/// A row as the history names it; nothing for no row.
+inline std::string rowText(std::int64_t row) {
+  return row > 0 ? std::to_string(row) : std::string();
+}
+
 }  // namespace ostraka::catalogue

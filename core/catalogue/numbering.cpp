@@ -8,10 +8,6 @@ namespace {
 
 constexpr std::array kTokens = {"site", "trench", "context", "bag", "batch", "yyyy", "yy", "n"};
 
-Error bad(std::string what) {
-  return {ErrorCode::UnusableInput, std::move(what), {}};
-}
-
 bool isDigits(std::string_view text) {
   return !text.empty() &&
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -35,8 +31,9 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
   for (std::size_t i = 0; i < scheme.size();) {
     if (scheme[i] != '{') {
       if (!isLiteral(scheme[i]))
-        return bad(std::string("The numbering cannot hold the character '") + scheme[i] +
-                   "'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.");
+        return Error::unusable(
+            std::string("The numbering cannot hold the character '") + scheme[i] +
+            "'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.");
       if (numbering.parts_.empty() || numbering.parts_.back().token)
         numbering.parts_.push_back({false, {}, 0});
       numbering.parts_.back().text += scheme[i++];
@@ -44,29 +41,30 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
     }
     const std::size_t end = scheme.find('}', i);
     if (end == std::string_view::npos)
-      return bad("The numbering opens a token with { and does not close it with }.");
+      return Error::unusable("The numbering opens a token with { and does not close it with }.");
     const std::string_view inside = scheme.substr(i + 1, end - i - 1);
     const std::size_t colon = inside.find(':');
     Part part{true, std::string(inside.substr(0, colon)), 0};
     if (std::find(kTokens.begin(), kTokens.end(), part.text) == kTokens.end())
-      return bad("The numbering has no token {" + part.text +
-                 "}; there are site, trench, context, bag, batch, yyyy, yy and n.");
+      return Error::unusable("The numbering has no token {" + part.text +
+                             "}; there are site, trench, context, bag, batch, yyyy, yy and n.");
     if (colon != std::string_view::npos) {
       const std::string_view width = inside.substr(colon + 1);
       if (!isDigits(width) || width[0] != '0' || width.size() > 3 ||
           std::stoi(std::string(width)) > 12)
-        return bad("The width of {" + part.text +
-                   "} must be written as :04, with 12 digits at most.");
+        return Error::unusable("The width of {" + part.text +
+                               "} must be written as :04, with 12 digits at most.");
       part.width = std::stoi(std::string(width));
     }
     if (!numbering.parts_.empty() && numbering.parts_.back().token)
-      return bad("Two tokens touch each other; put a '-' or another sign between {" +
-                 numbering.parts_.back().text + "} and {" + part.text + "}.");
+      return Error::unusable("Two tokens touch each other; put a '-' or another sign between {" +
+                             numbering.parts_.back().text + "} and {" + part.text + "}.");
     counters += part.text == "n";
     numbering.parts_.push_back(std::move(part));
     i = end + 1;
   }
-  if (counters != 1) return bad("The numbering must count the sherds with {n} exactly once.");
+  if (counters != 1)
+    return Error::unusable("The numbering must count the sherds with {n} exactly once.");
   return numbering;
 }
 
@@ -94,7 +92,8 @@ Result<std::string> Numbering::number(const std::map<std::string, std::string>& 
   std::string lacking;
   std::string out = fill(values, std::to_string(n), &lacking);
   if (!lacking.empty())
-    return bad("The number needs the " + lacking + " of the sherd, which is not recorded.");
+    return Error::unusable("The number needs the " + lacking +
+                           " of the sherd, which is not recorded.");
   return out;
 }
 
@@ -102,7 +101,8 @@ Result<std::string> Numbering::counter(const std::map<std::string, std::string>&
   std::string lacking;
   std::string out = fill(values, "{n}", &lacking);
   if (!lacking.empty())
-    return bad("The number needs the " + lacking + " of the sherd, which is not recorded.");
+    return Error::unusable("The number needs the " + lacking +
+                           " of the sherd, which is not recorded.");
   return out;
 }
 

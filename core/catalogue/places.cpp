@@ -92,10 +92,6 @@ class Saving {
   std::string id_;
 };
 
-std::string rowText(std::int64_t row) {
-  return row > 0 ? std::to_string(row) : std::string();
-}
-
 constexpr const char* kContexts =
     "SELECT context.row, context.site, context.trench, context.id, context.number, kind, "
     "excavated_on, period, date_edtf, note, closed, site.code, trench.code FROM context "

@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1 << 20;
 
-Error bad(std::string what) {
-  return {ErrorCode::UnusableInput, std::move(what), {}};
-}
-
 bool digits(std::string_view text, std::size_t from, std::size_t count) {
   if (from + count > text.size()) return false;
   return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(from),
@@ -72,8 +68,8 @@ bool isEdtfDate(std::string_view text) {
 }  // namespace
 
 Result<std::string> checkedText(std::string_view text) {
-  if (text.size() > kMostBytes) return bad("The text is longer than 1 MB.");
-  if (!isUtf8(text)) return bad("The text is not valid UTF-8, or holds a zero byte.");
+  if (text.size() > kMostBytes) return Error::unusable("The text is longer than 1 MB.");
+  if (!isUtf8(text)) return Error::unusable("The text is not valid UTF-8, or holds a zero byte.");
   return composed(trimmed(text));
 }
 
@@ -88,7 +84,7 @@ Result<std::string> checkedDay(std::string_view typed) {
     const int day = number(std::string_view(text).substr(8, 2));
     if (month >= 1 && month <= 12 && day >= 1 && day <= daysIn(year, month)) return text;
   }
-  return bad("A day is written as 2026-07-14 (year-month-day).");
+  return Error::unusable("A day is written as 2026-07-14 (year-month-day).");
 }
 
 Result<std::string> checkedEdtf(std::string_view typed) {
@@ -107,7 +103,7 @@ Result<std::string> checkedEdtf(std::string_view typed) {
     good = isEnd(from) && isEnd(to) && (isEdtfDate(from) || isEdtfDate(to));
   }
   if (good) return text;
-  return bad(
+  return Error::unusable(
       "A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years "
       "have four digits.");
 }
@@ -129,7 +125,7 @@ Result<std::string> checkedMunsell(std::string_view typed) {
     const bool known = std::find(std::begin(kHues), std::end(kHues), name) != std::end(kHues);
     if ((hue == "N" || (letters > 0 && known)) && numeric(value) && numeric(chroma)) return text;
   }
-  return bad("A Munsell colour is written as 10YR 3/1 or N 4/.");
+  return Error::unusable("A Munsell colour is written as 10YR 3/1 or N 4/.");
 }
 
 Result<double> parsedNumber(std::string_view typed) {
@@ -141,7 +137,7 @@ Result<double> parsedNumber(std::string_view typed) {
   const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
   if (text.empty() || code != std::errc() || end != text.data() + text.size() ||
       !std::isfinite(value))
-    return bad("'" + text + "' is no number; write 12.5 or 12,5, without a unit.");
+    return Error::unusable("'" + text + "' is no number; write 12.5 or 12,5, without a unit.");
   return value;
 }
 
@@ -187,8 +183,9 @@ std::vector<std::string> termsFromJson(std::string_view text) {
 
 Result<std::string> checkedPath(std::string_view typed) {
   const auto refused = [&] {
-    return bad("'" + std::string(typed) +
-               "' is no path inside the project; it must be relative, with '/' and without '..'.");
+    return Error::unusable(
+        "'" + std::string(typed) +
+        "' is no path inside the project; it must be relative, with '/' and without '..'.");
   };
   if (typed.empty() || typed.size() > 4096 || !isUtf8(typed)) return refused();
   const std::string path = composed(typed);

@@ -17,7 +17,7 @@ constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
 template <class T>
-void append(std::string& bytes, T value) {
+void appendBytes(std::string& bytes, T value) {
   char raw[sizeof(T)];
   std::memcpy(raw, &value, sizeof value);
   bytes.append(raw, sizeof raw);
@@ -61,7 +61,7 @@ int addPositions(Buffer& buffer, const TriangleMesh& mesh) {
     const Eigen::Vector3f p = yUp(v) / 1000.0f;
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
-    for (int k = 0; k < 3; ++k) append(buffer.bytes, p[k]);
+    for (int k = 0; k < 3; ++k) appendBytes(buffer.bytes, p[k]);
   }
   const int index = buffer.close(begin, kArrayBuffer, kFloat, mesh.vertices.size(), "VEC3");
   // Doubles hold the float's exact value, and so does their shortest text.
@@ -77,7 +77,7 @@ int addNormals(Buffer& buffer, const TriangleMesh& mesh) {
     const float length = v.norm();
     const Eigen::Vector3f n =
         length > 1e-6f ? Eigen::Vector3f(yUp(v) / length) : Eigen::Vector3f::UnitY();
-    for (int k = 0; k < 3; ++k) append(buffer.bytes, n[k]);
+    for (int k = 0; k < 3; ++k) appendBytes(buffer.bytes, n[k]);
   }
   return buffer.close(begin, kArrayBuffer, kFloat, mesh.normals.size(), "VEC3");
 }
@@ -85,8 +85,8 @@ int addNormals(Buffer& buffer, const TriangleMesh& mesh) {
 int addColors(Buffer& buffer, const TriangleMesh& mesh) {
   const std::size_t begin = buffer.bytes.size();
   for (const Color& c : mesh.colors) {
-    for (const std::uint8_t level : c) append(buffer.bytes, linear(level));
-    append(buffer.bytes, std::uint16_t{65535});
+    for (const std::uint8_t level : c) appendBytes(buffer.bytes, linear(level));
+    appendBytes(buffer.bytes, std::uint16_t{65535});
   }
   const int index = buffer.close(begin, kArrayBuffer, kUnsignedShort, mesh.colors.size(), "VEC4");
   buffer.accessors[index]["normalized"] = true;
@@ -95,7 +95,7 @@ int addColors(Buffer& buffer, const TriangleMesh& mesh) {
 
 int addSeen(Buffer& buffer, const TriangleMesh& mesh) {
   const std::size_t begin = buffer.bytes.size();
-  for (const std::uint8_t s : mesh.seen) append(buffer.bytes, s ? 1.0f : 0.0f);
+  for (const std::uint8_t s : mesh.seen) appendBytes(buffer.bytes, s ? 1.0f : 0.0f);
   return buffer.close(begin, kArrayBuffer, kFloat, mesh.seen.size(), "SCALAR");
 }
 
@@ -106,9 +106,9 @@ int addIndices(Buffer& buffer, const TriangleMesh& mesh) {
   for (const auto& t : mesh.triangles)
     for (const int v : t) {
       if (is_short)
-        append(buffer.bytes, static_cast<std::uint16_t>(v));
+        appendBytes(buffer.bytes, static_cast<std::uint16_t>(v));
       else
-        append(buffer.bytes, static_cast<std::uint32_t>(v));
+        appendBytes(buffer.bytes, static_cast<std::uint32_t>(v));
     }
   return buffer.close(begin, kElementArrayBuffer, is_short ? kUnsignedShort : kUnsignedInt,
                       mesh.triangles.size() * 3, "SCALAR");
@@ -125,8 +125,8 @@ ordered_json describe(const GlbExtras& extras) {
 
 void appendChunk(std::string& file, std::uint32_t type, std::string chunk, char padding) {
   chunk.resize((chunk.size() + 3) / 4 * 4, padding);
-  append(file, static_cast<std::uint32_t>(chunk.size()));
-  append(file, type);
+  appendBytes(file, static_cast<std::uint32_t>(chunk.size()));
+  appendBytes(file, type);
   file += chunk;
 }
 
@@ -166,8 +166,8 @@ Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras)
   root["buffers"] = ordered_json::array({{{"byteLength", buffer.bytes.size()}}});
 
   std::string file = "glTF";
-  append(file, std::uint32_t{2});
-  append(file, std::uint32_t{0});
+  appendBytes(file, std::uint32_t{2});
+  appendBytes(file, std::uint32_t{0});
   appendChunk(file, 0x4E4F534A, root.dump(), ' ');
   appendChunk(file, 0x004E4942, std::move(buffer.bytes), '\0');
   const std::uint32_t size = static_cast<std::uint32_t>(file.size());

@@ -75,10 +75,6 @@ std::vector<std::string_view> words(std::string_view line) {
   return found;
 }
 
-Error unusable(std::string what, const std::string& where) {
-  return {ErrorCode::UnusableInput, std::move(what), where};
-}
-
 // One line of the header; an empty string when it was understood, else what is wrong with it.
 std::string readHeaderLine(const std::vector<std::string_view>& w, Header& header,
                            bool& has_format) {
@@ -124,7 +120,7 @@ std::string readHeaderLine(const std::vector<std::string_view>& w, Header& heade
 
 Result<Header> readHeader(std::string_view bytes, const std::string& where) {
   if (!bytes.starts_with("ply"))
-    return unusable("This is not a PLY file; name one, or export the scan again.", where);
+    return Error::unusable("This is not a PLY file; name one, or export the scan again.", where);
   Header header;
   bool has_format = false;
   std::size_t at = 0;
@@ -135,17 +131,18 @@ Result<Header> readHeader(std::string_view bytes, const std::string& where) {
     at = end + 1;
     if (line_number == 1) continue;
     if (w.size() == 1 && w[0] == "end_header") {
-      if (!has_format) return unusable("The PLY header names no format; export it again.", where);
+      if (!has_format)
+        return Error::unusable("The PLY header names no format; export it again.", where);
       header.size = at;
       return header;
     }
     const std::string wrong = readHeaderLine(w, header, has_format);
     if (!wrong.empty())
-      return unusable("The PLY header is wrong in line " + std::to_string(line_number) + ": " +
-                          wrong + "; export it again.",
-                      where);
+      return Error::unusable("The PLY header is wrong in line " + std::to_string(line_number) +
+                                 ": " + wrong + "; export it again.",
+                             where);
   }
-  return unusable("The PLY header has no end; export it again.", where);
+  return Error::unusable("The PLY header has no end; export it again.", where);
 }
 
 // The payload, value by value, whatever the format. `ok` turns false at the end of the file.
@@ -358,7 +355,7 @@ bool skip(const Element& element, Values& values) {
 }
 
 template <class T>
-void append(std::string& bytes, const T& value) {
+void appendValue(std::string& bytes, const T& value) {
   const char* raw = reinterpret_cast<const char*>(&value);
   bytes.append(raw, sizeof value);
 }
@@ -382,12 +379,12 @@ std::string headerText(const TriangleMesh& mesh, bool quality, std::string_view 
 void appendVertices(std::string& bytes, const TriangleMesh& mesh,
                     const std::vector<float>& quality) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    for (int k = 0; k < 3; ++k) append(bytes, mesh.vertices[i][k]);
+    for (int k = 0; k < 3; ++k) appendValue(bytes, mesh.vertices[i][k]);
     if (!mesh.normals.empty())
-      for (int k = 0; k < 3; ++k) append(bytes, mesh.normals[i][k]);
-    if (!mesh.colors.empty()) append(bytes, mesh.colors[i]);
-    if (!quality.empty()) append(bytes, quality[i]);
-    if (!mesh.seen.empty()) append(bytes, mesh.seen[i]);
+      for (int k = 0; k < 3; ++k) appendValue(bytes, mesh.normals[i][k]);
+    if (!mesh.colors.empty()) appendValue(bytes, mesh.colors[i]);
+    if (!quality.empty()) appendValue(bytes, quality[i]);
+    if (!mesh.seen.empty()) appendValue(bytes, mesh.seen[i]);
   }
 }
 
@@ -407,33 +404,36 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
     const bool too_many =
         least == 0 ? element.count > 1'000'000 : element.count > (left + 1) / least;
     if (too_many || element.count > 0x7fffffff)
-      return unusable("The PLY header claims " + std::to_string(element.count) + " of '" +
-                          element.name + "', more than the file holds; it may be cut off.",
-                      where);
+      return Error::unusable("The PLY header claims " + std::to_string(element.count) + " of '" +
+                                 element.name + "', more than the file holds; it may be cut off.",
+                             where);
     left -= std::min(left, element.count * least);
     if (element.name == "vertex") {
       if (has_vertices)
-        return unusable("The PLY file has two lists of vertices; export it again.", where);
+        return Error::unusable("The PLY file has two lists of vertices; export it again.", where);
       if (!all(columnsOf(element).xyz))
-        return unusable("The PLY vertices lack x, y or z; export it again.", where);
+        return Error::unusable("The PLY vertices lack x, y or z; export it again.", where);
       has_vertices = true;
       if (!readVertices(element, values, out, new_index))
-        return unusable("The PLY file ends early or holds something not a number; export it again.",
-                        where);
+        return Error::unusable(
+            "The PLY file ends early or holds something not a number; export it again.", where);
     } else if (element.name == "face") {
       const FaceOutcome outcome = readFaces(element, values, new_index, out);
       if (outcome == FaceOutcome::AbsentVertex)
-        return unusable("A face of the PLY names a vertex that is not there; export it again.",
-                        where);
+        return Error::unusable(
+            "A face of the PLY names a vertex that is not there; export it again.", where);
       if (outcome == FaceOutcome::Truncated)
-        return unusable("The PLY file ends within its faces; copy it again.", where);
+        return Error::unusable("The PLY file ends within its faces; copy it again.", where);
     } else if (!skip(element, values)) {
-      return unusable("The PLY file ends within '" + element.name + "'; copy it again.", where);
+      return Error::unusable("The PLY file ends within '" + element.name + "'; copy it again.",
+                             where);
     }
   }
-  if (!has_vertices) return unusable("The PLY file has no vertices; export the scan again.", where);
+  if (!has_vertices)
+    return Error::unusable("The PLY file has no vertices; export the scan again.", where);
   if (values.isMoreLeft())
-    return unusable("The PLY file holds more than its header claims; export it again.", where);
+    return Error::unusable("The PLY file holds more than its header claims; export it again.",
+                           where);
   return out;
 }
 
@@ -447,7 +447,8 @@ Result<PointCloud> readPlyCloud(const std::filesystem::path& path) {
   Result<PlyContents> contents = readPly(path);
   if (!contents) return contents.error();
   if (contents->mesh.vertices.empty())
-    return unusable("The PLY file holds no usable point; export the scan again.", path.string());
+    return Error::unusable("The PLY file holds no usable point; export the scan again.",
+                           path.string());
   return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
                     std::move(contents->mesh.colors), std::move(contents->quality)};
 }
@@ -464,7 +465,7 @@ std::string formatPly(const TriangleMesh& mesh, std::string_view frame) {
   appendVertices(bytes, mesh, {});
   for (const std::array<int, 3>& t : mesh.triangles) {
     bytes += '\3';
-    append(bytes, t);
+    appendValue(bytes, t);
     if (!mesh.seen.empty())
       bytes += mesh.seen[t[0]] && mesh.seen[t[1]] && mesh.seen[t[2]] ? '\1' : '\0';
   }

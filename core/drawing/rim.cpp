@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/median.h"
 #include "cloud/nearest.h"
 #include "drawing/revolution.h"
 
@@ -25,12 +26,6 @@ constexpr double kRing_mm = 0.6;          // of the lip's profile
 constexpr double kTop_mm = 0.35;          // below the highest: what the rim's circle is read from
 constexpr double kLikelyLip = 0.5;        // below it the stretch is rather a break
 constexpr double kSmallestMouth_mm = 20;  // findRimArcs takes no smaller circle for a lip
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
 
 // t quantile for 97.5 % (Cornish-Fisher expansion about the normal's).
 double tQuantile(double freedom) {
@@ -151,12 +146,12 @@ class Estimator {
     std::vector<double> scatter;
     for (const auto& [ring, heights] : rings) {
       if (heights.size() < 8) continue;
-      const double middle = median(heights);
+      const double middle = medianOf(std::vector(heights));
       std::vector<double> off;
       for (const double z : heights) off.push_back(std::abs(z - middle));
-      scatter.push_back(1.4826 * median(std::move(off)));
+      scatter.push_back(1.4826 * medianOf(std::move(off)));
     }
-    return scatter.empty() ? kLipReach_mm : median(std::move(scatter));
+    return scatter.empty() ? kLipReach_mm : medianOf(std::move(scatter));
   }
 
   // Per degree of the turn the highest lip point and those just below it.
@@ -258,7 +253,7 @@ class Estimator {
       radii.push_back(q.head<2>().norm());
       heights.push_back(q.z());
     }
-    const double radius = median(radii), height = median(heights);
+    const double radius = medianOf(radii), height = medianOf(heights);
     const std::size_t n = arc_.edge.size(), middle = arc_.start + arc_.points.size() / 2;
     double angle = 0;
     for (const std::size_t step : {std::size_t{1}, n - 1}) {
@@ -294,7 +289,7 @@ class Estimator {
     std::vector<double> off;
     for (Eigen::Index i = 0; i < best_.residuals.size(); i += 2)
       off.push_back(std::abs(best_.residuals[i]));
-    out.residual_mm = median(std::move(off));
+    out.residual_mm = medianOf(std::move(off));
   }
 
   // Of a lip against a break that happens to be smooth: how much smoother the stretch is than the

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/median.h"
 #include "cloud/nearest.h"
 
 namespace ostraka::drawing {
@@ -125,9 +126,7 @@ double medianElsewhere(const std::vector<Vector3d>& edge, std::size_t start, std
   if (length < 6) return 0;
   for (std::size_t k = 0; k + length <= rest; k += 3)
     found.push_back(fitCircle(edge, start + count + k, length).rms);
-  std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2),
-                   found.end());
-  return found[found.size() / 2];
+  return medianOf(found);
 }
 
 struct Stretch {

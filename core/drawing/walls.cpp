@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/median.h"
 #include "cloud/nearest.h"
 #include "model/model.h"
 #include "model/ray_grid.h"
@@ -120,9 +121,7 @@ Walls findWalls(const TriangleMesh& mesh) {
   if (walls.points.empty()) return walls;
   std::vector<double> all;
   for (const WallPoint& point : walls.points) all.push_back(point.thickness_mm);
-  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
-                   all.end());
-  walls.thickness_mm = all[all.size() / 2];
+  walls.thickness_mm = medianOf(all);
   std::erase_if(walls.points, [&](const WallPoint& point) {
     return point.thickness_mm < 0.5 * walls.thickness_mm ||
            point.thickness_mm > 2 * walls.thickness_mm;

@@ -18,7 +18,7 @@ constexpr double kSampleSpacing_mm = 0.15;
 constexpr std::size_t kMostPoints = 200'000;
 constexpr float kStray_mm = 2.0f, kCovered_mm = 0.25f;
 constexpr double kCoverAbove_mm = 1.0;  // below it no camera sees the strip
-constexpr std::size_t kBlock = 1024;
+constexpr std::size_t kCloudBlock = 1024;
 
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
@@ -42,9 +42,9 @@ std::vector<std::size_t> someOf(std::size_t n, std::size_t most, std::uint64_t s
 std::vector<int> nearestWithin(const KdTree& tree, const std::vector<Eigen::Vector3f>& queries,
                                float limit_mm, int threads) {
   std::vector<int> found(queries.size());
-  parallelFor((queries.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-    const std::size_t end = std::min(queries.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i)
+  parallelFor((queries.size() + kCloudBlock - 1) / kCloudBlock, threads, [&](std::size_t block) {
+    const std::size_t end = std::min(queries.size(), (block + 1) * kCloudBlock);
+    for (std::size_t i = block * kCloudBlock; i < end; ++i)
       found[i] = tree.nearest(queries[i], limit_mm).index;
   });
   return found;

@@ -9,10 +9,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-Error unusable(std::string what, const std::filesystem::path& where) {
-  return {ErrorCode::UnusableInput, std::move(what), where.string()};
-}
-
 std::string stem(const std::string& name) {
   return std::filesystem::path(name).stem().string();
 }
@@ -51,7 +47,7 @@ bool isMatrix(const Json& value) {
 Result<ProposedPair> readPair(const Json& entry, const std::filesystem::path& file) {
   if (!entry.is_object() || !entry.contains("front") || !entry.contains("back") ||
       !entry["front"].is_string() || !entry["back"].is_string())
-    return unusable("A pair has no front or no back.", file);
+    return Error::unusable("A pair has no front or no back.", file);
   ProposedPair pair;
   pair.front = stem(entry["front"].get<std::string>());
   pair.back = stem(entry["back"].get<std::string>());
@@ -70,7 +66,8 @@ Result<ProposedPair> readPair(const Json& entry, const std::filesystem::path& fi
   if (matrix == entry.end() || matrix->is_null()) return pair;
   const Result<Eigen::Isometry3d> transform = isometryFromJson(*matrix, file.string());
   if (!transform && !isMatrix(*matrix))
-    return unusable("T_front_from_back of pair " + pair.front + " is not a 4x4 matrix.", file);
+    return Error::unusable("T_front_from_back of pair " + pair.front + " is not a 4x4 matrix.",
+                           file);
   pair.has_transform = transform.has_value();
   pair.transform_not_rigid = !transform;
   if (transform) pair.front_from_back = *transform;
@@ -82,13 +79,14 @@ Result<ProposedPair> readPair(const Json& entry, const std::filesystem::path& fi
 Result<Proposal> readProposal(const std::filesystem::path& pairs_json) {
   const Result<Json> value = readJson(pairs_json);
   if (!value) return value.error();
-  if (!value->is_object()) return unusable("The list of pairs is not a JSON object.", pairs_json);
+  if (!value->is_object())
+    return Error::unusable("The list of pairs is not a JSON object.", pairs_json);
   Proposal proposal;
   proposal.unpaired_front = stemsAt(*value, "unpaired_front");
   proposal.unpaired_back = stemsAt(*value, "unpaired_back");
   const auto pairs = value->find("pairs");
   if (pairs == value->end()) return proposal;
-  if (!pairs->is_array()) return unusable("'pairs' is not a list.", pairs_json);
+  if (!pairs->is_array()) return Error::unusable("'pairs' is not a list.", pairs_json);
   for (const Json& entry : *pairs) {
     Result<ProposedPair> pair = readPair(entry, pairs_json);
     if (!pair) return pair.error();
@@ -102,7 +100,7 @@ Result<PairsTruth> readPairsTruth(const std::filesystem::path& truth_json) {
   if (!value) return value.error();
   const auto pairs = value->find("pairs");
   if (!value->is_object() || pairs == value->end() || !pairs->is_array())
-    return unusable("The truth has no list 'pairs'.", truth_json);
+    return Error::unusable("The truth has no list 'pairs'.", truth_json);
   PairsTruth truth;
   truth.set = std::filesystem::absolute(truth_json).parent_path().filename().string();
   truth.unpaired_front = stemsAt(*value, "unpaired_front");
@@ -111,7 +109,7 @@ Result<PairsTruth> readPairsTruth(const std::filesystem::path& truth_json) {
     if (!entry.is_object() || !entry.contains("front") || !entry.contains("back") ||
         !entry["front"].is_string() || !entry["back"].is_string() ||
         !entry.contains("T_front_from_back"))
-      return unusable("A true pair lacks front, back or T_front_from_back.", truth_json);
+      return Error::unusable("A true pair lacks front, back or T_front_from_back.", truth_json);
     const Result<Eigen::Isometry3d> transform =
         isometryFromJson(entry["T_front_from_back"], truth_json.string());
     if (!transform) return transform.error();

@@ -10,15 +10,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-Error unusable(std::string what, const std::filesystem::path& where) {
-  return {ErrorCode::UnusableInput, std::move(what), where.string()};
-}
-
 Result<TrueSherd> readSherd(const Json& entry, const std::filesystem::path& folder,
                             const std::filesystem::path& file) {
   if (!entry.is_object() || !entry.contains("mesh") || !entry["mesh"].is_string() ||
       !entry.contains("plate_from_model_front"))
-    return unusable("A true sherd lacks mesh or plate_from_model_front.", file);
+    return Error::unusable("A true sherd lacks mesh or plate_from_model_front.", file);
   TrueSherd sherd;
   const Json id = entry.value("id", Json(nullptr));
   sherd.id = id.is_string() ? id.get<std::string>() : id.dump();
@@ -35,7 +31,8 @@ Result<TrueSherd> readSherd(const Json& entry, const std::filesystem::path& fold
   const std::filesystem::path mesh_file = folder / entry["mesh"].get<std::string>();
   Result<PlyContents> contents = readPly(mesh_file);
   if (!contents) return contents.error();
-  if (contents->mesh.triangles.empty()) return unusable("The true mesh has no faces.", mesh_file);
+  if (contents->mesh.triangles.empty())
+    return Error::unusable("The true mesh has no faces.", mesh_file);
   sherd.mesh = std::move(contents->mesh);
   return sherd;
 }
@@ -47,7 +44,7 @@ Result<std::vector<TrueSherd>> readTrueSherds(const std::filesystem::path& truth
   const Result<Json> value = readJson(file);
   if (!value) return value.error();
   if (!value->is_object() || !value->contains("sherds") || !(*value)["sherds"].is_array())
-    return unusable("The truth has no list 'sherds'.", file);
+    return Error::unusable("The truth has no list 'sherds'.", file);
   std::vector<TrueSherd> sherds;
   for (const Json& entry : (*value)["sherds"]) {
     Result<TrueSherd> sherd = readSherd(entry, truth_folder, file);

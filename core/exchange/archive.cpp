@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error cannotWrite(const fs::path& where) {
+Error cannotWriteArchive(const fs::path& where) {
   return {ErrorCode::CannotWrite,
           "This cannot be written; check the space left and the permissions.", where.string()};
 }
@@ -105,7 +105,7 @@ Result<void> restoreProject(const fs::path& archive, const fs::path& folder, Pro
     if (stop.stop_requested()) return failed(Error::cancelled());
     const fs::path to = partial / fs::path(file.path).lexically_relative("data");
     fs::create_directories(to.parent_path(), code);
-    if (!fs::copy_file(archive / file.path, to, code)) return failed(cannotWrite(to));
+    if (!fs::copy_file(archive / file.path, to, code)) return failed(cannotWriteArchive(to));
   }
   for (const char* name : {"batches", "results", "backups"})
     fs::create_directories(partial / name, code);
@@ -117,7 +117,7 @@ Result<void> restoreProject(const fs::path& archive, const fs::path& folder, Pro
   }
   fs::remove(folder, code);  // empty, or not there
   fs::rename(partial, folder, code);
-  if (code) return failed(cannotWrite(folder));
+  if (code) return failed(cannotWriteArchive(folder));
   return {};
 }
 

@@ -24,9 +24,6 @@ namespace fs = std::filesystem;
 constexpr const char* kDeclaration = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n";
 constexpr std::size_t kPiece = 1 << 20;
 
-Error unusable(std::string what, const fs::path& where) {
-  return {ErrorCode::UnusableInput, std::move(what), where.string()};
-}
 Error cannotWrite(const fs::path& where) {
   return {ErrorCode::CannotWrite,
           "This file cannot be written; check the space left and the permissions.", where.string()};
@@ -63,7 +60,7 @@ using File = std::unique_ptr<std::FILE, Closing>;
 template <class Use>
 Result<BagFile> readPieces(const fs::path& path, std::stop_token stop, Use use) {
   const File in(std::fopen(path.c_str(), "rb"));
-  if (!in) return unusable("This file is missing or cannot be read.", path);
+  if (!in) return Error::unusable("This file is missing or cannot be read.", path);
   BagFile file;
   Hash hash;
   std::string piece(kPiece, '\0');
@@ -76,7 +73,7 @@ Result<BagFile> readPieces(const fs::path& path, std::stop_token stop, Use use) 
     if (!use(bytes)) return cannotWrite(path);
     if (size < piece.size()) break;
   }
-  if (std::ferror(in.get()) != 0) return unusable("The disk cannot read this file.", path);
+  if (std::ferror(in.get()) != 0) return Error::unusable("The disk cannot read this file.", path);
   file.sha256 = hash.text();
   return file;
 }
@@ -93,7 +90,7 @@ std::string manifestOf(const std::vector<BagFile>& files) {
 
 Result<std::map<std::string, std::string>> readManifest(const fs::path& path) {
   const Result<std::string> text = readFile(path);
-  if (!text) return unusable("The manifest is missing; this is no export of Ostraka.", path);
+  if (!text) return Error::unusable("The manifest is missing; this is no export of Ostraka.", path);
   std::map<std::string, std::string> hashes;
   std::istringstream lines(*text);
   for (std::string line; std::getline(lines, line);) {
@@ -102,12 +99,12 @@ Result<std::map<std::string, std::string>> readManifest(const fs::path& path) {
     const std::size_t blank = line.find_first_of(" \t");
     const std::size_t name = line.find_first_not_of(" \t*", blank);
     if (blank != 64 || name == std::string::npos)
-      return unusable("The manifest has a line that is none: " + line.substr(0, 80), path);
+      return Error::unusable("The manifest has a line that is none: " + line.substr(0, 80), path);
     std::string file = line.substr(name);
     if (!catalogue::checkedPath(file))
-      return unusable("The manifest names a file outside the folder: " + file, path);
+      return Error::unusable("The manifest names a file outside the folder: " + file, path);
     if (!hashes.emplace(std::move(file), line.substr(0, 64)).second)
-      return unusable("The manifest names a file twice: " + line.substr(name), path);
+      return Error::unusable("The manifest names a file twice: " + line.substr(name), path);
   }
   return hashes;
 }
@@ -133,7 +130,7 @@ BagWriter::~BagWriter() {
 Result<BagWriter> BagWriter::begin(const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code))
-    return unusable("There is a folder of this name already; choose another name.", target);
+    return Error::unusable("There is a folder of this name already; choose another name.", target);
   BagWriter writer(fs::absolute(target));
   fs::remove_all(writer.partial_, code);  // of an export that was cut off
   fs::create_directories(writer.partial_ / "data", code);
@@ -145,9 +142,9 @@ Result<void> BagWriter::taken(const std::string& path) const {
   const Result<std::string> good = catalogue::checkedPath(path);
   if (!good) return good.error();
   if (path.find('%') != std::string::npos)
-    return unusable("A name in an export must not hold '%'.", path);
+    return Error::unusable("A name in an export must not hold '%'.", path);
   if (keys_.contains(catalogue::uniqueKey(path)))
-    return unusable("Two files of the export would have the same name.", path);
+    return Error::unusable("Two files of the export would have the same name.", path);
   return {};
 }
 
@@ -205,7 +202,8 @@ Result<void> BagWriter::finish(const std::map<std::string, std::string>& info) {
   if (!last) return last;
   std::error_code code;
   if (fs::exists(target_, code))
-    return unusable("Somebody made a folder of this name meanwhile; choose another name.", target_);
+    return Error::unusable("Somebody made a folder of this name meanwhile; choose another name.",
+                           target_);
   fs::rename(partial_, target_, code);
   if (code) return cannotWrite(target_);
   open_ = false;
@@ -221,7 +219,7 @@ Result<std::vector<BagFile>> checkBag(const fs::path& folder, Progress& progress
                                       std::stop_token stop) {
   const Result<std::string> declaration = readFile(folder / "bagit.txt", 1 << 16);
   if (!declaration || !declaration->starts_with("BagIt-Version: "))
-    return unusable("This folder is no export of Ostraka: bagit.txt is missing.", folder);
+    return Error::unusable("This folder is no export of Ostraka: bagit.txt is missing.", folder);
   const Result<std::map<std::string, std::string>> listed =
       readManifest(folder / "manifest-sha256.txt");
   if (!listed) return listed.error();
@@ -234,9 +232,9 @@ Result<std::vector<BagFile>> checkBag(const fs::path& folder, Progress& progress
     if (it->is_directory() && !it->is_symlink()) continue;
     const std::string name = it->path().lexically_relative(folder).generic_string();
     if (!listed->contains(name))
-      return unusable("This file is not in the manifest; nothing was read.", it->path());
+      return Error::unusable("This file is not in the manifest; nothing was read.", it->path());
     if (!it->is_regular_file() || it->is_symlink())
-      return unusable("This is a link, not a file; nothing was read.", it->path());
+      return Error::unusable("This is a link, not a file; nothing was read.", it->path());
   }
   std::vector<BagFile> files;
   const auto total = static_cast<std::int64_t>(listed->size() + tags->size());
@@ -246,9 +244,10 @@ Result<std::vector<BagFile>> checkBag(const fs::path& folder, Progress& progress
       progress.report(done++, total);
       Result<BagFile> file = readPieces(folder / name, stop, [](std::string_view) { return true; });
       if (!file && file.error().code == ErrorCode::Cancelled) return file.error();
-      if (!file) return unusable("This file is missing; nothing was read.", folder / name);
+      if (!file) return Error::unusable("This file is missing; nothing was read.", folder / name);
       if (file->sha256 != hash)
-        return unusable("This file was changed after the export; nothing was read.", folder / name);
+        return Error::unusable("This file was changed after the export; nothing was read.",
+                               folder / name);
       file->path = name;
       if (list == &*listed) files.push_back(std::move(*file));
     }

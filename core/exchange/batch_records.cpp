@@ -5,6 +5,7 @@
 #include "base/json.h"
 #include "catalogue/restore.h"
 #include "catalogue/words.h"
+#include "exchange/json_fields.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -13,13 +14,6 @@ using namespace catalogue;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-void put(ordered_json& object, const char* key, const std::string& value) {
-  if (!value.empty()) object[key] = value;
-}
-template <class T>
-void put(ordered_json& object, const char* key, const std::optional<T>& value) {
-  if (value) object[key] = *value;
-}
 template <class T>
 void take(const json& object, const char* key, std::optional<T>& value) {
   if (object.contains(key)) value = object.at(key).get<T>();

@@ -11,10 +11,6 @@ constexpr std::size_t kMostRows = 1'000'000, kMostField = 1 << 20;
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
 constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
 
-Error bad(std::string what, const std::string& where) {
-  return {ErrorCode::UnusableInput, std::move(what), where};
-}
-
 void appendUtf8(std::string& out, char32_t c) {
   if (c < 0x80) {
     out += static_cast<char>(c);
@@ -64,7 +60,7 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   else
     text = bytes.substr(bytes.starts_with(kBom) ? kBom.size() : 0);
   if (text.find('\0') != std::string::npos)
-    return bad("The file holds zero bytes; it is no table.", where);
+    return Error::unusable("The file holds zero bytes; it is no table.", where);
   if (!catalogue::isUtf8(text)) {
     std::size_t good = 0;
     int line = 1;
@@ -73,9 +69,9 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
       if (!catalogue::isUtf8(std::string_view(text).substr(good, end - good))) break;
       good = end + 1;
     }
-    return bad("Line " + std::to_string(line) +
-                   " is not in UTF-8; save the table as 'CSV UTF-8' and try again.",
-               where);
+    return Error::unusable("Line " + std::to_string(line) +
+                               " is not in UTF-8; save the table as 'CSV UTF-8' and try again.",
+                           where);
   }
   return text;
 }
@@ -116,7 +112,7 @@ class Parser {
       endOfLine();
       if (row.values.size() == 1 && row.values[0].empty()) continue;
       if (all.size() > kMostRows)
-        return bad("The table has more than 1,000,000 rows; split it.", where_);
+        return Error::unusable("The table has more than 1,000,000 rows; split it.", where_);
       all.push_back(std::move(row));
     }
     return all;
@@ -130,7 +126,7 @@ class Parser {
       ++at_;
       while (true) {
         if (at_ >= text_.size())
-          return bad(
+          return Error::unusable(
               "Line " + std::to_string(begin) + " opens a quotation mark that is never closed.",
               where_);
         if (text_[at_] == '"') {
@@ -144,7 +140,7 @@ class Parser {
       ++at_;
       if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
           text_[at_] != '\r')
-        return bad(
+        return Error::unusable(
             "Line " + std::to_string(line_) + " has letters behind a closing quotation mark.",
             where_);
       return value;
@@ -164,7 +160,8 @@ class Parser {
   }
 
   Error tooLong(int line) const {
-    return bad("Line " + std::to_string(line) + " has a value longer than 1 MB.", where_);
+    return Error::unusable("Line " + std::to_string(line) + " has a value longer than 1 MB.",
+                           where_);
   }
 
   std::string_view text_;
@@ -183,7 +180,8 @@ Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where) {
   table.separator = separatorOf(*text);
   Result<std::vector<CsvRow>> rows = Parser(*text, table.separator, where).rows();
   if (!rows) return rows.error();
-  if (rows->empty()) return bad("The table is empty; its first line must name the columns.", where);
+  if (rows->empty())
+    return Error::unusable("The table is empty; its first line must name the columns.", where);
   for (const std::string& column : rows->front().values)
     table.columns.push_back(catalogue::trimmed(column));
   rows->erase(rows->begin());

@@ -1,10 +1,10 @@
 #include "exchange/export_folder.h"
 
 #include <algorithm>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "catalogue/names.h"
 #include "catalogue/values.h"
 #include "catalogue/words.h"
@@ -166,7 +166,7 @@ class Exporting {
     const Result<void> finished = bag_.finish({{"Source-Organization", project->institution},
                                                {"External-Description", project->title},
                                                {"External-Identifier", project->code},
-                                               {"Bagging-Date", today()},
+                                               {"Bagging-Date", utcDay(catalogue_.now())},
                                                {"Bag-Software-Agent", options_.program}});
     if (!finished) return finished.error();
     exported_.sherds = static_cast<int>(sherds.size());
@@ -176,14 +176,6 @@ class Exporting {
   }
 
  private:
-  std::string today() const {
-    const std::time_t seconds = static_cast<std::time_t>(catalogue_.now() / 1000);
-    std::tm parts{};
-    gmtime_r(&seconds, &parts);
-    char text[16];
-    return {text, std::strftime(text, sizeof text, "%Y-%m-%d", &parts)};
-  }
-
   Result<void> copy(const std::vector<SherdRecord>& sherds, const Plan& plan,
                     const std::string& licence) {
     std::map<SherdRow, const SherdRecord*> by_row;

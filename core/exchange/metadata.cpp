@@ -7,6 +7,7 @@
 #include "base/json.h"
 #include "catalogue/names.h"
 #include "exchange/bagit.h"
+#include "exchange/json_fields.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -58,10 +59,6 @@ constexpr const char* kReadMe =
 
 ordered_json stamp(const std::string& id) {
   return {{"id", id}};
-}
-
-void put(ordered_json& object, const char* key, const std::string& value) {
-  if (!value.empty()) object[key] = value;
 }
 
 template <class Record, class Row>

@@ -13,10 +13,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-Error bad(const char* what, const std::string& where) {
-  return {ErrorCode::UnusableInput, what, where};
-}
-
 std::string oneLine(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -51,7 +47,7 @@ Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
   const std::size_t first = ply.find("format ");
   if (!ply.starts_with("ply\n") || end == std::string_view::npos ||
       first == std::string_view::npos || first > end)
-    return bad("This is no PLY file.", where);
+    return Error::unusable("This is no PLY file.", where);
   const std::size_t at = ply.find('\n', first) + 1;
   return std::string(ply.substr(0, at)) + "comment " + comment(label) + "\n" +
          std::string(ply.substr(at));
@@ -59,7 +55,7 @@ Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
 
 Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
                                 const std::string& where) {
-  const Error no_glb = bad("This is no GLB file.", where);
+  const Error no_glb = Error::unusable("This is no GLB file.", where);
   if (glb.size() < 20 || u32(glb, 0) != kGlb || u32(glb, 8) != glb.size() || u32(glb, 16) != kJson)
     return no_glb;
   const std::size_t size = u32(glb, 12);

@@ -1,12 +1,13 @@
 #include "exchange/sherd_json.h"
 
-#include <ctime>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/json.h"
+#include "base/text.h"
 #include "catalogue/values.h"
 #include "catalogue/words.h"
+#include "exchange/json_fields.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -16,22 +17,7 @@ using catalogue::SherdRecord;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-std::string dayOf(std::int64_t ms) {
-  const std::time_t seconds = static_cast<std::time_t>(ms / 1000);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[16];
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%d", &parts)};
-}
-
 // Empty = not recorded: left out.
-void put(ordered_json& object, const char* key, const std::string& value) {
-  if (!value.empty()) object[key] = value;
-}
-void put(ordered_json& object, const char* key, ordered_json inner) {
-  if (!inner.empty()) object[key] = std::move(inner);
-}
-
 std::string initialsOf(const Catalogue& catalogue, catalogue::PersonRow row) {
   if (!row) return {};
   if (const auto persons = catalogue.persons())
@@ -145,7 +131,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
     const Result<catalogue::BatchRecord> batch = catalogue.batch(sherd.batch);
     if (!batch) return batch.error();
     digitisation["batch"] = batch->number;
-    if (batch->started_ms) digitisation["shot_on"] = dayOf(*batch->started_ms);
+    if (batch->started_ms) digitisation["shot_on"] = utcDay(*batch->started_ms);
     put(digitisation, "operator", initialsOf(catalogue, batch->operator_));
     if (batch->scale_error_pct) digitisation["scale_error_pct"] = *batch->scale_error_pct;
     if (!batch->program.empty()) used_program = batch->program;

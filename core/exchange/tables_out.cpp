@@ -11,7 +11,7 @@ namespace {
 
 using namespace catalogue;
 
-constexpr const char* kBom = "\xEF\xBB\xBF";
+constexpr const char* kMark = "\xEF\xBB\xBF";
 constexpr const char* kFileColumns[] = {"model_file", "image_file", "drawing_file"};
 constexpr std::size_t kPage = 1000;
 
@@ -51,7 +51,7 @@ Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const SherdR
   for (const char* column : kFileColumns) columns.emplace_back(column);
   columns.emplace_back("licence");
   for (const std::string& key : own) columns.push_back(guarded("extra." + key));
-  std::string text = (mark == ByteOrderMark::With ? kBom : "") + csvLine(columns);
+  std::string text = (mark == ByteOrderMark::With ? kMark : "") + csvLine(columns);
   read = eachSherd(catalogue, rows, [&](const SherdRecord& sherd) {
     std::vector<std::string> values;
     for (const SherdField& field : sherdFields()) {
@@ -76,7 +76,7 @@ Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const SherdR
 Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const ContextRow> rows,
                                 ByteOrderMark mark) {
   std::string text =
-      (mark == ByteOrderMark::With ? kBom : "") +
+      (mark == ByteOrderMark::With ? kMark : "") +
       csvLine({"site", "trench", "context", "kind", "excavated_on", "period", "date_edtf", "closed",
                "note", "bag", "collected_on", "count_written", "weight_g", "storage"});
   for (const ContextRow& row : rows) {

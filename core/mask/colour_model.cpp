@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kLevels = 22;  // of brightness, a fifth of e each: from log 4 to log 260
 constexpr int kTints = 21;   // of each colour difference, 0.06 wide: the noise in dark pixels
-constexpr int kRounds = 2;   // the second learns from what the first was in doubt of
-constexpr float kMost = 4;   // colours learnt from the odds may outvote a doubt, not a certainty
-constexpr float kDoubt = 2;  // odds below are no certainty
+constexpr int kLearningRounds = 2;  // the second learns from what the first was in doubt of
+constexpr float kMostOdds = 4;  // colours learnt from the odds may outvote a doubt, not a certainty
+constexpr float kDoubt = 2;     // odds below are no certainty
 constexpr double kShadows = 0.3;  // of the plate close to a sherd that lies in some shadow
 
 struct LogTable {
@@ -70,14 +70,15 @@ void learn(std::span<const ColourView> views, const std::vector<std::vector<cv::
   ground.finish();
   if (sherd.total() < 100 || ground.total() < 100) return;
   for (int bin = 0; bin < ColourHistogram::bins(); ++bin)
-    ratio[bin] = std::clamp(std::log(sherd.density(bin) / ground.density(bin)), -kMost, kMost);
+    ratio[bin] =
+        std::clamp(std::log(sherd.density(bin) / ground.density(bin)), -kMostOdds, kMostOdds);
 }
 
 void sharpenGroup(std::span<const ColourView> views,
                   const std::vector<std::vector<cv::Rect>>& boxes, int group, int reduction) {
   static const LogTable kLogs;
   std::vector<float> ratio(static_cast<std::size_t>(ColourHistogram::bins()), 0.F);
-  for (int round = 0; round < kRounds; ++round)
+  for (int round = 0; round < kLearningRounds; ++round)
     learn(views, boxes, group, reduction, round == 0, ratio);
   for (std::size_t v = 0; v < views.size(); ++v)
     overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {

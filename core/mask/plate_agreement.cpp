@@ -8,9 +8,9 @@
 namespace ostraka::mask {
 namespace {
 
-constexpr float kUnlike = 0.22F;  // density of a sherd's residual, as in weighEvidence
-constexpr float kFooled = 0.03F;  // how often an open line of sight is none: hull and pose err
-constexpr float kMost = 6;        // a pair may be fooled by a colour that repeats
+constexpr float kUnlike = 0.22F;     // density of a sherd's residual, as in weighEvidence
+constexpr float kFooled = 0.03F;     // how often an open line of sight is none: hull and pose err
+constexpr float kMostAgreement = 6;  // a pair may be fooled by a colour that repeats
 
 // What another camera sees of a plate point; false where it is no witness: out of its picture, or
 // behind what may be a sherd, whose even colour would agree with itself.
@@ -76,7 +76,7 @@ void weighAgreement(const PlateView& view, std::span<const PlateView> others,
       cv::Vec3f value;
       for (const PlateView& other : others)
         if (witness(other, Eigen::Vector3d(p[0], p[1], 0), value)) odds += pairOdds(own, value);
-      log_odds(y, x) -= std::clamp(odds, -kMost, kMost);
+      log_odds(y, x) -= std::clamp(odds, -kMostAgreement, kMostAgreement);
     }
 }
 

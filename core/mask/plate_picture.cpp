@@ -11,7 +11,7 @@
 namespace ostraka::mask {
 namespace {
 
-constexpr int kRounds = 6;         // the alternation changes < 0.5 % after the fourth
+constexpr int kAlternations = 6;   // the alternation changes < 0.5 % after the fourth
 constexpr int kFitStride = 3;      // light needs no more than every third cell
 constexpr float kEmptyWeight = 4;  // a certain look is worth several doubtful ones
 constexpr float kNoSample = -1e3F;
@@ -386,7 +386,7 @@ PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f
   fitLightFromRim(looks, samples, rim, picture);
   startAlbedo(looks, samples, empty_samples, empty_look, paper, picture);
   const Anchor anchor{picture.albedo.clone(), anchorTolerance(looks, samples, rim, picture)};
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kAlternations; ++round) {
     // From a wide look at everything plate-like down to the noise of a pixel.
     const float narrowing = std::pow(0.75F, static_cast<float>(round));
     const Tolerance tolerance{0.3F * narrowing, 0.12F * narrowing};
@@ -395,14 +395,6 @@ PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f
   }
   picture.room = stillRoom(looks, picture, grid);
   return picture;
-}
-
-cv::Mat3f lightOfPixels(const PlatePicture& picture, cv::Size size) {
-  cv::Mat3f light(size);
-  for (int y = 0; y < size.height; ++y)
-    for (int x = 0; x < size.width; ++x)
-      light(y, x) = latticeAt(picture.light, static_cast<float>(x), static_cast<float>(y));
-  return light;
 }
 
 cv::Mat3f predictBare(const PlatePicture& picture, const PlateLook& look, std::size_t index,

@@ -45,7 +45,4 @@ PlatePicture buildPlatePicture(std::span<const PlateLook> looks, const cv::Mat3f
 cv::Mat3f predictBare(const PlatePicture& picture, const PlateLook& look, std::size_t index,
                       const PlateGrid& grid);
 
-/// The light field at each pixel of the photograph, log.
-cv::Mat3f lightOfPixels(const PlatePicture& picture, cv::Size size);
-
 }  // namespace ostraka::mask

@@ -15,7 +15,7 @@ constexpr int kWindow = 9;          // pixels of half size, as the cells of the 
 constexpr int kReach = 13;          // a window that lies a third on a sherd agrees already
 constexpr float kByChance = 0.45F;  // unrelated windows hardly ever agree more on their best plane
 constexpr float kSlope = 12;        // agreement 0.85 against none: 5 in the logarithm
-constexpr float kMost = 6;
+constexpr float kMostRaised = 6;
 constexpr double kHighest = 20;  // mm: sherds lie flat; what stands higher is seen by its colour
 constexpr double kThinnest = 2;  // mm: below, a plate of coarse texture still agrees
 constexpr double kSlideCells = 1.5;  // between two planes; a grain is two cells wide
@@ -60,7 +60,7 @@ cv::Mat1f oddsOf(const rig::PosedImage& image, const cv::Mat1f& on_plate, const 
     for (int x = 0; x < odds.cols; ++x) {
       const float high = std::max(0.F, above(y, x) - kByChance),
                   low = std::max(0.F, on_plate(y, x) - kByChance);
-      odds(y, x) = std::clamp(kSlope * (high - low), -kMost, kMost);
+      odds(y, x) = std::clamp(kSlope * (high - low), -kMostRaised, kMostRaised);
     }
   const double sine = std::abs(image.centre().normalized().z());
   const cv::Mat window =

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "model/blocks.h"
 #include "model/contouring.h"
 #include "model/indicator.h"
 #include "model/model.h"
@@ -13,17 +14,6 @@ namespace {
 
 using Eigen::Array3i;
 using Eigen::Vector3f;
-
-constexpr std::size_t kBlock = 1024;  // items of one call of a parallel loop
-
-template <class Body>
-bool inBlocks(std::size_t count, int threads, std::stop_token stop, const Body& body) {
-  parallelFor((count + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-    if (stop.stop_requested()) return;
-    for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i) body(i);
-  });
-  return !stop.stop_requested();
-}
 
 // The field at every node of a finer grid: measured near surfels, from the indicator elsewhere.
 class FineGrid {
@@ -46,7 +36,7 @@ class FineGrid {
     std::vector<std::size_t> wanted = nodesAround(surfels);
     // The measured sheet may leave the band where the indicator is far off: follow it.
     for (int round = 0; round < 40 && !wanted.empty(); ++round) {
-      if (!inBlocks(wanted.size(), threads, stop, [&](std::size_t i) {
+      if (!inBlocks<Nothing>(wanted.size(), threads, stop, [&](std::size_t i, Nothing) {
             grid_.values[wanted[i]] = field_.sample(position(wanted[i])).distance;
           }))
         return false;
@@ -118,7 +108,7 @@ class FineGrid {
 // Takes the vertices onto the zero set itself: the grid's straight cuts chamfer edges.
 bool ontoSurface(TriangleMesh& mesh, const SurfaceField& field, float cell_mm, int threads,
                  std::stop_token stop) {
-  return inBlocks(mesh.vertices.size(), threads, stop, [&](std::size_t v) {
+  return inBlocks<Nothing>(mesh.vertices.size(), threads, stop, [&](std::size_t v, Nothing) {
     const Vector3f start = mesh.vertices[v];
     for (int round = 0; round < 2; ++round) {
       const FieldSample s = field.sample(mesh.vertices[v]);
@@ -134,7 +124,7 @@ bool markSeen(TriangleMesh& mesh, const Surfels& surfels, float reach_mm, int th
               std::stop_token stop) {
   const PointBins bins(surfels.points, reach_mm);
   mesh.seen.assign(mesh.vertices.size(), 0);
-  return inBlocks(mesh.vertices.size(), threads, stop, [&](std::size_t v) {
+  return inBlocks<Nothing>(mesh.vertices.size(), threads, stop, [&](std::size_t v, Nothing) {
     bins.within(mesh.vertices[v], reach_mm, [&](int j, float) {
       // The other face of a thin wall is no witness.
       if (surfels.normals[static_cast<std::size_t>(j)].dot(mesh.normals[v]) > 0) mesh.seen[v] = 1;
@@ -158,7 +148,7 @@ bool paint(TriangleMesh& mesh, const PointCloud& front, const PointCloud& back, 
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Color& c : all.colors) mean += Eigen::Vector3d(c[0], c[1], c[2]);
   mean /= static_cast<double>(all.size());
-  return inBlocks(mesh.vertices.size(), threads, stop, [&](std::size_t v) {
+  return inBlocks<Nothing>(mesh.vertices.size(), threads, stop, [&](std::size_t v, Nothing) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     float weight = 0;
     // Filled places take the colour around them, farther and farther away.

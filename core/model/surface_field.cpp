@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kRounds = 3;
+constexpr int kSmoothingRounds = 3;
 constexpr float kNormalSigma = 0.5f;    // about 29 degrees: the paper's value, between 0.5 and 1.5
 constexpr float kCreaseCosine = 0.77f;  // 40 degrees: above what smoothed normals scatter
 constexpr float kLeastSecondSheet = 0.08f;  // of all weight: one or two neighbours are no sheet
@@ -17,7 +17,7 @@ constexpr float kCosineRange = 0.1f, kSheetRange = 0.08f;
 constexpr float kBendRange = 0.25f;        // of the radius
 constexpr float kRadiusInSpacings = 2.4f;  // some 15 neighbours on a flat, enough after smoothing
 
-struct Near {
+struct NearSurfel {
   int index;
   float mass, weight, offset;  // weight: mass by confidence
 };
@@ -80,7 +80,7 @@ float SurfaceField::farDistance(const Vector3f& p) const {
 }
 
 FieldSample SurfaceField::sample(const Vector3f& p) const {
-  thread_local std::vector<Near> near;
+  thread_local std::vector<NearSurfel> near;
   near.clear();
   Vector3f gradient = Vector3f::Zero();
   float support = 0, most = 0;
@@ -104,10 +104,10 @@ FieldSample SurfaceField::sample(const Vector3f& p) const {
   gradient.normalize();
   float distance = 0;
   const float residual_scale = 1 / (0.5f * radius_);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSmoothingRounds; ++round) {
     float sum = 0, total = 0;
     Vector3f normal = Vector3f::Zero();
-    for (Near& n : near) {
+    for (NearSurfel& n : near) {
       const Vector3f& nj = surfels_.normals[static_cast<std::size_t>(n.index)];
       float w = n.weight;
       const float turn = (nj - gradient).squaredNorm() / (kNormalSigma * kNormalSigma);
@@ -127,7 +127,7 @@ FieldSample SurfaceField::sample(const Vector3f& p) const {
   // Whether there is another sheet is asked of the surface that was seen, whatever its noise: where
   // two scans of a wall disagree, it has little confidence beside the face above it.
   float all = 0, others = 0;
-  for (const Near& n : near) {
+  for (const NearSurfel& n : near) {
     const std::size_t i = static_cast<std::size_t>(n.index);
     const float turn =
         (surfels_.normals[i] - gradient).squaredNorm() / (kNormalSigma * kNormalSigma);

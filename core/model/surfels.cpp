@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "base/parallel.h"
+#include "model/blocks.h"
 #include "model/point_bins.h"
 
 namespace ostraka::model {
@@ -132,25 +134,13 @@ Fit fitWithin(const Vector3f& p, const Vector3f& n, float radius, const PointBin
   return fit;
 }
 
-constexpr std::size_t kBlock = 512;  // points of one call of a parallel loop
-
-template <class Body>
-bool inBlocks(std::size_t count, int threads, std::stop_token stop, const Body& body) {
-  parallelFor((count + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
-    if (stop.stop_requested()) return;
-    std::vector<Near> near;
-    for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
-      body(i, near);
-  });
-  return !stop.stop_requested();
-}
-
 // One fit per source: a better normal and the scatter of the source's own side there.
 bool estimateNoise(Sources& all, float radius, int threads, std::stop_token stop,
                    std::vector<Fit>& fits) {
   const PointBins bins(all.points, radius);
   fits.resize(all.points.size());
-  return inBlocks(all.points.size(), threads, stop, [&](std::size_t i, std::vector<Near>& near) {
+  return inBlocks<std::vector<
+      Near>>(all.points.size(), threads, stop, [&](std::size_t i, std::vector<Near>& near) {
     near.clear();
     bins.within(all.points[i], radius, [&](int j, float d2) {
       if (all.side[static_cast<std::size_t>(j)] == all.side[i])
@@ -205,13 +195,6 @@ std::vector<int> seeds(const Sources& all, double edge_mm) {
   return chosen;
 }
 
-double median(std::vector<float> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The share of the surface of each surfel: a disc shared by those in it that face the same way.
 void estimateAreas(Surfels& s, int threads, std::stop_token stop) {
   const float radius = 2.5f * static_cast<float>(s.spacing_mm);
@@ -219,7 +202,7 @@ void estimateAreas(Surfels& s, int threads, std::stop_token stop) {
   s.area.resize(s.size());
   // At a hole's border the disc is half empty: more than 1.5 squares are not believed.
   const float most = 1.5f * static_cast<float>(s.spacing_mm * s.spacing_mm);
-  inBlocks(s.size(), threads, stop, [&](std::size_t i, std::vector<Near>&) {
+  inBlocks<Nothing>(s.size(), threads, stop, [&](std::size_t i, Nothing) {
     int count = 0;
     bins.within(s.points[i], radius, [&](int j, float) {
       count += s.normals[static_cast<std::size_t>(j)].dot(s.normals[i]) > 0.5f;
@@ -234,20 +217,21 @@ double sideGap(const Sources& all, const std::vector<Fit>& own_fits, float radiu
                std::stop_token stop) {
   const PointBins bins(all.points, radius);
   std::vector<float> gap(all.points.size(), -1);
-  inBlocks(all.points.size(), threads, stop, [&](std::size_t i, std::vector<Near>& near) {
-    if (all.side[i] != 0) return;
-    near.clear();
-    bins.within(all.points[i], radius, [&](int j, float d2) {
-      if (all.side[static_cast<std::size_t>(j)] == 1) near.push_back({j, kernel(d2, radius)});
-    });
-    if (near.size() < 8) return;
-    const Fit other = fitAround(own_fits[i].point, own_fits[i].normal, near, all,
-                                {Residual::BothNormals, 8.0f, 3});
-    if (other.support >= 8)
-      gap[i] = std::abs((other.point - own_fits[i].point).dot(own_fits[i].normal));
-  });
+  inBlocks<std::vector<Near>>(
+      all.points.size(), threads, stop, [&](std::size_t i, std::vector<Near>& near) {
+        if (all.side[i] != 0) return;
+        near.clear();
+        bins.within(all.points[i], radius, [&](int j, float d2) {
+          if (all.side[static_cast<std::size_t>(j)] == 1) near.push_back({j, kernel(d2, radius)});
+        });
+        if (near.size() < 8) return;
+        const Fit other = fitAround(own_fits[i].point, own_fits[i].normal, near, all,
+                                    {Residual::BothNormals, 8.0f, 3});
+        if (other.support >= 8)
+          gap[i] = std::abs((other.point - own_fits[i].point).dot(own_fits[i].normal));
+      });
   std::erase_if(gap, [](float g) { return g < 0; });
-  return gap.size() < 20 ? 0 : median(std::move(gap));
+  return gap.size() < 20 ? 0 : medianOf(std::move(gap));
 }
 
 }  // namespace
@@ -296,8 +280,8 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
   const float nearest = kNearestSpacings * static_cast<float>(out.spacing_mm);
   const PointBins bins(all.points, radius);
   std::vector<Fit> smooth(chosen.size());
-  const bool whole =
-      inBlocks(chosen.size(), threads, stop, [&](std::size_t k, std::vector<Near>& near) {
+  const bool whole = inBlocks<std::vector<Near>>(
+      chosen.size(), threads, stop, [&](std::size_t k, std::vector<Near>& near) {
         const std::size_t i = static_cast<std::size_t>(chosen[k]);
         // As many neighbours as bring the mean's error down to the floor; the kernel counts half of
         // them.
@@ -324,7 +308,7 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
                  "The scans hold too few points that agree with each other for a model.",
                  {}};
   estimateAreas(out, threads, stop);
-  out.noise_mm = median(out.noise);
+  out.noise_mm = medianOf(std::vector(out.noise));
   out.side_gap_mm = sideGap(all, own, radius, threads, stop);
   if (stop.stop_requested()) return Error::cancelled();
   return out;

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <optional>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "batch/batch.h"
 #include "pairing/assignment.h"
-#include "pairing/paper.h"
 #include "pairing/planar_alignment.h"
 #include "pairing/turning_angles.h"
 #include "scan/rim.h"
@@ -139,9 +139,7 @@ StartPose startPose(const Outline& front, const Outline& back, const PlanarFit& 
     sums.push_back(front.heights[static_cast<std::size_t>(foot.index)] +
                    fit.pose.scale * back.heights[i]);
   }
-  std::nth_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2),
-                   sums.end());
-  const double height = sums[sums.size() / 2];
+  const double height = medianOf(sums);
   const Eigen::Vector2d origin = fit.pose.unapply(front.field->line()[0]);
   start.shift = back.field->nearest(origin).index * kAngleSamples / static_cast<int>(line.size());
   Eigen::Isometry3d planar = Eigen::Isometry3d::Identity();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/median.h"
 #include "pairing/assignment.h"
 
 namespace ostraka::pairing {
@@ -20,19 +21,13 @@ double radiusOf(const scan::Scan& scan) {
   return std::sqrt(sum / static_cast<double>(scan.cloud.size()));
 }
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// What brings a side to the size of sherds in millimetres, for which the outlines' tolerances
 /// hold.
 double toUsualSize(std::span<const scan::Scan> scans) {
   constexpr double kUsualRadius = 18;  // mm, of a sherd of 45 mm
   std::vector<double> radii;
   for (const scan::Scan& scan : scans) radii.push_back(radiusOf(scan));
-  const double median = radii.empty() ? 0 : medianOf(radii);
+  const double median = medianOf(radii);
   return median > 0 ? kUsualRadius / median : 1;
 }
 

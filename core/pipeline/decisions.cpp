@@ -1,12 +1,11 @@
 #include "pipeline/decisions.h"
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/text.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -42,15 +41,6 @@ std::optional<DecisionKind> kindOf(const std::string& name) {
 
 fs::path fileIn(const fs::path& output) {
   return output / "decisions.json";
-}
-
-std::string utcNow() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  ::gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
 }
 
 ordered_json toJson(const Eigen::Vector2d& p) {

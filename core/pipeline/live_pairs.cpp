@@ -418,11 +418,4 @@ double length_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   return (to - from).norm();
 }
 
-Result<LiveFit> registerPairAt(const fs::path& output, int front, int back, const Isometry3d& start,
-                               std::stop_token stop) {
-  const auto live = LivePairs::open(output);
-  if (!live) return live.error();
-  return (*live)->settled(front, back, start, stop);
-}
-
 }  // namespace ostraka::pipeline

@@ -94,9 +94,4 @@ Eigen::Vector2d onBackPlate(const Eigen::Isometry3d& front_from_back, const Scan
 /// The length of a line that a person drew in the 3D view.
 double length_mm(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// For one call: the registration of a pair from a start pose. Opens the batch anew each time; who
-/// asks often keeps a LivePairs.
-Result<LiveFit> registerPairAt(const std::filesystem::path& output, int front, int back,
-                               const Eigen::Isometry3d& start, std::stop_token stop);
-
 }  // namespace ostraka::pipeline

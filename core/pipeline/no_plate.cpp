@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 
@@ -29,9 +30,8 @@ double nominalScale(const rig::ColmapPoses& poses) {
       if (depth > 0) pixels.push_back(depth / image.intrinsics.fx);
     }
   if (pixels.empty()) return 1;
-  const auto middle = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() / 2);
-  std::nth_element(pixels.begin(), middle, pixels.end());
-  return *middle > 0 ? kNominalPixel_mm / *middle : 1;
+  const double middle = medianOf(pixels);
+  return middle > 0 ? kNominalPixel_mm / middle : 1;
 }
 
 Result<std::optional<rig::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,

@@ -77,17 +77,16 @@ PairOptions optionsOf(const Run& run) {
   PairOptions options;
   options.threads = run.options.threads;
   options.candidates.threads = run.options.threads;
-  options.candidates.method =
-      run.options.pairing == PairingForm::Paper ? pairing::Method::Paper : pairing::Method::Default;
+  options.candidates.method = run.options.pairing;
   options.place = run.batch.plate ? PlaceEvidence::Weak : PlaceEvidence::None;
   return options;
 }
 
 Result<void> writePairs(const fs::path& folder, const PairTable& table,
                         const CandidateTable& candidates) {
-  ordered_json json = toJson(table, candidates.fronts, candidates.backs);
-  if (!candidates.has_scale) json["has_scale"] = false;
-  return writeJson(folder / "pairs.json", json);
+  ordered_json pairs = toJson(table, candidates.fronts, candidates.backs);
+  if (!candidates.has_scale) pairs["has_scale"] = false;
+  return writeJson(folder / "pairs.json", pairs);
 }
 
 void nameFiles(const Run& run, CandidateTable& table) {

@@ -84,8 +84,7 @@ ordered_json hashesOf(const batch::Batch& batch, int threads) {
     hashes[i] = bytes ? sha256(*bytes) : "unreadable";
   });
   ordered_json named = ordered_json::object();
-  for (std::size_t i = 0; i < files.size(); ++i)
-    named[nameOf(files[i], batch)] = hashes[i];
+  for (std::size_t i = 0; i < files.size(); ++i) named[nameOf(files[i], batch)] = hashes[i];
   return named;
 }
 
@@ -269,26 +268,64 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   return line;
 }
 
+// The model of each pair, in their order, its part of the report and its line of the summary.
+Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided, const Sides& front,
+                        const Sides& back, ReportInput& report, ProcessSummary& summary) {
+  run.progress.begin("models", 0.12);
+  const std::string scans = front.scans.record.outputs_hash + back.scans.record.outputs_hash;
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    if (run.stop.stop_requested()) return Error::cancelled();
+    const scan::Scan& f = front.scans.value[static_cast<std::size_t>(decided[i].front)];
+    const scan::Scan& b = back.scans.value[static_cast<std::size_t>(decided[i].back)];
+    const std::string number = sherdNumber(f.id);
+    const Result<StageRecord> record = modelStage(run, number, decided[i], f, b, scans);
+    if (!record) return record.error();
+    if (const Result<void> published = publish(run, number); !published) return published;
+    report.stages.push_back({"model " + number, *record});
+    report.sherds.push_back({number, &decided[i], &f, &b, record->notes.figures,
+                             run.work / ("model_" + number) / "preview.png"});
+    summary.sherds.push_back(summaryOf(report.sherds.back(), *record));
+    run.progress.report(static_cast<std::int64_t>(i) + 1,
+                        static_cast<std::int64_t>(decided.size()));
+  }
+  removeStaleSherds(run.options.output, summary.sherds);
+  return {};
+}
+
+// What stands on top of OUT; report.json comes last, so that where it is all else is too.
+Result<void> writeReports(const fs::path& output, const Pairs& pairs, const ReportInput& report) {
+  if (Result<void> r = writeJson(output / "pairs.json", pairs.json); !r) return r;
+  if (Result<void> r = writeFileAtomically(output / "report.html", reportHtml(report)); !r)
+    return r;
+  return writeJson(output / "report.json", reportJson(report));
+}
+
+// A distance between markers that took no part in the fit tells whether the scale is right.
+bool isScaleDoubtful(const StageRecord& poses) {
+  for (const auto& distance : poses.notes.figures.value("held_out", ordered_json::array()))
+    if (std::abs(distance.value("error_pct", 0.0)) > 100 * rig::kMostScaleError) return true;
+  return false;
+}
+
 // reading: the warnings about the batch itself.
 Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& reading) {
-  std::vector<ReportStage> stages;
+  ReportInput report;
   run.progress.begin("cameras", 0.05);
   Result<Staged<Poses>> poses = poseStage(run);
   if (!poses) return poses.error();
-  stages.push_back({"cameras", poses->record});
-  const Result<Sides> front = processSide(run, batch::Side::Front, *poses, stages);
+  report.stages.push_back({"cameras", poses->record});
+  const Result<Sides> front = processSide(run, batch::Side::Front, *poses, report.stages);
   if (!front) return front.error();
-  Result<Sides> back = processSide(run, batch::Side::Back, *poses, stages);
+  Result<Sides> back = processSide(run, batch::Side::Back, *poses, report.stages);
   if (!back) return back.error();
   run.progress.begin("pairs", 0.07);
-  const Result<double> back_scale = matchSizes(run, *poses, *front, *back, stages);
+  const Result<double> back_scale = matchSizes(run, *poses, *front, *back, report.stages);
   if (!back_scale) return back_scale.error();
   const Result<Staged<Pairs>> pairs =
       pairStage(run, *poses, *back_scale, front->masks, back->masks, front->scans, back->scans);
   if (!pairs) return pairs.error();
-  stages.push_back({"pairs", pairs->record});
+  report.stages.push_back({"pairs", pairs->record});
 
-  ReportInput report;
   report.batch_name = fs::weakly_canonical(run.batch.folder).filename().string();
   report.unpaired_front = pairs->value.unpaired_front;
   report.unpaired_back = pairs->value.unpaired_back;
@@ -298,26 +335,8 @@ Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& 
   report.front_masks = &front->masks.value;
   report.back_masks = &back->masks.value;
   ProcessSummary summary;
-  run.progress.begin("models", 0.12);
-  const std::vector<DecidedPair>& decided = pairs->value.pairs;
-  for (std::size_t i = 0; i < decided.size(); ++i) {
-    if (run.stop.stop_requested()) return Error::cancelled();
-    const scan::Scan& f = front->scans.value[static_cast<std::size_t>(decided[i].front)];
-    const scan::Scan& b = back->scans.value[static_cast<std::size_t>(decided[i].back)];
-    const std::string number = sherdNumber(f.id);
-    const Result<StageRecord> record =
-        modelStage(run, number, decided[i], f, b,
-                   front->scans.record.outputs_hash + back->scans.record.outputs_hash);
-    if (!record) return record.error();
-    if (const Result<void> published = publish(run, number); !published) return published.error();
-    stages.push_back({"model " + number, *record});
-    report.sherds.push_back({number, &decided[i], &f, &b, record->notes.figures,
-                             run.work / ("model_" + number) / "preview.png"});
-    summary.sherds.push_back(summaryOf(report.sherds.back(), *record));
-    run.progress.report(static_cast<std::int64_t>(i) + 1,
-                        static_cast<std::int64_t>(decided.size()));
-  }
-  removeStaleSherds(run.options.output, summary.sherds);
+  if (const auto r = makeModels(run, pairs->value.pairs, *front, *back, report, summary); !r)
+    return r.error();
   if (const auto r =
           publishLone(run, report.unpaired_front, front->scans.value, batch::Side::Front);
       !r)
@@ -326,29 +345,22 @@ Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& 
       !r)
     return r.error();
   report.warnings = reading;
-  for (const ReportStage& stage : stages)
+  for (const ReportStage& stage : report.stages)
     report.warnings.insert(report.warnings.end(), stage.record.notes.warnings.begin(),
                            stage.record.notes.warnings.end());
-  report.stages = std::move(stages);
 
   run.progress.begin("report", 0.02);
-  const fs::path& output = run.options.output;
-  if (const auto r = writeJson(output / "pairs.json", pairs->value.json); !r) return r.error();
-  if (const auto r = writeFileAtomically(output / "report.html", reportHtml(report)); !r)
-    return r.error();
-  if (const auto r = writeJson(output / "report.json", reportJson(report)); !r) return r.error();
+  if (const auto r = writeReports(run.options.output, pairs->value, report); !r) return r.error();
   summary.unpaired_front = report.unpaired_front;
   summary.unpaired_back = report.unpaired_back;
-  summary.set_aside = pairs->value.set_aside;
-  summary.reshoot = pairs->value.reshoot;
+  summary.set_aside = report.set_aside;
+  summary.reshoot = report.reshoot;
   summary.warnings = report.warnings;
   summary.moved = front->moved;
   summary.moved.insert(summary.moved.end(), back->moved.begin(), back->moved.end());
   summary.reprojection_rms_px = poses->record.notes.figures.value("reprojection_rms_px", 0.0);
-  for (const auto& distance : poses->record.notes.figures.value("held_out", ordered_json::array()))
-    summary.scale_doubtful = summary.scale_doubtful || std::abs(distance.value("error_pct", 0.0)) >
-                                                           100 * rig::kMostScaleError;
-  summary.report = output / "report.html";
+  summary.scale_doubtful = isScaleDoubtful(poses->record);
+  summary.report = run.options.output / "report.html";
   return summary;
 }
 

@@ -7,11 +7,11 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "pairing/candidates.h"
 
 namespace ostraka::pipeline {
 
 enum class DenseMethod { Builtin, Colmap, OpenMvs };
-enum class PairingForm { Default, Paper };
 
 struct ProcessOptions {
   std::filesystem::path batch;               ///< batch folder; nothing in it is ever written
@@ -19,7 +19,7 @@ struct ProcessOptions {
   std::optional<std::filesystem::path> rig;  ///< RIG.json of an earlier calibration
   DenseMethod dense = DenseMethod::Builtin;
   std::string masks = "auto";  ///< "auto", "given", or the path of an ONNX network
-  PairingForm pairing = PairingForm::Default;
+  pairing::Method pairing = pairing::Method::Default;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
 
   Result<void> check() const;
@@ -45,7 +45,7 @@ struct ProcessSummary {
   std::vector<std::string> warnings;
   double reprojection_rms_px = 0;
   /// A distance between markers that took no part in the fit is off by more than 0.3 %: the batch
-  /// is held until a person has found out why (wish W12).
+  /// is held until a person has found out why.
   bool scale_doubtful = false;
   double seconds = 0;  ///< of this run, not of stages done earlier
   std::filesystem::path report;

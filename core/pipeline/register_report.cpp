@@ -6,36 +6,14 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/markup.h"
+#include "base/text.h"
 #include "cloud/point_cloud.h"
 
 namespace ostraka::pipeline {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
 
 /// Both sides' points in one picture, along two axes given in the front's frame.
 std::string overlay(const PointCloud& front, const PointCloud& back, const Eigen::Vector3d& right,
@@ -90,10 +68,8 @@ std::string pictures(const scan::Scan& front, const scan::Scan& back, const Sher
          overlay(slice(front.cloud), slice(moved), right, up);
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + escaped(word);
-  return text.empty() ? "none" : text;
+std::string listed(const std::vector<std::string>& words) {
+  return words.empty() ? "none" : markupText(joined(words, ", "));
 }
 
 std::string html(const RegisterSummary& summary, const PairTable& table,
@@ -107,10 +83,10 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
       "scans</h1>";
   page += "<p>" + std::to_string(summary.pairs.size()) + " pairs, of which " +
           std::to_string(summary.ambiguous()) +
-          " need a person's decision. Fronts without a back: " + joined(summary.unpaired_front) +
-          ". Backs without a front: " + joined(summary.unpaired_back) + ".</p>";
+          " need a person's decision. Fronts without a back: " + listed(summary.unpaired_front) +
+          ". Backs without a front: " + listed(summary.unpaired_back) + ".</p>";
   for (const std::string& warning : summary.warnings) {
-    page += "<p class=\"ask\">" + escaped(warning) + "</p>";
+    page += "<p class=\"ask\">" + markupText(warning) + "</p>";
   }
   page +=
       "<p>Blue: front. Red: back. Left: seen from above; right: a slice of 1 mm through the "
@@ -126,10 +102,10 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
                 " %).";
     }
     page += std::string("<tr") + (p.ambiguous ? " class=\"ask\"" : "") + "><td>" + p.number +
-            "</td><td>" + escaped(p.front) + "</td><td>" + escaped(p.back) + "</td><td>" +
+            "</td><td>" + markupText(p.front) + "</td><td>" + markupText(p.back) + "</td><td>" +
             fixed(100 * p.score, 2) + " %</td><td>" + fixed(p.rim_rms_mm, 3) + " mm</td><td>" +
             fixed(100 * p.rim_overlap, 0) + " %</td><td>" + fixed(p.uncertainty_mm, 3) +
-            " mm</td><td>" + escaped(remark) + "</td><td>" +
+            " mm</td><td>" + markupText(remark) + "</td><td>" +
             pictures(fronts[static_cast<std::size_t>(d.front)],
                      backs[static_cast<std::size_t>(d.back)], table.pairs[i]) +
             "</td></tr>";

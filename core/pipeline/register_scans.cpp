@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "cloud/ply.h"
 #include "pairing/common_scale.h"
 #include "pipeline/pair_sides.h"
@@ -35,10 +36,7 @@ Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
   std::error_code failed;
   std::vector<fs::path> files;
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
-    std::string ending = it->path().extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending == ".ply") files.push_back(it->path());
+    if (lowerCase(it->path().extension().string()) == ".ply") files.push_back(it->path());
   }
   if (failed) {
     return Error{ErrorCode::UnusableInput, "The folder cannot be read; name a folder of PLY files.",

@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "base/markup.h"
+#include "base/text.h"
 #include "batch/photograph.h"
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
@@ -29,12 +30,6 @@ td.words,th.words{text-align:left}img{max-width:100%;border:1px solid #ccc}
 .doubt{border-left:8px solid #b35900}.ask{color:#8a4300;font-weight:600}
 figcaption{color:#555;font-size:14px}
 )";
-
-std::string fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
 
 std::string picture(const std::string& bytes, const char* type, const std::string& words) {
   return "<img alt=\"" + markupText(words) + "\" src=\"data:image/" + type + ";base64," +

@@ -15,7 +15,7 @@ constexpr float kReach_mm = 1.0f;  // rims of look-alikes differ by half of it
 constexpr float kMinCos = 0.7071f;
 constexpr float kPatch_mm = 1.5f;  // the noise of scans is alike over 1 mm, that of stereo over 2
 constexpr float kAlike_mm = 3.0f;  // stereo errs alike over 2 to 4 mm; beyond, breaks are too short
-constexpr float kSameFace = 0.5f;
+constexpr float kSameBreak = 0.5f;
 constexpr std::size_t kFewest = 5;  // pairs that make a mean
 
 // The distances of the back's points from the front's nearest, along the mean of their normals.
@@ -73,7 +73,7 @@ Patches patchesOf(const StripLevel& centres, const Gaps& gaps, const KdTree& tre
     std::size_t count = 0;
     for (const Neighbour& n : found) {
       const auto i = static_cast<std::size_t>(n.index);
-      if (gaps.normals[i].dot(centres.normals[c]) < kSameFace) continue;
+      if (gaps.normals[i].dot(centres.normals[c]) < kSameBreak) continue;
       sum += gaps.distances[i];
       ++count;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
 #include "cloud/nearest.h"
 
 namespace ostraka::registration {
@@ -15,12 +16,6 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kLargestPicture = 4096;  // cells a side: a metre, far beyond any plate
-
-double medianOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<Vector2f> planOf(std::span<const Vector3f> points,
                              const Eigen::Matrix<float, 2, 3>& flat, const Vector2f& shift) {

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kMinCos = 0.7071f;  // beyond 45 degrees it is another face
+constexpr float kSameFaceCos = 0.7071f;  // beyond 45 degrees it is another face
 
 // From `asked` (brought to the other's frame) to the other strip; points are given in the front's.
 void addDistances(const StripLevel& asked, const StripLevel& other,
@@ -24,7 +24,7 @@ void addDistances(const StripLevel& asked, const StripLevel& other,
     if (near.index < 0) continue;
     const std::size_t j = static_cast<std::size_t>(near.index);
     const Vector3f normal = other_from_asked.linear() * asked.normals[i];
-    if (normal.dot(other.normals[j]) < kMinCos) continue;
+    if (normal.dot(other.normals[j]) < kSameFaceCos) continue;
     const Vector3f between = (normal + other.normals[j]).normalized();
     found.push_back({front_from_asked * asked.points[i], between.dot(p - other.points[j])});
   }

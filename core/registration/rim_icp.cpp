@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace ostraka::registration {
 namespace {
 
@@ -75,9 +77,7 @@ void asked(const StripLevel& from, const StripLevel& to, const Eigen::Isometry3d
 double robustSigma(std::vector<double> values) {
   if (values.empty()) return 0;
   for (double& v : values) v = std::abs(v);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return 1.4826 * *middle;
+  return 1.4826 * medianOf(values);
 }
 
 }  // namespace

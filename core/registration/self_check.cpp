@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "base/median.h"
+
 namespace ostraka::registration {
 namespace {
 
@@ -59,9 +61,7 @@ Thickness thicknessOf(const Strip& front, const Strip& back,
   thickness.compared = static_cast<int>(walls.size());
   if (walls.empty()) return thickness;
   thickness.crossing_share = crossing / static_cast<double>(walls.size());
-  const auto middle = walls.begin() + static_cast<std::ptrdiff_t>(walls.size() / 2);
-  std::nth_element(walls.begin(), middle, walls.end());
-  thickness.median_mm = *middle;
+  thickness.median_mm = medianOf(walls);
   return thickness;
 }
 

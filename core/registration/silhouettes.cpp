@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "cloud/nearest.h"
 
@@ -119,12 +120,6 @@ std::vector<std::size_t> nearOutline(const Outline& outline, std::span<const Vec
     if (c.inside(cv::Rect(0, 0, band.cols, band.rows)) && band(c) != 0) kept.push_back(i);
   }
   return kept;
-}
-
-double medianOf(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // A misfit, and how far down the outline faces there: 1 at an edge that the sherd has above the

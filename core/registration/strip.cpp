@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace ostraka::registration {
 namespace {
 
@@ -15,13 +17,6 @@ constexpr double kUsefulSpacingMm =
     0.25;                               // noise is alike over 0.9 mm: finer points only cost time
 constexpr float kLowBandMm = 0.7f;      // above the plate, where scans are fat and noisy
 constexpr float kLowBandWeight = 0.4f;  // noise there is up to 1.5 times as large: 1 / 1.5^2
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // The face around a point: mean normal, mean position, how far the mean lies aside.
 struct Patch {
@@ -153,7 +148,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
     return Error{ErrorCode::NotEnough,
                  "Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.",
                  scan.id};
-  strip.noise_mm = 1.4826 * median(offsets);
+  strip.noise_mm = 1.4826 * medianOf(offsets);
   strip.fine.tree = KdTree(strip.fine.points);
   strip.coarse = thinnedLevel(strip.fine, options.coarse_mm);
   addShell(cloud, tree, 1.0, strip);

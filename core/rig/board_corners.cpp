@@ -3,6 +3,7 @@
 #include <opencv2/aruco/charuco.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "batch/photograph.h"
 #include "rig/intrinsics.h"
 #include "rig/marker_dictionary.h"
 #include "rig/marker_edges.h"
@@ -14,13 +15,6 @@ struct FoundMarkers {
   std::vector<std::vector<cv::Point2f>> corners;
   std::vector<int> ids;
 };
-
-cv::Mat greyOf(const cv::Mat& photograph) {
-  if (photograph.channels() == 1) return photograph;
-  cv::Mat grey;
-  cv::cvtColor(photograph, grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
 
 FoundMarkers findMarkers(const cv::Mat& grey, const cv::Ptr<cv::aruco::Dictionary>& dictionary,
                          const cv::Ptr<cv::aruco::DetectorParameters>& parameters) {
@@ -68,7 +62,7 @@ Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& boar
   const auto charuco = cv::aruco::CharucoBoard::create(
       board.squares_x, board.squares_y, static_cast<float>(board.square_mm),
       static_cast<float>(board.marker_mm), *dictionary);
-  const cv::Mat grey = greyOf(photograph);
+  const cv::Mat grey = batch::greyOf(photograph);
   TargetView view;
   const FoundMarkers found =
       findMarkers(grey, *dictionary, cv::aruco::DetectorParameters::create());
@@ -93,7 +87,7 @@ Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& boar
 Result<TargetView> findGrid(const cv::Mat& photograph, const MarkerGrid& grid) {
   const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = markerDictionary(grid.dictionary);
   if (!dictionary) return dictionary.error();
-  const cv::Mat grey = greyOf(photograph);
+  const cv::Mat grey = batch::greyOf(photograph);
   const auto parameters = cv::aruco::DetectorParameters::create();
   parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
   const FoundMarkers found = findMarkers(grey, *dictionary, parameters);

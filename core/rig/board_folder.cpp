@@ -56,11 +56,7 @@ std::vector<fs::path> picturesIn(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code failed;
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
-    std::string extension = it->path().extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const char* known : {".jpg", ".jpeg", ".png", ".tif", ".tiff"})
-      if (extension == known) files.push_back(it->path());
+    if (batch::hasPhotographEnding(it->path())) files.push_back(it->path());
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -6,6 +6,8 @@
 #include <set>
 #include <tuple>
 
+#include "base/median.h"
+#include "base/text.h"
 #include "rig/batch_corners.h"
 #include "rig/bundle_adjustment.h"
 #include "rig/held_out.h"
@@ -16,18 +18,6 @@ namespace ostraka::rig {
 namespace {
 
 constexpr int kMinViewsPerSide = 3;
-
-std::string fixed(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 int indexOf(const std::vector<int>& sorted, int value) {
   return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
@@ -309,7 +299,7 @@ class Poser {
   bool knownRigFits() {
     bool fits = true;
     for (std::size_t c = 0; c < camera_numbers_.size(); ++c) {
-      const double typical = median(residualsOf(c));
+      const double typical = medianOf(residualsOf(c));
       out_.cameras[c].known_residual_px = typical;
       if (typical <= options_.max_known_rig_residual_px) continue;
       fits = false;
@@ -377,7 +367,7 @@ class Poser {
       ratios.push_back(std::abs(r.x()));
       ratios.push_back(std::abs(r.y()));
     }
-    return std::max(0.2, 1.4826 * median(ratios));
+    return std::max(0.2, 1.4826 * medianOf(ratios));
   }
 
   double markerError(std::size_t shot, const PlacedMarker& marker) const {
@@ -444,7 +434,7 @@ class Poser {
     for (std::size_t c = 0; c < out_.cameras.size(); ++c) {
       const std::vector<double> errors = residualsOf(c);
       out_.cameras[c].marker_corners = static_cast<int>(errors.size());
-      out_.cameras[c].median_residual_px = median(errors);
+      out_.cameras[c].median_residual_px = medianOf(std::vector(errors));
     }
     fillRig();
     inform("rig: " + fixed(out_.reprojection_rms_px, 3) + " px over " + fixed(count, 0) +

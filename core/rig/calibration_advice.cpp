@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "base/text.h"
 #include "rig/held_out.h"
 
 namespace ostraka::rig {
@@ -15,15 +16,9 @@ constexpr std::size_t kFewPictures = 8;
 constexpr int kFewTilted = 4;
 constexpr int kFewMarkers = 6;             // of the plate in one photograph
 constexpr double kMostFocalError = 0.001;  // relative standard deviation of a good calibration
-constexpr double kMostResidual_px = 0.5;   // wish W16
+constexpr double kMostResidual_px = 0.5;   // of a camera that may be relied on
 
-std::string fixed(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-std::string joined(const std::vector<std::string>& parts) {
+std::string enumerated(const std::vector<std::string>& parts) {
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i)
     text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
@@ -47,7 +42,7 @@ void adviseOnStops(const BatchPoses& poses, std::vector<std::string>& missing) {
                                              std::to_string(poses.images[i].stop));
   for (const auto& [camera, stops] : poor)
     missing.push_back(cameraName(camera) + " sees fewer than six of the plate's markers at stop " +
-                      joined(stops) +
+                      enumerated(stops) +
                       "; check light and focus there and that nothing lies on the markers.");
   if (poses.rig.stops.size() < 4)
     missing.push_back("Only " + std::to_string(poses.rig.stops.size()) +
@@ -102,8 +97,8 @@ void judge(CalibrationReport& report) {
   if (report.verdict == Verdict::Good)
     report.verdict_in_words = "Good: lenses, places and scale are determined.";
   else if (!without_lens.empty())
-    report.verdict_in_words = "Usable for a try only: the lens of camera " + joined(without_lens) +
-                              " comes from the plate's markers alone.";
+    report.verdict_in_words = "Usable for a try only: the lens of camera " +
+                              enumerated(without_lens) + " comes from the plate's markers alone.";
   else if (!exact)
     report.verdict_in_words = "Usable, but a focal length is known to no better than a thousandth.";
   else
@@ -151,7 +146,7 @@ void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& mi
   for (std::size_t r = 0; r < 9; ++r)
     if (camera.corners_per_region[r] < kFewCornersInRegion) empty.emplace_back(kRegions[r]);
   if (!empty.empty())
-    missing.push_back(name + ": the board hardly reaches the " + joined(empty) +
+    missing.push_back(name + ": the board hardly reaches the " + enumerated(empty) +
                       " of the picture; add pictures with the board there.");
   if (camera.tilted_pictures < kFewTilted)
     missing.push_back(

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 
@@ -200,12 +201,7 @@ std::optional<Eigen::Isometry3d> turntableFromCentres(
   const Eigen::Vector2d m = a.ldlt().solve(b);
   std::vector<double> heights;
   for (const Eigen::Vector3d& p : points) heights.push_back(axis.dot(p));
-  std::vector<double> sorted = heights;
-  double middle = 0;
-  if (!sorted.empty()) {
-    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
-    middle = sorted[sorted.size() / 2];
-  }
+  const double middle = medianOf(std::vector(heights));
   const double up = cameras_height / count >= middle ? 1 : -1;
   for (double& h : heights) h *= up;
   const Eigen::Vector3d z = up * axis;

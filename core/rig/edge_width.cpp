@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -49,9 +51,7 @@ std::vector<double> edgeWidths(const cv::Mat1b& grey,
 
 double typicalWidth(std::vector<double> widths) {
   if (widths.size() < 12) return 0;
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return *middle;
+  return medianOf(widths);
 }
 
 }  // namespace ostraka::rig

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <opencv2/calib3d.hpp>
 
+#include "base/median.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -98,11 +100,6 @@ IntrinsicsReport reportOf(const Solution& s, std::span<const TargetView* const> 
   return report;
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
 // Largest angle between the optical axis and a target's normal, radians.
 double largestTilt(const IntrinsicsReport& report) {
   double largest = 0;
@@ -135,7 +132,7 @@ void judge(IntrinsicsReport& report) {
                             ", more than the 0.3 px of sharp pictures of a flat board; check focus,"
                             " light and the board's flatness.");
   const double worst = report.rms_per_view_px[report.worst_view];
-  if (worst > kGoodViewPx && worst > 1.5 * median(report.rms_per_view_px))
+  if (worst > kGoodViewPx && worst > 1.5 * medianOf(std::vector(report.rms_per_view_px)))
     report.advice.push_back("The worst picture is " + report.files[report.worst_view] + " with " +
                             inPixels(worst) + "; take it again or leave it out.");
 }

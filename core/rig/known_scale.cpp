@@ -10,7 +10,7 @@ namespace ostraka::rig {
 namespace {
 
 constexpr double kMinAngle_rad = 0.052;  // 3 degrees: below it a pixel moves the depth by 20
-constexpr std::size_t kMinCorners = 6;
+constexpr std::size_t kMinScaleCorners = 6;
 
 std::optional<KnownScale> middleOf(std::vector<double> ratios) {
   if (ratios.empty()) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<KnownScale> scaleFromBoard(const std::vector<PosedImage>& images,
                            static_cast<double>(corner[1]) / 100);
       found.push_back(*point);
     }
-  if (found.size() < kMinCorners) return std::nullopt;
+  if (found.size() < kMinScaleCorners) return std::nullopt;
   std::vector<double> ratios;
   for (std::size_t i = 0; i < found.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -6,23 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "batch/photograph.h"
+
 namespace ostraka::rig {
 namespace {
-
-// The inverse of the sRGB curve, IEC 61966-2-1.
-std::array<double, 256> linearLight() {
-  std::array<double, 256> table{};
-  for (int i = 0; i < 256; ++i) {
-    const double v = i / 255.0;
-    table[i] = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-  }
-  return table;
-}
-
-const std::array<double, 256>& linearTable() {
-  static const std::array<double, 256> table = linearLight();
-  return table;
-}
 
 struct Line {
   Eigen::Vector2d point, normal;  // the normal points out of the marker
@@ -36,7 +23,7 @@ struct Sample {
 std::vector<Sample> samplesBeside(const cv::Mat& grey, const Eigen::Vector2d& a,
                                   const Eigen::Vector2d& b, const Eigen::Vector2d& normal,
                                   double margin, double reach) {
-  const std::array<double, 256>& table = linearTable();
+  const std::array<double, 256>& table = batch::linearLight();
   const double length = (b - a).norm();
   const Eigen::Vector2d direction = (b - a) / length;
   const Eigen::Vector2d low = a.cwiseMin(b).array() - reach, high = a.cwiseMax(b).array() + reach;

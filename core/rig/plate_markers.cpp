@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
+#include "batch/photograph.h"
 #include "rig/marker_dictionary.h"
 
 namespace ostraka::rig {
@@ -15,13 +16,6 @@ namespace {
 // whole pixels.
 constexpr double kEdgeSdPx = 0.06;
 constexpr double kContourSdPx = 0.5;
-
-cv::Mat greyOf(const cv::Mat& photograph) {
-  if (photograph.channels() == 1) return photograph;
-  cv::Mat grey;
-  cv::cvtColor(photograph, grey, cv::COLOR_BGR2GRAY);
-  return grey;
-}
 
 Quad toQuad(const std::vector<cv::Point2f>& corners) {
   Quad quad;
@@ -35,7 +29,7 @@ Result<std::vector<SeenMarker>> findPlateMarkers(const cv::Mat& photograph,
                                                  const batch::Plate& plate) {
   const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = markerDictionary(plate.dictionary);
   if (!dictionary) return dictionary.error();
-  const cv::Mat grey = greyOf(photograph);
+  const cv::Mat grey = batch::greyOf(photograph);
   const auto parameters = cv::aruco::DetectorParameters::create();
   // Lines through the contour start within a pixel; OpenCV's sub-pixel corners now and then run
   // away by several pixels along an edge.

@@ -11,10 +11,6 @@ namespace {
 
 constexpr const char* kFormat = "ostraka-rig/1";
 
-Error unusable(const std::string& what, const std::filesystem::path& file) {
-  return {ErrorCode::UnusableInput, what, file.string()};
-}
-
 bool usable(const RigCamera& camera) {
   const Intrinsics& i = camera.intrinsics;
   const bool size = i.width > 0 && i.height > 0 && i.width <= 100'000 && i.height <= 100'000;
@@ -67,13 +63,13 @@ Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesys
   camera.marker_inset_px = value.value("marker_inset_px", 0.0);
   camera.covariance = value.value("covariance", std::vector<double>());
   if (!camera.covariance.empty() && camera.covariance.size() != kParameters * kParameters)
-    return unusable("Camera " + std::to_string(camera.camera) +
-                        " has a covariance of another size; calibrate the rig again.",
-                    file);
+    return Error::unusable("Camera " + std::to_string(camera.camera) +
+                               " has a covariance of another size; calibrate the rig again.",
+                           file);
   if (!usable(camera))
-    return unusable("Camera " + std::to_string(camera.camera) +
-                        " has no valid size, K or dist; calibrate the rig again.",
-                    file);
+    return Error::unusable("Camera " + std::to_string(camera.camera) +
+                               " has no valid size, K or dist; calibrate the rig again.",
+                           file);
   return camera;
 }
 
@@ -91,13 +87,14 @@ Result<Rig> readRig(const std::filesystem::path& file) {
   Rig rig;
   try {
     if (json->at("format") != kFormat)
-      return unusable("This rig was written by another version; calibrate the rig again.", file);
+      return Error::unusable("This rig was written by another version; calibrate the rig again.",
+                             file);
     for (const nlohmann::json& value : json->at("cameras")) {
       Result<RigCamera> camera = cameraFromJson(value, file);
       if (!camera) return camera.error();
       if (rig.find(camera->camera) != nullptr)
-        return unusable("Camera " + std::to_string(camera->camera) + " stands twice in the rig.",
-                        file);
+        return Error::unusable(
+            "Camera " + std::to_string(camera->camera) + " stands twice in the rig.", file);
       rig.cameras.push_back(std::move(*camera));
     }
     for (const nlohmann::json& value : json->at("stops")) {
@@ -106,9 +103,10 @@ Result<Rig> readRig(const std::filesystem::path& file) {
     }
     rig.reprojection_rms_px = json->value("reprojection_rms_px", 0.0);
   } catch (const nlohmann::json::exception&) {
-    return unusable("This is no rig file (RIG.json); calibrate the rig again.", file);
+    return Error::unusable("This is no rig file (RIG.json); calibrate the rig again.", file);
   }
-  if (rig.cameras.empty()) return unusable("The rig has no camera; calibrate it again.", file);
+  if (rig.cameras.empty())
+    return Error::unusable("The rig has no camera; calibrate it again.", file);
   std::sort(rig.cameras.begin(), rig.cameras.end(),
             [](const RigCamera& a, const RigCamera& b) { return a.camera < b.camera; });
   return rig;
@@ -129,7 +127,7 @@ Result<void> writeRig(const std::filesystem::path& file, const Rig& rig) {
   if (std::filesystem::exists(file, absent)) {
     const Result<nlohmann::json> there = readJson(file);
     if (!there || !there->is_object())
-      return unusable("This file is there already and is no rig; name another one.", file);
+      return Error::unusable("This file is there already and is no rig; name another one.", file);
     for (const auto& [key, value] : there->items())
       if (!whole.contains(key)) whole[key] = value;
   }

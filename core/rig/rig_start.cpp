@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -17,11 +19,6 @@ double turnAboutZ(const Eigen::Matrix3d& rotation) {
 
 Eigen::Isometry3d turned(double angle) {
   return Eigen::Isometry3d(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 class Start {
@@ -68,7 +65,7 @@ class Start {
     if (differences.empty()) return;
     const double first = differences[0];
     for (double& d : differences) d = wrapped(d - first);
-    const double flip = first + median(differences);
+    const double flip = first + medianOf(differences);
     start_.state.turntable_from_plate[1] = turned(flip);
     for (std::size_t k = 0; k < angles(1).size(); ++k) angles(1)[k] -= flip;
   }
@@ -84,7 +81,7 @@ class Start {
       if (numbers[seen[i]] == numbers[seen[i - 1]] + 1)
         steps.push_back(wrapped(anyAngle(seen[i]) - anyAngle(seen[i - 1])));
     if (steps.empty()) return;
-    const double step = median(steps);
+    const double step = medianOf(steps);
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       if (start_.stop_measured[0][k] || start_.stop_measured[1][k]) continue;
       const auto nearest = *std::min_element(seen.begin(), seen.end(), [&](auto a, auto b) {

@@ -26,12 +26,6 @@ std::size_t Footprint::cellOf(const Eigen::Vector2d& p) const {
          static_cast<std::size_t>(c);
 }
 
-Eigen::Vector2d Footprint::centreOf(std::size_t cell) const {
-  const std::size_t columns = static_cast<std::size_t>(columns_);
-  return low_ + cell_mm_ * Eigen::Vector2d(static_cast<double>(cell % columns) + 0.5,
-                                           static_cast<double>(cell / columns) + 0.5);
-}
-
 /// Empty cells reached from the corner: holes inside are no outside.
 void Footprint::markOutside(const std::vector<std::uint8_t>& filled) {
   std::vector<std::size_t> stack{0};

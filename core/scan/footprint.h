@@ -17,10 +17,6 @@ class Footprint {
   double depth(const Eigen::Vector2d& p) const { return depth_[cellOf(p)]; }
 
   std::size_t cellOf(const Eigen::Vector2d& p) const;
-  Eigen::Vector2d centreOf(std::size_t cell) const;
-  double depthOf(std::size_t cell) const { return depth_[cell]; }
-  std::size_t cells() const { return depth_.size(); }
-  int columns() const { return columns_; }  ///< cells are numbered row by row
 
  private:
   void markOutside(const std::vector<std::uint8_t>& filled);

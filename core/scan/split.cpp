@@ -88,7 +88,7 @@ Extent extentOf(const PointCloud& piece) {
 }
 
 // Squares of 1 mm that hold points, seen from above.
-std::size_t footprintOf(const PointCloud& piece) {
+std::size_t squaresBelow(const PointCloud& piece) {
   std::set<std::pair<int, int>> squares;
   for (const Eigen::Vector3f& p : piece.points)
     squares.insert({static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))});
@@ -100,7 +100,7 @@ bool isSherd(const PointCloud& piece, const SplitOptions& options,
              std::vector<std::string>& warnings) {
   const Extent extent = extentOf(piece);
   if (extent.longest_mm < options.min_extent_mm ||
-      static_cast<double>(footprintOf(piece)) < options.min_area_mm2) {
+      static_cast<double>(squaresBelow(piece)) < options.min_area_mm2) {
     warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " + at(extent.middle) +
                        " was left aside; if it is a sherd, shoot it alone.");
     return false;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kCell_mm = 0.5;  // two points of a scan, so that the outline has no holes
 
-struct Footprint {
+struct Plan {
   cv::Mat1b filled;  // 255 inside, with a free border
   Eigen::Vector2d origin;
   cv::Point cellOf(const Eigen::Vector3f& p) const {
@@ -18,12 +18,12 @@ struct Footprint {
   }
 };
 
-Footprint footprintOf(const PointCloud& piece) {
+Plan planOf(const PointCloud& piece) {
   Eigen::Vector2f low = piece.points[0].head<2>(), high = low;
   for (const Eigen::Vector3f& p : piece.points)
     low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
   constexpr int kBorder = 4;
-  Footprint print;
+  Plan print;
   print.origin = low.cast<double>() - Eigen::Vector2d::Constant(kBorder * kCell_mm);
   const Eigen::Vector2d size = (high - low).cast<double>() / kCell_mm;
   print.filled = cv::Mat1b::zeros(static_cast<int>(size.y()) + 2 * kBorder + 1,
@@ -83,7 +83,7 @@ TouchingParts cutTouching(const PointCloud& piece, double neck_share, double min
   TouchingParts parts;
   parts.part.assign(piece.size(), 0);
   if (piece.empty()) return parts;
-  const Footprint print = footprintOf(piece);
+  const Plan print = planOf(piece);
   cv::Mat1f depth_mm;
   cv::distanceTransform(print.filled, depth_mm, cv::DIST_L2, cv::DIST_MASK_5);
   depth_mm *= kCell_mm;

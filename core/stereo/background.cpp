@@ -1,8 +1,9 @@
 #include "stereo/background.h"
 
-#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
+
+#include "base/median.h"
 
 namespace ostraka::stereo {
 namespace {
@@ -17,9 +18,7 @@ double borderMedian(const cv::Mat1b& grey) {
     border.push_back(grey(y, 0));
     border.push_back(grey(y, grey.cols - 1));
   }
-  const auto middle = border.begin() + static_cast<std::ptrdiff_t>(border.size() / 2);
-  std::nth_element(border.begin(), middle, border.end());
-  return *middle;
+  return medianOf(border);
 }
 
 /// Closes dark spots of up to this many pixels across: shadows in the object's relief.

@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLevels = 3;  // of the pyramid; the hull is carved at its coarsest, as elsewhere
+constexpr int kOutsideLevels =
+    3;  // of the pyramid; the hull is carved at its coarsest, as elsewhere
 /// Points of the sparse model: neighbours and depths of a view are found from a few hundred.
 constexpr std::size_t kSparsePoints = 6000;
 /// As the built-in stereo cuts: one mask may be wrong about a point.
@@ -113,7 +114,7 @@ Result<void> addPoints(std::span<const View> views, const DenseOptions& options,
                        rig::ColmapModel& model, const std::stop_token& stop) {
   std::vector<Frame> frames(views.size());
   parallelFor(views.size(), options.threads, [&](std::size_t i) {
-    frames[i] = std::move(buildPyramid(views[i], kLevels).back());
+    frames[i] = std::move(buildPyramid(views[i], kOutsideLevels).back());
   });
   if (stop.stop_requested()) return Error::cancelled();
   std::vector<const Frame*> pointers;

@@ -37,14 +37,6 @@ struct DenseOptions {
   Result<void> check() const;
 };
 
-/// One view's depths along its optical axis, mm, at the photograph's size without its distortion;
-/// 0 where nothing was found. Normals are unit vectors in the camera's frame, towards the camera.
-struct DepthMap {
-  cv::Mat1f depth;
-  cv::Mat3f normal;
-  cv::Mat1f confidence;  ///< 0..1
-};
-
 /// Oriented, coloured points of everything inside the masks, plate frame, mm; quality is the
 /// confidence. PatchMatch stereo with slanted windows (Bleyer et al., BMVC 2011; Galliani et al.,
 /// ICCV 2015) from coarse to fine, fused; each point is moved onto a quadric fitted around it.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "cloud/nearest.h"
 
@@ -29,9 +30,7 @@ bool outsideMask(const Frame& frame, const Eigen::Vector3f& p_plate) {
 std::vector<int> onePerCube(const std::vector<SurfacePoint>& points, float spacing_px) {
   std::vector<float> footprints;
   for (const SurfacePoint& p : points) footprints.push_back(p.footprint_mm);
-  const auto middle = footprints.begin() + static_cast<std::ptrdiff_t>(footprints.size() / 2);
-  std::nth_element(footprints.begin(), middle, footprints.end());
-  const float edge_mm = spacing_px * *middle;
+  const float edge_mm = spacing_px * medianOf(footprints);
   std::unordered_map<std::uint64_t, int> best;
   best.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -11,16 +11,11 @@
 #include "base/json.h"
 #include "cloud/ply.h"
 #include "rig/plate_print.h"
+#include "virtualrig/numbered.h"
 #include "virtualrig/plate_surface.h"
 
 namespace ostraka::virtualrig {
 namespace {
-
-std::string numbered(const char* pattern, int a, int b = 0) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, a, b);
-  return text;
-}
 
 // To 1 / steps: written short, as 61.6.
 double rounded(double value, int steps) {

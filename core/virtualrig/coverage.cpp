@@ -12,9 +12,9 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kHalfWay_mm = 60;  // from the axis
-constexpr float kLift = 0.05f;      // mm off the surface, so that a ray does not meet its own start
+constexpr float kFacetLift =
+    0.05f;  // mm off the surface, so that a ray does not meet its own start
 
 // A point of a sherd with the area it stands for.
 struct Sample {
@@ -70,7 +70,7 @@ class Look {
           ++tally.outside;
           continue;
         }
-        if (views < options_.least_views && !scene.blocked(p + kLift * n, to_eye, 1)) ++views;
+        if (views < options_.least_views && !scene.blocked(p + kFacetLift * n, to_eye, 1)) ++views;
       }
       if (views >= options_.least_views) ++sides[i];
     }
@@ -152,9 +152,9 @@ Result<CameraAdvice> bestMove(const std::vector<VirtualSherd>& sherds, const Vir
   for (int camera = 0; camera < rig.cameras(); ++camera)
     for (const double degrees : {-20.0, -10.0, 10.0, 20.0}) {
       if (stop.stop_requested()) return Error::cancelled();
-      const double then = elevation(rig, camera) * 180 / kPi + degrees;
+      const double then = elevation(rig, camera) * 180 / std::numbers::pi + degrees;
       if (then < 10 || then > 85) continue;
-      const double raise = degrees * kPi / 180;
+      const double raise = degrees * std::numbers::pi / 180;
       const double gain = breaksSeen(sherds, raised(rig, camera, raise), options) - now;
       if (gain > std::max(kLeastGain, best.gain + 1e-9)) best = {camera, raise, gain};
     }

@@ -11,7 +11,6 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kRoom = 124;  // mm from the axis: the markers' paper begins at 129
 constexpr double kGap = 4;     // mm between sherds
 
@@ -86,7 +85,8 @@ double turnTowards(const Eigen::Matrix3d& wanted, const Eigen::Matrix3d& rest) {
 }
 
 Eigen::Vector2d inDisc(Random& random, double radius) {
-  const double r = radius * std::sqrt(random.uniform()), angle = random.uniform(0, 2 * kPi);
+  const double r = radius * std::sqrt(random.uniform()),
+               angle = random.uniform(0, 2 * std::numbers::pi);
   return {r * std::cos(angle), r * std::sin(angle)};
 }
 
@@ -157,7 +157,7 @@ class Arranger {
   bool back(Layout& layout) {
     laid_.clear();
     const Eigen::Matrix3d flip =
-        Eigen::AngleAxisd(kPi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+        Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
     for (std::size_t s = 0; s < sherds_.size(); ++s) {
       const Piece piece = laidDown(sherds_[s], Eigen::Vector3d(0, 0, -ups_[s]));
       const double kept = turnTowards(flip * layout.front[s].linear(), piece.rest.linear());
@@ -165,7 +165,7 @@ class Arranger {
       const auto by_hand = [&](int round) {
         if (options_.scramble) return anywhere();
         const double off = random_.uniform(3, 11 + 0.01 * round), way = turn();
-        return planar(kept + random_.uniform(-kPi / 6, kPi / 6),
+        return planar(kept + random_.uniform(-std::numbers::pi / 6, std::numbers::pi / 6),
                       c.head<2>() + off * Eigen::Vector2d(std::cos(way), std::sin(way)));
       };
       const auto contact = [&] {
@@ -184,7 +184,7 @@ class Arranger {
     double direction_rad, turn_rad;
   };
 
-  double turn() { return random_.uniform(0, 2 * kPi); }
+  double turn() { return random_.uniform(0, 2 * std::numbers::pi); }
   Eigen::Isometry2d anywhere() {
     const double angle = turn();
     return planar(angle, inDisc(random_, kRoom - 10));

@@ -9,7 +9,6 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr float kLift = 0.03f;   // mm off the surface, so that a ray does not meet its own triangle
 constexpr int kShadowSide = 5;   // 5 x 5 strata a light: penumbras within 3 %
 constexpr int kAmbientSide = 6;  // 6 x 6 directions
@@ -72,7 +71,8 @@ class AmbientSource {
  public:
   AmbientSource(const Scene& scene, const Room& room, const Eigen::Vector3f& plate_albedo)
       : scene_(scene), room_(room), plate_albedo_(plate_albedo) {
-    for (int k = 0; k < kTurns; ++k) rooms_.push_back(turned(room, 2 * kPi * k / kTurns));
+    for (int k = 0; k < kTurns; ++k)
+      rooms_.push_back(turned(room, 2 * std::numbers::pi * k / kTurns));
   }
 
   Eigen::Vector3f openPlate() const {
@@ -109,7 +109,7 @@ class AmbientSource {
       const double b = (i / kAmbientSide + unit(hash, 1)) / kAmbientSide;
       const auto radius = static_cast<float>(std::sqrt(a)),
                  height = static_cast<float>(std::sqrt(1 - a));
-      const auto angle = static_cast<float>(2 * kPi * b);
+      const auto angle = static_cast<float>(2 * std::numbers::pi * b);
       const Eigen::Vector3f d =
           radius * (std::cos(angle) * u + std::sin(angle) * v) + height * normal;
       const Scene::Hit hit = scene_.nearest(p, d);
@@ -176,7 +176,7 @@ void overBlocks(std::size_t count, int threads, const Body& body) {
 
 Room makeRoom(Random& random) {
   Room room;
-  const double key = random.uniform(0, 2 * kPi);
+  const double key = random.uniform(0, 2 * std::numbers::pi);
   const auto warm = [&](double strength) {
     const auto t = static_cast<float>(random.uniform(-0.03, 0.03)),
                s = static_cast<float>(strength);

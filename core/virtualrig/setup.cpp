@@ -11,8 +11,6 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // x right, y down, z towards `target`; the world's z stays up in the picture.
 Eigen::Isometry3d lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& target,
                             double roll) {
@@ -89,8 +87,8 @@ VirtualRig makeRig(int width, int stops, Random& random) {
     k.cy = (599.5 + random.uniform(-6, 6) + 0.5) * scale - 0.5;
     k.distortion = {random.uniform(-0.08, 0.05), random.uniform(-0.02, 0.02),
                     random.uniform(-5e-4, 5e-4), random.uniform(-5e-4, 5e-4), 0};
-    const double up = (elevation[c] + random.uniform(-2, 2)) * kPi / 180;
-    const double azimuth = (-98 + 10 * c + random.uniform(-4, 4)) * kPi / 180;
+    const double up = (elevation[c] + random.uniform(-2, 2)) * std::numbers::pi / 180;
+    const double azimuth = (-98 + 10 * c + random.uniform(-4, 4)) * std::numbers::pi / 180;
     const double away = distance[c] * random.uniform(1.0, 1.03);
     const Eigen::Vector3d eye(away * std::cos(up) * std::cos(azimuth),
                               away * std::cos(up) * std::sin(azimuth), away * std::sin(up));
@@ -105,8 +103,8 @@ VirtualRig makeRig(int width, int stops, Random& random) {
     rig.camera_from_room[c] = lookingAt(eye, target, random.uniform(-0.01, 0.01));
   }
   for (int s = 0; s < stops; ++s)  // a hand-turned plate misses its marks by a third of a degree
-    rig.angles_rad.push_back(2 * kPi * s / stops +
-                             (s > 0 ? random.uniform(-0.3, 0.3) * kPi / 180 : 0));
+    rig.angles_rad.push_back(2 * std::numbers::pi * s / stops +
+                             (s > 0 ? random.uniform(-0.3, 0.3) * std::numbers::pi / 180 : 0));
   return rig;
 }
 
@@ -137,7 +135,7 @@ std::vector<Eigen::Isometry3d> boardPoses(const rig::Intrinsics& camera, Random&
     const double distance = i % 3 == 0 ? random.uniform(400, 480) : random.uniform(500, 640);
     const double u = ((i % 4) - 1.5) / 3 * 0.56 + random.uniform(-0.05, 0.05);
     const double v = ((i / 4) - 1.0) / 2 * 0.52 + random.uniform(-0.05, 0.05);
-    const double tilt = random.uniform(0.25, 0.65), about = random.uniform(0, 2 * kPi);
+    const double tilt = random.uniform(0.25, 0.65), about = random.uniform(0, 2 * std::numbers::pi);
     const Eigen::Vector3d axis(std::cos(about), std::sin(about), 0);
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() = (Eigen::AngleAxisd(tilt, axis) *

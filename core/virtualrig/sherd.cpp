@@ -6,7 +6,6 @@
 namespace ostraka::virtualrig {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kMostFaces = 55'000;  // an estimate; a truth mesh holds at most 60 000
 
 // The plane in which a piece is drawn: unrolled wall (a along the parallel, b up the profile), or
@@ -50,9 +49,9 @@ class Outline {
   explicit Outline(const BreakPlan& plan) : plan_(plan) {
     Random random(plan.outline_seed);
     const int count = 5 + random.below(4);
-    const double stretch = random.uniform(1, 1.45), axis = random.uniform(0, kPi);
+    const double stretch = random.uniform(1, 1.45), axis = random.uniform(0, std::numbers::pi);
     for (int i = 0; i < count; ++i) {
-      const double angle = 2 * kPi * (i + random.uniform(-0.28, 0.28)) / count;
+      const double angle = 2 * std::numbers::pi * (i + random.uniform(-0.28, 0.28)) / count;
       const double radius = random.uniform(0.8, 1.25) * plan.radius_mm;
       const Eigen::Vector2d q =
           Eigen::Rotation2Dd(axis) *
@@ -69,7 +68,7 @@ class Outline {
 
   /// through_mm: depth in the wall from its middle; a crack wanders that way as well.
   double radius(double angle, double through_mm = 0) const {
-    if (plan_.mirrored) angle = kPi - angle;
+    if (plan_.mirrored) angle = std::numbers::pi - angle;
     const Eigen::Vector2d d(std::cos(angle), std::sin(angle));
     double r = plan_.radius_mm;
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -134,7 +133,7 @@ class Builder {
     double area = 0;
     Eigen::Vector2d last(radiusAt(0), 0);
     for (int i = 1; i <= kFine; ++i) {
-      const double angle = 2 * kPi * i / kFine, r = radiusAt(angle);
+      const double angle = 2 * std::numbers::pi * i / kFine, r = radiusAt(angle);
       const Eigen::Vector2d q(r * std::cos(angle), r * std::sin(angle));
       length[i] = length[i - 1] + (q - last).norm();
       area += 0.5 * (last.x() * q.y() - last.y() * q.x());
@@ -146,14 +145,15 @@ class Builder {
     const int count = static_cast<int>(std::lround(length.back() / edge_));
     rows_ = std::max(
         3, static_cast<int>(std::lround(wall / edge_)) + (plan_.part == SherdPart::Rim ? 2 : 0));
-    rings_ = std::max(4, static_cast<int>(std::lround(std::sqrt(area / kPi) / (0.92 * edge_))));
+    rings_ = std::max(
+        4, static_cast<int>(std::lround(std::sqrt(area / std::numbers::pi) / (0.92 * edge_))));
     int i = 1;
     for (int k = 0; k < count; ++k) {
       const double s = length.back() * k / count;
       while (length[i] < s) ++i;
       const double t = (s - length[i - 1]) / std::max(1e-12, length[i] - length[i - 1]);
       Column c;
-      c.angle = 2 * kPi * (i - 1 + t) / kFine;
+      c.angle = 2 * std::numbers::pi * (i - 1 + t) / kFine;
       c.rim = outline_.radius(c.angle) * std::sin(c.angle) > rim_b_;
       const Eigen::Vector3f around(static_cast<float>(1.6 * std::cos(c.angle)),
                                    static_cast<float>(1.6 * std::sin(c.angle)), 0);
@@ -169,7 +169,7 @@ class Builder {
     const double wall = chart_.thickness(radiusAt(c.angle) * d);
     for (int row = 0; row <= rows_; ++row) {
       const double t = static_cast<double>(row) / rows_;
-      const double depth = c.rim ? 0.5 - 0.5 * std::cos(kPi * t) : t;
+      const double depth = c.rim ? 0.5 - 0.5 * std::cos(std::numbers::pi * t) : t;
       const double through = (depth - 0.5) * wall;
       const Eigen::Vector3f q(static_cast<float>(middle * d.x()),
                               static_cast<float>(middle * d.y()), static_cast<float>(depth * wall));
@@ -180,7 +180,10 @@ class Builder {
       double r = outline_.radius(c.angle, through) + through * c.lean + relief - worn;
       // The lip: half an ellipse across the wall, its top on the vessel's upper edge.
       const double lip =
-          rim_b_ + 0.45 * wall * (std::sin(kPi * (c.rim ? t : std::acos(1 - 2 * depth) / kPi)) - 1);
+          rim_b_ + 0.45 * wall *
+                       (std::sin(std::numbers::pi *
+                                 (c.rim ? t : std::acos(1 - 2 * depth) / std::numbers::pi)) -
+                        1);
       if (r * d.y() > lip) r = lip / d.y();
       c.chart.push_back(std::max(r, 1.0) * d);
       c.depth.push_back(depth);
@@ -286,8 +289,8 @@ class Builder {
 
   void measure() {
     for (int i = 0; i < 36; ++i) {
-      Eigen::Vector3f d(static_cast<float>(std::cos(kPi * i / 36)),
-                        static_cast<float>(std::sin(kPi * i / 36)), 0);
+      Eigen::Vector3f d(static_cast<float>(std::cos(std::numbers::pi * i / 36)),
+                        static_cast<float>(std::sin(std::numbers::pi * i / 36)), 0);
       float low = 1e9f, high = -1e9f;
       for (const Eigen::Vector3f& p : sherd_.mesh.vertices) {
         low = std::min(low, d.dot(p));

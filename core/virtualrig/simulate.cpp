@@ -201,22 +201,6 @@ std::vector<Eigen::Isometry3d> pushed(std::vector<Eigen::Isometry3d> poses) {
 
 }  // namespace
 
-std::optional<Fault> faultFromName(std::string_view name) {
-  if (name == "blur") return Fault::Blur;
-  if (name == "missing") return Fault::Missing;
-  if (name == "moved") return Fault::Moved;
-  if (name == "covered") return Fault::Covered;
-  if (name == "shadow") return Fault::Shadow;
-  if (name == "truncated") return Fault::Truncated;
-  return std::nullopt;
-}
-
-std::optional<PlateColor> plateColorFromName(std::string_view name) {
-  if (name == "dark") return PlateColor::Dark;
-  if (name == "grey") return PlateColor::Grey;
-  return std::nullopt;
-}
-
 Result<void> SimulateOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (sherds < 1 || sherds > 40) return bad("sherds must lie between 1 and 40.");

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <optional>
 #include <stop_token>
-#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
@@ -29,8 +28,6 @@ enum class ScanNoise {
   Scanner,  ///< as a good scanner, or stereo on well-lit clay: 0.05 mm
   Stereo    ///< faces as above, broken edges as stereo leaves them: fat, wavy, full of gaps
 };
-std::optional<Fault> faultFromName(std::string_view name);
-std::optional<PlateColor> plateColorFromName(std::string_view name);
 
 struct SimulateOptions {
   std::uint64_t seed = 1;

@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
+#include "virtualrig/numbered.h"
 #include "virtualrig/scene.h"
 
 namespace ostraka::virtualrig {
@@ -171,12 +172,6 @@ PointCloud scan(const Scene& scene, int sherd, const std::vector<Eigen::Vector3f
     out.normals.push_back((n + aside + 0.11f * white).normalized());
   }
   return out;
-}
-
-std::string numbered(const char* pattern, int a) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, a);
-  return text;
 }
 
 std::vector<int> shuffled(std::size_t count, Random& random) {

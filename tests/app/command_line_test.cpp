@@ -77,6 +77,7 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
     const Outcome help = run(std::string(command) + " --help");
     EXPECT_EQ(help.status, 0) << command;
     for (const char* option : options) EXPECT_TRUE(says(help, option)) << command << " " << option;
+    EXPECT_TRUE(says(help, "Exit status: 0")) << command;
   }
   EXPECT_TRUE(says(run("--version"), "ostraka "));
 }
@@ -117,6 +118,8 @@ TEST_F(CommandLine, WhatCannotBeACommandLineGetsOneSentenceThatNamesIt) {
       {"process A -o x --dense magic", {"--dense takes builtin, colmap, openmvs; not 'magic'"}},
       {"completion tcsh", {"SHELL takes bash, zsh, fish; not 'tcsh'"}},
       {"process A -o", {"--output needs a value"}},
+      {"plate -o x.pdf --diameter wide", {"--diameter takes a number; not 'wide'"}},
+      {"plate -o x.txt", {"x.txt", "ends in .pdf"}},
       {"rig", {"ostraka rig needs one of its commands: calibrate, predict, simulate"}}};
   for (const auto& [line, words] : lines) {
     const Outcome refused = run(line);

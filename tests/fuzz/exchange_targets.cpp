@@ -1,23 +1,12 @@
-#include <cstdio>
-#include <cstdlib>
 
 #include "catalogue/filter.h"
 #include "catalogue/names.h"
 #include "exchange/csv.h"
 #include "exchange/sherd_json.h"
+#include "must.h"
 #include "targets.h"
 
 namespace ostraka::fuzz {
-namespace {
-
-void must(bool kept, const char* promise) {
-  if (kept) return;
-  std::fprintf(stderr, "broken promise: %s\n", promise);
-  std::abort();
-}
-
-}  // namespace
-
 void table(std::string_view bytes) {
   const Result<exchange::CsvTable> read = exchange::parseCsv(bytes, "fuzz.csv");
   if (!read) {

@@ -4,8 +4,6 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,16 +16,11 @@
 #include "capture/text_turntable.h"
 #include "cloud/ply.h"
 #include "evaluate/pairs.h"
+#include "must.h"
 #include "rig/camera.h"
 
 namespace ostraka::fuzz {
 namespace {
-
-void must(bool kept, const char* promise) {
-  if (kept) return;
-  std::fprintf(stderr, "broken promise: %s\n", promise);
-  std::abort();
-}
 
 // The bytes as a file that is in memory only.
 class MemoryFile {

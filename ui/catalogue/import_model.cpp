@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kShown = 1000;
+constexpr std::size_t kMostRows = 1000;
 constexpr std::size_t kLargest = std::size_t{256} << 20;
 
 struct Task {
@@ -96,7 +96,7 @@ std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
   for (const exchange::CsvRow& row : table->rows) by_line[row.line] = &row;
   const auto take = [&](bool refused) {
     for (const auto& [line, fate] : report.rows) {
-      if (rows.size() == kShown) return;
+      if (rows.size() == kMostRows) return;
       if ((fate == exchange::RowFate::Refused) != refused) continue;
       ImportModel::Row row{line, fate, {}, refusals[line]};
       if (const auto read = by_line.find(line); read != by_line.end())

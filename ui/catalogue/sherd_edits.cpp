@@ -7,6 +7,7 @@
 #include "catalogue/many_changes.h"
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -27,10 +28,6 @@ Result<Changes> numbersFor(const catalogue::Catalogue& catalogue,
   for (std::size_t i = 0; i < drafts.size(); ++i)
     changes.push_back({drafts[i], "number", (*numbers)[i]});
   return changes;
-}
-
-QString sentenceOf(const Error& error) {
-  return QString::fromStdString(error.sentence());
 }
 
 }  // namespace

@@ -12,10 +12,6 @@
 
 namespace ostraka::ui {
 
-QString sentenceOf(const Error& error) {
-  return QString::fromStdString(error.sentence());
-}
-
 MessagePanel::MessagePanel(QWidget* parent)
     : QFrame(parent),
       picture_(new QLabel(this)),

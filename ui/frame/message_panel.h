@@ -2,6 +2,7 @@
 #include <QFrame>
 
 #include "base/result.h"
+#include "ui/jobs/sentence.h"
 
 class QLabel;
 class QPushButton;
@@ -58,8 +59,5 @@ class EmptyState final : public QWidget {
  private:
   QLayout* acts_;
 };
-
-/// A sentence of an error as people read it, beginning with what it happened to.
-QString sentenceOf(const Error& error);
 
 }  // namespace ostraka::ui

@@ -3,6 +3,7 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "ui/jobs/sentence.h"
 #include "ui/review/review_commands.h"
 #include "ui/review/review_words.h"
 
@@ -14,10 +15,6 @@ using pipeline::CardState;
 using pipeline::DecisionKind;
 using pipeline::PairDecision;
 using pipeline::ReviewCandidate;
-
-QString sentenceOf(const Error& error) {
-  return QString::fromStdString(error.sentence());
-}
 
 }  // namespace
 

@@ -1,6 +1,8 @@
 // What a person tries on the card in hand, and what is fetched to show it: jobs, one of a kind.
 #include <algorithm>
 
+#include "ui/jobs/sentence.h"
+
 #include "ui/review/pair_review_model.h"
 
 namespace ostraka::ui {
@@ -10,10 +12,6 @@ using pipeline::ReviewCandidate;
 using ScenePtr = std::shared_ptr<const PairScene>;
 
 constexpr int kWantedCandidates = 3;
-
-QString sentenceOf(const Error& error) {
-  return QString::fromStdString(error.sentence());
-}
 
 }  // namespace
 

@@ -1,8 +1,8 @@
 #include "ui/review/review_rows.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
+#include "ui/review/free_words.h"
 #include "ui/review/review_words.h"
 
 namespace ostraka::ui {
@@ -10,14 +10,6 @@ namespace {
 
 using pipeline::CardState;
 using pipeline::DecisionKind;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("ostraka::ui", text);
-}
-
-QString idOf(const std::vector<pipeline::ScanRef>& scans, int i) {
-  return i < 0 ? QString() : QString::fromStdString(scans.at(static_cast<std::size_t>(i)).id);
-}
 
 }  // namespace
 

@@ -1,8 +1,9 @@
 #include "ui/review/review_words.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
+
+#include "ui/review/free_words.h"
 
 namespace ostraka::ui {
 namespace {
@@ -12,15 +13,6 @@ using pipeline::CandidateTable;
 using pipeline::CardState;
 using pipeline::ReviewCard;
 using registration::Slip;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("ostraka::ui", text);
-}
-
-QString idOf(const std::vector<pipeline::ScanRef>& scans, int i) {
-  if (i < 0 || i >= static_cast<int>(scans.size())) return {};
-  return QString::fromStdString(scans[static_cast<std::size_t>(i)].id);
-}
 
 QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
   const double apart = std::abs(card.rim_rms_mm - card.rival_rim_rms_mm);

@@ -9,9 +9,9 @@
 namespace ostraka::capture {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::UnorderedElementsAre;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 // Labels lie turned and a little blurred on grey felt, as a camera over the plate sees them.
 std::string photographOf(const std::vector<std::string>& texts, int module_px) {

@@ -8,7 +8,7 @@
 namespace ostraka {
 namespace {
 
-TriangleMesh tetrahedron() {
+TriangleMesh paintedTetrahedron() {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {40, 0, 0}, {0, 30, 0}, {0, 0, 20}};
   mesh.normals = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -53,7 +53,7 @@ std::size_t begin(const Glb& glb, const char* attribute) {
 }
 
 TEST(Glb, PositionsAreMetresWithYUpAndExactBounds) {
-  const auto file = formatGlb(tetrahedron(), {});
+  const auto file = formatGlb(paintedTetrahedron(), {});
   ASSERT_TRUE(file.has_value());
   const Glb glb = parts(*file);
   const std::size_t p = begin(glb, "POSITION");
@@ -69,7 +69,7 @@ TEST(Glb, PositionsAreMetresWithYUpAndExactBounds) {
 }
 
 TEST(Glb, ColoursAreLinearSixteenBit) {
-  const auto file = formatGlb(tetrahedron(), {});
+  const auto file = formatGlb(paintedTetrahedron(), {});
   ASSERT_TRUE(file.has_value());
   const Glb glb = parts(*file);
   const std::size_t c = begin(glb, "COLOR_0");
@@ -83,7 +83,7 @@ TEST(Glb, ColoursAreLinearSixteenBit) {
 }
 
 TEST(Glb, SeenFlagsIndicesAndExtrasAreThere) {
-  const auto file = formatGlb(tetrahedron(), {"uuid", "ARM1-0007", "The museum", 2.5});
+  const auto file = formatGlb(paintedTetrahedron(), {"uuid", "ARM1-0007", "The museum", 2.5});
   ASSERT_TRUE(file.has_value());
   const Glb glb = parts(*file);
   EXPECT_EQ(at<float>(glb.binary, begin(glb, "_SEEN") + 8), 0.0f);
@@ -100,7 +100,7 @@ TEST(Glb, SeenFlagsIndicesAndExtrasAreThere) {
 }
 
 TEST(Glb, ManyVerticesNeedLongIndices) {
-  TriangleMesh mesh = tetrahedron();
+  TriangleMesh mesh = paintedTetrahedron();
   mesh.normals.clear();
   mesh.colors.clear();
   mesh.seen.clear();
@@ -114,7 +114,7 @@ TEST(Glb, ManyVerticesNeedLongIndices) {
 }
 
 TEST(Glb, WrongMeshesAreRefused) {
-  TriangleMesh mesh = tetrahedron();
+  TriangleMesh mesh = paintedTetrahedron();
   mesh.triangles[0][0] = 4;
   EXPECT_EQ(formatGlb(mesh, {}).error().code, ErrorCode::UnusableInput);
   mesh.triangles.clear();

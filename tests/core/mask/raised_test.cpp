@@ -12,12 +12,12 @@ namespace {
 constexpr double kHalf = 15, kTop = 6;  // a block of the plate's own colour, mm
 
 /// Two photographs of a grey plate with a grey block on it: mottle of either strength.
-struct Scene {
+struct Plane {
   batch::Plate plate;
   std::vector<rig::PosedImage> images;
   std::vector<cv::Mat> photographs;
 
-  explicit Scene(double mottle) {
+  explicit Plane(double mottle) {
     plate.diameter_mm = 120;
     for (const double tilt : {0.7, 1.05}) {
       rig::PosedImage image;
@@ -89,7 +89,7 @@ struct Scene {
 };
 
 TEST(WeighHeights, TellABlockFromThePlateOfTheSameColour) {
-  const Scene scene(0.25);
+  const Plane scene(0.25);
   const std::vector<cv::Mat1f> odds = scene.weigh();
   ASSERT_EQ(odds.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -100,7 +100,7 @@ TEST(WeighHeights, TellABlockFromThePlateOfTheSameColour) {
 }
 
 TEST(WeighHeights, DoNotReachBeyondTheBlock) {
-  const Scene scene(0.25);
+  const Plane scene(0.25);
   const std::vector<cv::Mat1f> odds = scene.weigh();
   for (std::size_t i = 0; i < 2; ++i)
     for (double along = -10; along <= 10; along += 0.5) {
@@ -111,7 +111,7 @@ TEST(WeighHeights, DoNotReachBeyondTheBlock) {
 }
 
 TEST(WeighHeights, SayNothingWhereThereIsNoTexture) {
-  const Scene scene(0);
+  const Plane scene(0);
   const std::vector<cv::Mat1f> odds = scene.weigh();
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(scene.mean(odds[i], i, {0, 0, kTop}, 8), 0, 0.2);
@@ -120,7 +120,7 @@ TEST(WeighHeights, SayNothingWhereThereIsNoTexture) {
 }
 
 TEST(WeighHeights, SayNothingOfOnePhotograph) {
-  const Scene scene(0.25);
+  const Plane scene(0.25);
   const std::vector<cv::Mat1f> odds = scene.weigh(1);
   ASSERT_EQ(odds.size(), 1U);
   EXPECT_EQ(cv::countNonZero(odds[0]), 0);

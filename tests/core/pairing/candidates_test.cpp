@@ -93,6 +93,23 @@ TEST(FindCandidates, ComparesShapesAloneWhenScaleIsFree) {
   EXPECT_GT((*found)[0].log_likelihood, 10);
 }
 
+TEST(FindCandidates, InThePapersFormLikesTheTruePairsBestWhateverTheirSize) {
+  Batch batch = batchOf({SlabSherd(1), SlabSherd(2), SlabSherd(3)});
+  for (Eigen::Vector3f& p : batch.backs[1].cloud.points) p *= 0.8f;
+  CandidateOptions options;
+  options.method = Method::Paper;
+  options.reach = 1e9;  // all that were compared
+  const auto found = candidatesOf(batch, options);
+  ASSERT_TRUE(found.has_value()) << found.error().what;
+  for (int i = 0; i < 3; ++i) {
+    const PairCandidate* own = candidate(*found, i, i);
+    ASSERT_NE(own, nullptr);
+    for (int j = 0; j < 3; ++j)
+      if (const PairCandidate* other = candidate(*found, i, j); other && j != i)
+        EXPECT_GT(own->log_likelihood, other->log_likelihood) << i << " and " << j;
+  }
+}
+
 TEST(FindCandidates, ListsSeveralPosesOfASymmetricOutline) {
   SlabSherd disc(7);
   for (double& w : disc.waves) w = 0;

@@ -10,19 +10,18 @@
 namespace ostraka::pairing {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 const std::vector<Eigen::Vector2d> kSquare = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
 
 TEST(TurningAngles, OfASquareAreFourRightAngles) {
   const auto angles = turningAngles(kSquare, 4);
   ASSERT_TRUE(angles.has_value());
-  for (const double a : *angles) EXPECT_NEAR(a, kPi / 2, 1e-12);
+  for (const double a : *angles) EXPECT_NEAR(a, std::numbers::pi / 2, 1e-12);
 }
 
 TEST(TurningAngles, OfAnyClosedLineSumToAFullTurn) {
   const auto angles = turningAngles(test::SlabSherd(3).outline(777), 200);
   ASSERT_TRUE(angles.has_value());
-  EXPECT_NEAR(std::accumulate(angles->begin(), angles->end(), 0.0), 2 * kPi, 1e-9);
+  EXPECT_NEAR(std::accumulate(angles->begin(), angles->end(), 0.0), 2 * std::numbers::pi, 1e-9);
 }
 
 TEST(TurningAngles, RefuseALineOfTwoPoints) {

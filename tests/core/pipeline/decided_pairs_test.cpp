@@ -160,7 +160,7 @@ TEST_F(DecidedPairs, TheTableOfCandidatesIsReadBackWhole) {
 }
 
 TEST_F(DecidedPairs, ABatchWithoutCandidatesSaysWhatToDo) {
-  const Result<Review> missing = loadReview(folder_ / "nothing");
+  const Result<CandidateTable> missing = readCandidatesOf(folder_ / "nothing");
   ASSERT_FALSE(missing.has_value());
   EXPECT_EQ(missing.error().code, ErrorCode::Missing);
 }

@@ -11,7 +11,7 @@
 namespace ostraka::rig {
 namespace {
 
-ColmapModel sample() {
+ColmapModel sampleModel() {
   ColmapModel model;
   model.cameras.push_back(toColmap(lens(2600), 3));
   ColmapImage image;
@@ -33,7 +33,7 @@ TEST_P(EveryForm, ComesBackAsItWasWritten) {
   const auto folder =
       std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "-colmap");
   std::filesystem::create_directories(folder);
-  const ColmapModel model = sample();
+  const ColmapModel model = sampleModel();
   ASSERT_TRUE(writeColmapModel(folder, model, GetParam()).has_value());
   const auto read = readColmapModel(folder);
   std::filesystem::remove_all(folder);
@@ -53,13 +53,21 @@ TEST_P(EveryForm, ComesBackAsItWasWritten) {
 }
 
 TEST_P(EveryForm, SurvivesChangedAndMissingBytes) {
-  const std::string whole = colmapBytes(sample().images, GetParam());
+  const std::string whole = colmapBytes(sampleModel().images, GetParam());
   std::mt19937 random(11);
   for (int round = 0; round < 5000; ++round) {
     std::string damaged = whole.substr(0, random() % whole.size());
     for (int k = 0; k < 3 && !damaged.empty(); ++k)
       damaged[random() % damaged.size()] = static_cast<char>(random());
-    (void)parseColmapImages(damaged, GetParam(), "images").has_value();
+    const auto read = parseColmapImages(damaged, GetParam(), "images");
+    if (!read) {
+      EXPECT_EQ(read.error().where, "images");
+      continue;
+    }
+    for (const ColmapImage& image : *read) {
+      EXPECT_TRUE(image.camera_from_world.matrix().allFinite());
+      EXPECT_TRUE(image.camera_from_world.linear().isUnitary(1e-9));
+    }
   }
 }
 
@@ -67,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Forms, EveryForm,
                          testing::Values(ColmapFormat::Text, ColmapFormat::Binary));
 
 TEST(ColmapBinary, RefusesACountBeyondTheFile) {
-  std::string bytes = colmapBytes(sample().points, ColmapFormat::Binary);
+  std::string bytes = colmapBytes(sampleModel().points, ColmapFormat::Binary);
   bytes[6] = 1;  // 2^48 points
   const auto points = parseColmapPoints(bytes, ColmapFormat::Binary, "points3D.bin");
   ASSERT_FALSE(points.has_value());

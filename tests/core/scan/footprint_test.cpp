@@ -28,11 +28,5 @@ TEST(Footprint, AHoleIsNotOutside) {
   EXPECT_NEAR(Footprint(ring, 0.5).depth({10, 10}), 10, 0.7);
 }
 
-TEST(Footprint, CellsKnowTheirPlace) {
-  const Footprint footprint(square(0, 20), 0.5);
-  const Eigen::Vector2d p(7.3, 11.9);
-  EXPECT_LT((footprint.centreOf(footprint.cellOf(p)) - p).norm(), 0.36);  // half a diagonal
-}
-
 }  // namespace
 }  // namespace ostraka::scan

@@ -183,7 +183,7 @@ class ScreensTest : public QObject {
   void picture(const QString& folder, Theme theme, const QString& screen, Go go) {
     go();
     QCoreApplication::processEvents();
-    QTest::qWait(50);  // pictures from jobs
+    if (!folder.isEmpty()) QTest::qWait(50);  // a person looks at these: with pictures from jobs
     const QImage shown = window_->grab().toImage();
     QVERIFY(shown.width() >= 1280);
     if (!folder.isEmpty())

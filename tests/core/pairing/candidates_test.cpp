@@ -105,8 +105,9 @@ TEST(FindCandidates, InThePapersFormLikesTheTruePairsBestWhateverTheirSize) {
     const PairCandidate* own = candidate(*found, i, i);
     ASSERT_NE(own, nullptr);
     for (int j = 0; j < 3; ++j)
-      if (const PairCandidate* other = candidate(*found, i, j); other && j != i)
+      if (const PairCandidate* other = candidate(*found, i, j); other && j != i) {
         EXPECT_GT(own->log_likelihood, other->log_likelihood) << i << " and " << j;
+      }
   }
 }
 

@@ -244,14 +244,18 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
   const auto portion = [&]() -> Result<void> {
     const auto begin = std::chrono::steady_clock::now();
     while (next < rows.size()) {
-      if (stop.stop_requested()) return preview ? Error::cancelled() : Result<void>();
+      if (stop.stop_requested()) {
+        if (preview) return Error::cancelled();
+        break;  // what was entered stays, and is remembered as a part
+      }
       if (next % 64 == 0)
         progress.report(static_cast<std::int64_t>(next), static_cast<std::int64_t>(rows.size()));
       if (Result<void> entered = importing.row(rows[next]); !entered) return entered;
       ++next;
       if (!preview && std::chrono::steady_clock::now() - begin > kTogether) break;
     }
-    return preview ? Result<void>() : remember(catalogue, options.source, next, rows.size());
+    return preview || next == 0 ? Result<void>()
+                                : remember(catalogue, options.source, next, rows.size());
   };
   if (preview) {
     if (const Result<void> done = previewOrEnter(catalogue, options.mode, portion); !done)

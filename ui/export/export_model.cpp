@@ -35,7 +35,9 @@ void ExportModel::openProject(ProjectSession* session) {
   cancel();
   delete sizing_.data();
   delete running_.data();
+  if (session_) session_->disconnect(this);
   session_ = session;
+  if (session_) connect(session_, &ProjectSession::sherdsChanged, this, &ExportModel::measureSize);
   what_ = What::All;
   filter_.clear();
   chosen_.clear();

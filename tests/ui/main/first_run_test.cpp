@@ -146,6 +146,7 @@ class FirstRunTest : public QObject {
     QTest::keyClick(&window, Qt::Key_6, Qt::ControlModifier);
     auto* target = named<QLineEdit>(window, "target");
     const QString to = QDir::homePath() + QStringLiteral("/First export");
+    target->setFocus();
     target->selectAll();
     QTest::keyClicks(target, to);
     auto* start = named<QPushButton>(window, "start");

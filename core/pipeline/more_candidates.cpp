@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <system_error>
+#include <string>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -25,9 +25,10 @@ fs::path fileOf(const LivePairs& live) {
   return live.output() / "work" / "more_candidates.json";
 }
 
-bool sameScans(const std::vector<ScanRef>& a, const std::vector<ScanRef>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const ScanRef& x, const ScanRef& y) { return x.id == y.id; });
+// Tells this table of pairs from every other; the dates of files would not, since a laptop's clock
+// may go back.
+std::string pairsOf(const LivePairs& live) {
+  return sha256(toJson(live.table()).dump());
 }
 
 // Empty where nothing is kept, or only of pairs that were computed anew since.
@@ -35,17 +36,9 @@ Found kept(const LivePairs& live) {
   Found none;
   none.table = live.table();
   none.table.candidates.clear();
-  std::error_code missing;
-  const auto found_at = fs::last_write_time(fileOf(live), missing);
-  if (missing) return none;
-  const auto paired_at =
-      fs::last_write_time(live.output() / "work" / "pairs" / "candidates.json", missing);
-  if (missing || paired_at > found_at) return none;
   Result<CandidateTable> table = readCandidates(fileOf(live));
   const auto text = readJson(fileOf(live));
-  if (!table || !text || !sameScans(table->fronts, none.table.fronts) ||
-      !sameScans(table->backs, none.table.backs))
-    return none;
+  if (!table || !text || text->value("pairs", nlohmann::json()) != pairsOf(live)) return none;
   Found found{std::move(*table), {}};
   const int backs = static_cast<int>(found.table.backs.size());
   try {
@@ -67,6 +60,7 @@ Result<void> keep(const LivePairs& live, Found& found) {
                      std::pair(b.evidence.front, b.evidence.back);
             });
   nlohmann::ordered_json text = toJson(found.table);
+  text["pairs"] = pairsOf(live);
   text["orders"] = nlohmann::ordered_json::array();
   for (const auto& [front, backs] : found.orders)
     text["orders"].push_back({{"front", front}, {"backs", backs}});

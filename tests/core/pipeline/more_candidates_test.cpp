@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/json.h"
 #include "pipeline/review.h"
 #include "synthetic_out.h"
 
@@ -65,17 +66,38 @@ TEST_F(MoreCandidates, ComeOneByOneUntilEachBackWasShownAndAreKept) {
   EXPECT_EQ(*readFile(kept()), bytes);
 }
 
-TEST_F(MoreCandidates, OfPairsThatWereComputedAnewAreNotBelieved) {
-  const auto first = nextCandidate(*live_, 2, compared(2), quiet, {});
-  ASSERT_TRUE(first && *first);
-  const auto pairs = output_ / "work" / "pairs" / "candidates.json";
-  const std::string old = "no table of candidates";
-  ASSERT_TRUE(writeFileAtomically(kept(), old));
-  fs::last_write_time(kept(), fs::last_write_time(pairs) - std::chrono::hours(1));
-  const auto second = nextCandidate(*live_, 2, compared(2), quiet, {});
-  ASSERT_TRUE(second && *second);
-  EXPECT_EQ((*second)->evidence.back, (*first)->evidence.back);
-  EXPECT_NE(*readFile(kept()), old);
+// What is kept is altered, so that a candidate from the disk differs from one found anew.
+TEST_F(MoreCandidates, AreBelievedUntilThePairsAreComputedAnew) {
+  const auto found = nextCandidate(*live_, 2, compared(2), quiet, {});
+  ASSERT_TRUE(found && *found);
+  nlohmann::json text = *readJson(kept());
+  ASSERT_FALSE(text["candidates"].empty());
+  for (nlohmann::json& candidate : text["candidates"]) candidate["rim_rms_mm"] = 9.5;
+  ASSERT_TRUE(writeFileAtomically(kept(), text.dump()));
+  const auto from_disk = nextCandidate(*live_, 2, compared(2), quiet, {});
+  ASSERT_TRUE(from_disk && *from_disk);
+  EXPECT_EQ((*from_disk)->registration.rim_rms_mm, 9.5);
+
+  const fs::path pairs = output_ / "work" / "pairs" / "candidates.json";
+  nlohmann::json other = *readJson(pairs);
+  ASSERT_FALSE(other["candidates"].empty());
+  nlohmann::json& likelihood = other["candidates"][0]["log_likelihood"];
+  likelihood = likelihood.get<double>() + 1;
+  ASSERT_TRUE(writeFileAtomically(pairs, other.dump()));
+  const auto recomputed = *LivePairs::open(output_);
+  const auto anew = nextCandidate(*recomputed, 2, compared(2), quiet, {});
+  ASSERT_TRUE(anew && *anew);
+  EXPECT_EQ((*anew)->evidence.back, (*found)->evidence.back);
+  EXPECT_NEAR((*anew)->registration.rim_rms_mm, (*found)->registration.rim_rms_mm, 1e-6);
+}
+
+TEST_F(MoreCandidates, ThatCannotBeReadAreFoundAnew) {
+  const auto found = nextCandidate(*live_, 2, compared(2), quiet, {});
+  ASSERT_TRUE(found && *found);
+  ASSERT_TRUE(writeFileAtomically(kept(), "no table of candidates"));
+  const auto anew = nextCandidate(*live_, 2, compared(2), quiet, {});
+  ASSERT_TRUE(anew && *anew);
+  EXPECT_EQ((*anew)->evidence.back, (*found)->evidence.back);
 }
 
 TEST_F(MoreCandidates, AreThereForEachDoubtfulFrontOnceTheyWerePrepared) {

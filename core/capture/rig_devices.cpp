@@ -41,28 +41,6 @@ DevicesFile devicesFromJson(const nlohmann::json& json) {
   return devices;
 }
 
-nlohmann::ordered_json toJson(const DevicesFile& devices) {
-  nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
-  for (const CameraPlace& place : devices.cameras) {
-    nlohmann::ordered_json json = {{"driver", place.driver}};
-    if (!place.serial.empty()) json["serial"] = place.serial;
-    if (!place.folder.empty()) json["folder"] = place.folder.string();
-    if (!place.settings.empty()) json["settings"] = place.settings;
-    cameras.push_back(json);
-  }
-  nlohmann::ordered_json table = {
-      {"driver", devices.turntable.driver},       {"channel", devices.turntable.channel},
-      {"baud", devices.turntable.baud},           {"speed_deg_s", devices.turntable.speed_deg_s},
-      {"clockwise", devices.turntable.clockwise}, {"shutter", devices.turntable.shutter}};
-  if (const auto words = nlohmann::json::parse(devices.turntable.dialect, nullptr, false);
-      !words.is_discarded())
-    table["dialect"] = words;
-  return {{"turntable", table},
-          {"cameras", cameras},
-          {"settle_s", devices.settle_s},
-          {"plate", devices.plate.string()}};
-}
-
 Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, const AskPerson& ask,
                                                  const std::shared_ptr<Clock>& clock,
                                                  const fs::path& rig_file, std::stop_token stop) {
@@ -119,8 +97,10 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
   const Result<nlohmann::json> json = readJson(rig_file);
   if (!json) return json.error();
   if (!json->is_object() || !json->contains("devices"))
-    return Error::unusable("The rig names no devices; choose them in the window's settings.",
-                           rig_file);
+    return Error::unusable(
+        "The rig names no devices; 'ostraka devices' says what is plugged in and how to write it "
+        "there.",
+        rig_file);
   try {
     DevicesFile devices = devicesFromJson(json->at("devices"));
     if (devices.cameras.empty()) return Error::unusable("The rig names no camera.", rig_file);
@@ -129,22 +109,10 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
     if (devices.plate.is_relative()) devices.plate = rig_file.parent_path() / devices.plate;
     return devices;
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable("The part 'devices' cannot be read; choose the devices again.",
-                           rig_file);
+    return Error::unusable(
+        "The part 'devices' cannot be read; compare it with the README's chapter on devices.",
+        rig_file);
   }
-}
-
-Result<void> writeDevices(const fs::path& rig_file, const DevicesFile& devices) {
-  nlohmann::ordered_json whole = nlohmann::ordered_json::object();
-  std::error_code absent;
-  if (fs::exists(rig_file, absent)) {
-    const Result<nlohmann::json> there = readJson(rig_file);
-    if (!there) return there.error();
-    if (!there->is_object()) return Error::unusable("This is no rig file.", rig_file);
-    for (const auto& [key, value] : there->items()) whole[key] = value;
-  }
-  whole["devices"] = toJson(devices);
-  return writeJson(rig_file, whole);
 }
 
 Result<RigDevices> openRigDevices(const fs::path& rig_file, const AskPerson& ask,

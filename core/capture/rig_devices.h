@@ -29,7 +29,7 @@ struct TurntablePlace {
   std::string dialect{};   ///< of "text": its words as JSON, or "marlin" (text_turntable.h)
 };
 
-/// The part "devices" of RIG.json: what stands in the laboratory.
+/// The part "devices" of RIG.json, written by a person: what stands in the laboratory.
 struct DevicesFile {
   TurntablePlace turntable;
   std::vector<CameraPlace> cameras;  ///< by place
@@ -37,9 +37,8 @@ struct DevicesFile {
   std::filesystem::path plate;  ///< plate.json; relative to RIG.json
 };
 
+/// Errors: UnusableInput with what is missing or wrong.
 Result<DevicesFile> readDevices(const std::filesystem::path& rig_file);
-/// Puts the part into RIG.json and leaves all others as they are.
-Result<void> writeDevices(const std::filesystem::path& rig_file, const DevicesFile& devices);
 
 /// Tells a person to do something at the rig ("Turn the table to 90 degrees.") and waits; false
 /// when they would rather stop.

@@ -5,10 +5,6 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <nlohmann/json.hpp>
-
-#include "base/files.h"
-#include "base/json.h"
 
 namespace ostraka::capture {
 namespace {
@@ -32,27 +28,26 @@ class RigDevicesFile : public ::testing::Test {
   fs::path file_ = folder_ / "RIG.json";
 };
 
-TEST_F(RigDevicesFile, KeepsTheOtherPartsOfTheRigWhenItIsWritten) {
-  std::ofstream(file_) << R"({"format":"ostraka-rig/1","cameras":[1,2]})";
-  DevicesFile devices;
-  devices.turntable = {"grbl", "usb:1209:0001", 115200, 15, true, "M8"};
-  devices.cameras = {{"gphoto2", "123", {}, {{"iso", "100"}}}, {"folder", "", "/photos", {}}};
-  devices.settle_s = 2.5;
-  devices.plate = "plate.json";
-  ASSERT_TRUE(writeDevices(file_, devices).has_value());
-  const auto whole = readJson(file_);
-  ASSERT_TRUE(whole.has_value());
-  EXPECT_EQ((*whole)["format"], "ostraka-rig/1");
-  EXPECT_EQ((*whole)["cameras"].size(), 2u);
+TEST_F(RigDevicesFile, IsReadBesideTheOtherPartsOfTheRig) {
+  std::ofstream(file_)
+      << R"({"format":"ostraka-rig/1","cameras":[1,2],"devices":{)"
+      << R"("turntable":{"driver":"grbl","channel":"usb:1209:0001","speed_deg_s":15,)"
+      << R"("clockwise":true,"shutter":"M8"},"cameras":[)"
+      << R"({"driver":"gphoto2","serial":"123","settings":{"iso":"100"}},)"
+      << R"({"driver":"folder","folder":"/photos"}],"settle_s":2.5}})";
   const auto read = readDevices(file_);
   ASSERT_TRUE(read.has_value()) << read.error().what;
+  EXPECT_EQ(read->turntable.driver, "grbl");
   EXPECT_EQ(read->turntable.channel, "usb:1209:0001");
+  EXPECT_EQ(read->turntable.baud, 115200) << "what is not written keeps its default";
   EXPECT_EQ(read->turntable.shutter, "M8");
+  EXPECT_TRUE(read->turntable.clockwise);
   EXPECT_DOUBLE_EQ(read->turntable.speed_deg_s, 15);
   ASSERT_EQ(read->cameras.size(), 2u);
   EXPECT_EQ(read->cameras[0].serial, "123");
   EXPECT_EQ(read->cameras[0].settings.at("iso"), "100");
   EXPECT_EQ(read->cameras[1].folder, "/photos");
+  EXPECT_DOUBLE_EQ(read->settle_s, 2.5);
   EXPECT_EQ(read->plate, folder_ / "plate.json");
 }
 
@@ -69,11 +64,8 @@ TEST_F(RigDevicesFile, SaysWhatIsWrongWithIt) {
 }
 
 TEST_F(RigDevicesFile, OpensAFolderAndATableTurnedByHand) {
-  DevicesFile devices;
-  devices.turntable.driver = "hand";
-  devices.cameras = {{"folder", "", "shots", {}}};
-  devices.plate = "plate.json";
-  ASSERT_TRUE(writeDevices(file_, devices).has_value());
+  std::ofstream(file_) << R"({"devices":{"turntable":{"driver":"hand"},)"
+                       << R"("cameras":[{"driver":"folder","folder":"shots"}]}})";
   EXPECT_EQ(openRigDevices(file_, {}, {}).error().code, ErrorCode::Missing);
   fs::create_directories(folder_ / "shots");
   std::vector<std::string> asked;

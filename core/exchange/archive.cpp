@@ -10,13 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Error cannotWriteArchive(const fs::path& where) {
-  return {ErrorCode::CannotWrite,
-          "This cannot be written; check the space left and the permissions.", where.string()};
-}
-
 // All files of the project but the catalogue itself, whose copy is made by SQLite.
-std::vector<fs::path> filesOf(const fs::path& project) {
+Result<std::vector<fs::path>> filesOf(const fs::path& project) {
   std::vector<fs::path> files;
   std::error_code code;
   for (auto it = fs::recursive_directory_iterator(project, code);
@@ -26,6 +21,10 @@ std::vector<fs::path> filesOf(const fs::path& project) {
     const bool half = it->path().filename().string().ends_with(".partial");
     if (it->is_regular_file() && !it->is_symlink() && !own && !half) files.push_back(it->path());
   }
+  if (code)
+    return Error::unusable("A folder of the project cannot be read (" + code.message() +
+                               "); check its permissions, and archive it again.",
+                           project.string());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -53,12 +52,14 @@ Result<std::int64_t> archiveProject(const catalogue::Project& project, const fs:
   std::error_code ignored;
   fs::remove(copy, ignored);
   if (!catalogue) return catalogue.error();
-  const std::vector<fs::path> files = filesOf(project.folder());
+  const Result<std::vector<fs::path>> files = filesOf(project.folder());
+  if (!files) return files.error();
   std::map<std::string, std::string> hashes;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files.size()));
-    const std::string name = files[i].lexically_relative(project.folder()).generic_string();
-    const Result<BagFile> added = bag->addFile(name, files[i], stop);
+  for (std::size_t i = 0; i < files->size(); ++i) {
+    progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files->size()));
+    const fs::path& file = (*files)[i];
+    const std::string name = file.lexically_relative(project.folder()).generic_string();
+    const Result<BagFile> added = bag->addFile(name, file, stop);
     if (!added) return added.error();
     hashes[name] = added->sha256;
   }
@@ -105,7 +106,7 @@ Result<void> restoreProject(const fs::path& archive, const fs::path& folder, Pro
     if (stop.stop_requested()) return failed(Error::cancelled());
     const fs::path to = partial / fs::path(file.path).lexically_relative("data");
     fs::create_directories(to.parent_path(), code);
-    if (!fs::copy_file(archive / file.path, to, code)) return failed(cannotWriteArchive(to));
+    if (!fs::copy_file(archive / file.path, to, code)) return failed(cannotWrite(to));
   }
   for (const char* name : {"batches", "results", "backups"})
     fs::create_directories(partial / name, code);
@@ -117,7 +118,7 @@ Result<void> restoreProject(const fs::path& archive, const fs::path& folder, Pro
   }
   fs::remove(folder, code);  // empty, or not there
   fs::rename(partial, folder, code);
-  if (code) return failed(cannotWriteArchive(folder));
+  if (code) return failed(cannotWrite(folder));
   return {};
 }
 

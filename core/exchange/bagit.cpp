@@ -24,11 +24,6 @@ namespace fs = std::filesystem;
 constexpr const char* kDeclaration = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n";
 constexpr std::size_t kPiece = 1 << 20;
 
-Error cannotWrite(const fs::path& where) {
-  return {ErrorCode::CannotWrite,
-          "This file cannot be written; check the space left and the permissions.", where.string()};
-}
-
 class Hash {
  public:
   Hash() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
@@ -110,6 +105,11 @@ Result<std::map<std::string, std::string>> readManifest(const fs::path& path) {
 }
 
 }  // namespace
+
+Error cannotWrite(const fs::path& where) {
+  return {ErrorCode::CannotWrite,
+          "This cannot be written; check the space left and the permissions.", where.string()};
+}
 
 BagWriter::BagWriter(fs::path target)
     : target_(std::move(target)), partial_(target_.string() + ".partial") {}
@@ -236,6 +236,10 @@ Result<std::vector<BagFile>> checkBag(const fs::path& folder, Progress& progress
     if (!it->is_regular_file() || it->is_symlink())
       return Error::unusable("This is a link, not a file; nothing was read.", it->path());
   }
+  if (code &&
+      code != std::errc::no_such_file_or_directory)  // a missing data/ lacks each file below
+    return Error::unusable("This folder cannot be read (" + code.message() + "); nothing was read.",
+                           folder / "data");
   std::vector<BagFile> files;
   const auto total = static_cast<std::int64_t>(listed->size() + tags->size());
   std::int64_t done = 0;

@@ -11,6 +11,9 @@
 
 namespace ostraka::exchange {
 
+/// What is said of a file or folder that a bag, or what is made of one, cannot be written to.
+Error cannotWrite(const std::filesystem::path& where);
+
 struct BagFile {
   std::string path;  ///< within the bag, with '/': data/sherds.csv
   std::string sha256;

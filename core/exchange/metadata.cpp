@@ -68,6 +68,62 @@ std::string idOf(const std::vector<Record>& records, Row row) {
   return {};
 }
 
+ordered_json personJson(const PersonRecord& p) {
+  ordered_json one = stamp(p.id);
+  one["name"] = p.name;
+  one["initials"] = p.initials;
+  put(one, "orcid", p.orcid);
+  return one;
+}
+
+ordered_json siteJson(const SiteRecord& s) {
+  ordered_json one = stamp(s.id);
+  one["code"] = s.code;
+  one["name"] = s.name;
+  put(one, "gazetteer", s.gazetteer);
+  if (s.location_public) {  // else the place stays with the people of the project
+    one["location_public"] = true;
+    if (s.latitude_deg) one["latitude_deg"] = *s.latitude_deg;
+    if (s.longitude_deg) one["longitude_deg"] = *s.longitude_deg;
+  }
+  return one;
+}
+
+ordered_json trenchJson(const TrenchRecord& t, const std::string& site, const std::string& parent) {
+  ordered_json one = stamp(t.id);
+  one["site"] = site;
+  one["code"] = t.code;
+  one["name"] = t.name;
+  put(one, "parent", parent);
+  return one;
+}
+
+ordered_json contextJson(const ContextRecord& c, const std::string& site,
+                         const std::string& trench) {
+  ordered_json one = stamp(c.id);
+  one["site"] = site;
+  put(one, "trench", trench);
+  one["number"] = c.number;
+  put(one, "kind", c.kind);
+  put(one, "excavated_on", c.excavated_on);
+  put(one, "period", c.period);
+  put(one, "date_edtf", c.date_edtf);
+  put(one, "note", c.note);
+  one["closed"] = c.closed;
+  return one;
+}
+
+ordered_json bagJson(const BagRecord& b, const std::string& context) {
+  ordered_json one = stamp(b.id);
+  one["context"] = context;
+  one["number"] = b.number;
+  put(one, "collected_on", b.collected_on);
+  put(one, "storage", b.storage);
+  if (b.count_written) one["count_written"] = *b.count_written;
+  if (b.weight_g) one["weight_g"] = *b.weight_g;
+  return one;
+}
+
 Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<ContextRow>& wanted) {
   const auto sites = catalogue.sites();
   const auto trenches = catalogue.trenches();
@@ -84,63 +140,20 @@ Result<ordered_json> placesJson(const Catalogue& catalogue, const std::set<Conte
                       {"trenches", ordered_json::array()},
                       {"contexts", ordered_json::array()},
                       {"bags", ordered_json::array()}};
-  for (const PersonRecord& p : *persons) {
-    ordered_json one = stamp(p.id);
-    one["name"] = p.name;
-    one["initials"] = p.initials;
-    put(one, "orcid", p.orcid);
-    out["persons"].push_back(std::move(one));
-  }
   std::set<SiteRow> used_sites;
   for (const ContextRecord& c : *contexts)
     if (wanted.contains(c.row)) used_sites.insert(c.site);
-  for (const SiteRecord& s : *sites) {
-    if (!used_sites.contains(s.row)) continue;
-    ordered_json one = stamp(s.id);
-    one["code"] = s.code;
-    one["name"] = s.name;
-    put(one, "gazetteer", s.gazetteer);
-    if (s.location_public) {  // else the place stays with the people of the project
-      one["location_public"] = true;
-      if (s.latitude_deg) one["latitude_deg"] = *s.latitude_deg;
-      if (s.longitude_deg) one["longitude_deg"] = *s.longitude_deg;
-    }
-    out["sites"].push_back(std::move(one));
-  }
-  for (const TrenchRecord& t : *trenches) {
-    if (!used_sites.contains(t.site)) continue;
-    ordered_json one = stamp(t.id);
-    one["site"] = idOf(*sites, t.site);
-    one["code"] = t.code;
-    one["name"] = t.name;
-    put(one, "parent", idOf(*trenches, t.parent));
-    out["trenches"].push_back(std::move(one));
-  }
-  for (const ContextRecord& c : *contexts) {
-    if (!wanted.contains(c.row)) continue;
-    ordered_json one = stamp(c.id);
-    one["site"] = idOf(*sites, c.site);
-    put(one, "trench", idOf(*trenches, c.trench));
-    one["number"] = c.number;
-    put(one, "kind", c.kind);
-    put(one, "excavated_on", c.excavated_on);
-    put(one, "period", c.period);
-    put(one, "date_edtf", c.date_edtf);
-    put(one, "note", c.note);
-    one["closed"] = c.closed;
-    out["contexts"].push_back(std::move(one));
-  }
-  for (const BagRecord& b : *bags) {
-    if (!wanted.contains(b.context)) continue;
-    ordered_json one = stamp(b.id);
-    one["context"] = idOf(*contexts, b.context);
-    one["number"] = b.number;
-    put(one, "collected_on", b.collected_on);
-    put(one, "storage", b.storage);
-    if (b.count_written) one["count_written"] = *b.count_written;
-    if (b.weight_g) one["weight_g"] = *b.weight_g;
-    out["bags"].push_back(std::move(one));
-  }
+  for (const PersonRecord& p : *persons) out["persons"].push_back(personJson(p));
+  for (const SiteRecord& s : *sites)
+    if (used_sites.contains(s.row)) out["sites"].push_back(siteJson(s));
+  for (const TrenchRecord& t : *trenches)
+    if (used_sites.contains(t.site))
+      out["trenches"].push_back(trenchJson(t, idOf(*sites, t.site), idOf(*trenches, t.parent)));
+  for (const ContextRecord& c : *contexts)
+    if (wanted.contains(c.row))
+      out["contexts"].push_back(contextJson(c, idOf(*sites, c.site), idOf(*trenches, c.trench)));
+  for (const BagRecord& b : *bags)
+    if (wanted.contains(b.context)) out["bags"].push_back(bagJson(b, idOf(*contexts, b.context)));
   return out;
 }
 

@@ -19,7 +19,9 @@ Result<ImportReport> readBack(catalogue::Project& project, const std::filesystem
                               std::stop_token stop);
 
 /// The whole project, catalogue and all files, as a bag: what a laptop that is lost leaves behind.
-/// Errors: a file of the catalogue that changed, the target is there, a full disk, Cancelled.
+/// A file of the catalogue that is missing or was changed since it was entered is a warning.
+/// Errors: the target is there or lies in the project, a folder that cannot be read, a full disk,
+/// Cancelled.
 Result<std::int64_t> archiveProject(const catalogue::Project& project,
                                     const std::filesystem::path& target, const std::string& program,
                                     Progress& progress, std::stop_token stop);

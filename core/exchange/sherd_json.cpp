@@ -17,7 +17,6 @@ using catalogue::SherdRecord;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-// Empty = not recorded: left out.
 std::string initialsOf(const Catalogue& catalogue, catalogue::PersonRow row) {
   if (!row) return {};
   if (const auto persons = catalogue.persons())
@@ -92,19 +91,8 @@ const std::set<std::string> kKnown = {
     "digitisation", "pairing",     "files",       "licence", "rights_holder",
     "processing",   "extra"};
 
-}  // namespace
-
-Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& sherd,
-                              const std::vector<SherdFile>& files, const std::string& program) {
-  const Result<catalogue::ProjectRecord> project = catalogue.project();
-  if (!project) return project.error();
-  const Result<std::vector<catalogue::Measurement>> measured = catalogue.measurements(sherd.row);
-  if (!measured) return measured.error();
-  ordered_json out = {
-      {"@context", "context.jsonld"}, {"format", "ostraka-sherd/1"}, {"id", sherd.id}};
-  put(out, "number", sherd.number);
-  out["state"] = catalogue::wordOf(sherd.state);
-  // The fields in the order of the table above, nested as it says.
+// The fields in the order of the table above, nested as it says.
+void putTexts(ordered_json& out, const SherdRecord& sherd) {
   for (const auto& [pointer, field] : kTexts) {
     const json::json_pointer path{std::string(pointer)};
     if (path.parent_pointer().empty() && std::string_view(field) != "void_reason") continue;
@@ -124,6 +112,35 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
     else
       (*at)[rest] = text;
   }
+}
+
+ordered_json filesJson(const std::vector<SherdFile>& files) {
+  ordered_json list = ordered_json::array();
+  for (const SherdFile& file : files) {
+    ordered_json one = {
+        {"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"bytes", file.bytes}};
+    if (file.role == "model") {
+      one["unit"] = file.path.ends_with(".glb") ? "m" : "mm";
+      one["frame"] = "plate_front";
+    }
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+}  // namespace
+
+Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& sherd,
+                              const std::vector<SherdFile>& files, const std::string& program) {
+  const Result<catalogue::ProjectRecord> project = catalogue.project();
+  if (!project) return project.error();
+  const Result<std::vector<catalogue::Measurement>> measured = catalogue.measurements(sherd.row);
+  if (!measured) return measured.error();
+  ordered_json out = {
+      {"@context", "context.jsonld"}, {"format", "ostraka-sherd/1"}, {"id", sherd.id}};
+  put(out, "number", sherd.number);
+  out["state"] = catalogue::wordOf(sherd.state);
+  putTexts(out, sherd);
   out["measurements"] = measurementsOf(catalogue, *measured);
   ordered_json digitisation = ordered_json::object();
   std::string used_program = program;
@@ -138,18 +155,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
   }
   put(out, "digitisation", std::move(digitisation));
   put(out, "pairing", pairingOf(catalogue, sherd));
-  ordered_json list = ordered_json::array();
-  for (const SherdFile& file : files) {
-    ordered_json one = {
-        {"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"bytes", file.bytes}};
-    if (file.role == "model") {
-      const bool glb = file.path.ends_with(".glb");
-      one["unit"] = glb ? "m" : "mm";
-      one["frame"] = "plate_front";
-    }
-    list.push_back(std::move(one));
-  }
-  out["files"] = std::move(list);
+  out["files"] = filesJson(files);
   put(out, "licence", project->licence);
   put(out, "rights_holder", project->rights_holder);
   out["processing"] = {{"program", used_program}};

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "base/json.h"
@@ -99,35 +98,11 @@ Result<std::vector<stereo::View>> readViews(const DenseArguments& arguments, Ses
   return views;
 }
 
-// One body without holes: spots elsewhere are surroundings of its colours, and holes are places on
-// it of its surroundings' colours. Too wide a mask costs time, one with holes costs surface.
-void keepOneBody(cv::Mat1b& mask) {
-  const cv::Mat1b inside = mask >= 128;
-  cv::Mat1i labels, measures;
-  cv::Mat1d centres;
-  const int count = cv::connectedComponentsWithStats(inside, labels, measures, centres, 4);
-  int largest = 0, area_px = 0;
-  for (int k = 1; k < count; ++k)
-    if (measures(k, cv::CC_STAT_AREA) > area_px) {
-      largest = k;
-      area_px = measures(k, cv::CC_STAT_AREA);
-    }
-  const cv::Mat1b body = labels == largest;
-  cv::Mat1b near, outer;
-  cv::dilate(body, near, cv::Mat());  // its edge is soft
-  mask.setTo(0, largest == 0 ? cv::Mat1b(mask.size(), uchar{255}) : cv::Mat1b(near == 0));
-  cv::copyMakeBorder(body, outer, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
-  cv::floodFill(outer, {0, 0}, 255);
-  const cv::Mat1b holes =
-      cv::Mat1b(outer == 0)(cv::Rect(1, 1, mask.cols, mask.rows));  // enclosed by the body
-  mask.setTo(255, holes);
-}
-
 // Where the background is not dark, the photographs themselves say nothing about the object: the
 // body that they agree on is taken.
 Result<void> maskCluttered(std::vector<stereo::View>& views, int threads, Session& session) {
   const auto unmasked = std::count_if(views.begin(), views.end(), [](const stereo::View& view) {
-    return cv::countNonZero(view.mask) == static_cast<int>(view.mask.total());
+    return stereo::isEverything(view.mask);
   });
   if (2 * static_cast<std::size_t>(unmasked) < views.size()) return {};
   session.progress.begin("masks", 0.05);
@@ -149,10 +124,8 @@ Result<void> maskCluttered(std::vector<stereo::View>& views, int threads, Sessio
     return {};
   }
   if (!masks) return masks.error();
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    keepOneBody(masks->masks[i]);
-    views[i].mask = masks->masks[i];
-  }
+  for (std::size_t i = 0; i < views.size(); ++i)
+    views[i].mask = stereo::wholeBody(masks->masks[i]);
   return {};
 }
 

@@ -41,4 +41,31 @@ cv::Mat1b possibleObject(const cv::Mat& photograph) {
   return mask;
 }
 
+bool isEverything(const cv::Mat1b& mask) {
+  return cv::countNonZero(mask) == static_cast<int>(mask.total());
+}
+
+cv::Mat1b wholeBody(const cv::Mat1b& mask) {
+  cv::Mat1i labels, measures;
+  cv::Mat1d centres;
+  const int count =
+      cv::connectedComponentsWithStats(cv::Mat1b(mask >= 128), labels, measures, centres, 4);
+  int largest = 0, area_px = 0;
+  for (int k = 1; k < count; ++k)
+    if (measures(k, cv::CC_STAT_AREA) > area_px) {
+      largest = k;
+      area_px = measures(k, cv::CC_STAT_AREA);
+    }
+  if (largest == 0) return cv::Mat1b(mask.size(), uchar{0});
+  const cv::Mat1b body = labels == largest;
+  cv::Mat1b whole = mask.clone(), near, outer;
+  cv::dilate(body, near, cv::Mat());  // its edge is soft
+  whole.setTo(0, near == 0);
+  cv::copyMakeBorder(body, outer, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  cv::floodFill(outer, {0, 0}, 255);
+  const cv::Rect inner(1, 1, mask.cols, mask.rows);
+  whole.setTo(255, cv::Mat1b(outer == 0)(inner));  // enclosed by the body
+  return whole;
+}
+
 }  // namespace ostraka::stereo

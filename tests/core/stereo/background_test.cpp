@@ -25,5 +25,31 @@ TEST(PossibleObject, IsEverythingWhereTheBorderIsBright) {
   EXPECT_EQ(cv::countNonZero(possibleObject(photograph)), 60 * 80);
 }
 
+TEST(WholeBody, IsTheLargestPieceWithItsSoftEdgeAndWithoutHoles) {
+  cv::Mat1b mask(60, 80, uchar{0});
+  cv::rectangle(mask, {20, 15, 30, 25}, 255, cv::FILLED);
+  cv::rectangle(mask, {30, 20, 4, 4}, 0, cv::FILLED);    // a hole
+  cv::rectangle(mask, {70, 50, 5, 5}, 255, cv::FILLED);  // a spot elsewhere
+  mask(25, 50) = 90;                                     // half a pixel beside the edge
+  const cv::Mat1b body = wholeBody(mask);
+  EXPECT_EQ(body(21, 31), 255) << "holes are filled";
+  EXPECT_EQ(body(52, 72), 0) << "other pieces are left out";
+  EXPECT_EQ(body(25, 50), 90) << "the soft edge stays as it is";
+  EXPECT_EQ(body(5, 5), 0);
+  EXPECT_EQ(cv::countNonZero(body == 255), 30 * 25);
+}
+
+TEST(WholeBody, IsNothingWhereNothingIsInside) {
+  const cv::Mat1b body = wholeBody(cv::Mat1b(20, 30, uchar{127}));
+  EXPECT_EQ(cv::countNonZero(body), 0);
+}
+
+TEST(IsEverything, HoldsForAMaskWithoutZeros) {
+  cv::Mat1b mask(20, 30, uchar{1});
+  EXPECT_TRUE(isEverything(mask));
+  mask(19, 29) = 0;
+  EXPECT_FALSE(isEverything(mask));
+}
+
 }  // namespace
 }  // namespace ostraka::stereo

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "pairing/candidates.h"
 
 namespace ostraka::app {
@@ -26,6 +27,10 @@ void addPairing(CLI::App& command, pairing::Method& method) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{
           {"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}))
       ->default_str("default");
+}
+
+void printNames(const char* title, std::span<const std::string> names) {
+  if (!names.empty()) std::printf("%s: %s\n", title, joined(names, " ").c_str());
 }
 
 void printJson(const nlohmann::ordered_json& value) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -55,6 +56,9 @@ void addPairing(CLI::App& command, pairing::Method& method);
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives
 /// the exit status.
 int fail(const Session& session, const Error& error);
+
+/// "title: a b c" on standard output; nothing where there are no names.
+void printNames(const char* title, std::span<const std::string> names);
 
 /// JSON to standard output, indented, with a line's end.
 void printJson(const nlohmann::ordered_json& value);

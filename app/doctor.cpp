@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 enum class State { Good, Slow, Missing };
 
 struct Finding {
-  State verdict = State::Good;
+  State state = State::Good;
   std::string subject;  ///< "memory"
   std::string words;    ///< what is there, and what to do
 };
@@ -179,23 +179,23 @@ int runDoctor(const fs::path& folder, Session& session) {
   const std::vector<Finding> findings = examine(folder);
   session.finishProgress();
   const bool missing = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.verdict == State::Missing;
+    return finding.state == State::Missing;
   });
   const int status = missing ? NotWhole : Whole;
-  const auto name = [](State verdict) {
-    return verdict == State::Good ? "good" : verdict == State::Slow ? "slow" : "missing";
+  const auto name = [](State state) {
+    return state == State::Good ? "good" : state == State::Slow ? "slow" : "missing";
   };
   if (session.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Finding& finding : findings)
-      list.push_back({{"verdict", name(finding.verdict)},
+      list.push_back({{"verdict", name(finding.state)},
                       {"subject", finding.subject},
                       {"words", finding.words}});
     printJson({{"findings", list}, {"exit_status", status}});
     return status;
   }
   for (const Finding& finding : findings)
-    std::printf("%-8s %s: %s.\n", name(finding.verdict), finding.subject.c_str(),
+    std::printf("%-8s %s: %s.\n", name(finding.state), finding.subject.c_str(),
                 finding.words.c_str());
   return status;
 }

@@ -4,7 +4,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/text.h"
 #include "command.h"
 #include "pipeline/process_batch.h"
 
@@ -54,16 +53,11 @@ void printTable(const ProcessSummary& summary) {
     std::printf("%-6s %-8s %-8s %7.4f %10.3f %12.3f  %s\n", s.number.c_str(), s.front.c_str(),
                 s.back.c_str(), s.score, s.rim_rms_mm, s.uncertainty_mm, state.c_str());
   }
-  if (!summary.unpaired_front.empty())
-    std::printf("Fronts without a back: %s\n", joined(summary.unpaired_front, " ").c_str());
-  if (!summary.unpaired_back.empty())
-    std::printf("Backs without a front: %s\n", joined(summary.unpaired_back, " ").c_str());
-  if (!summary.reshoot.empty())
-    std::printf("To be photographed again: %s\n", joined(summary.reshoot, " ").c_str());
-  if (!summary.moved.empty())
-    std::printf("Pushed while photographed: %s\n", joined(summary.moved, " ").c_str());
-  if (!summary.set_aside.empty())
-    std::printf("Set aside: %s\n", joined(summary.set_aside, " ").c_str());
+  printNames("Fronts without a back", summary.unpaired_front);
+  printNames("Backs without a front", summary.unpaired_back);
+  printNames("To be photographed again", summary.reshoot);
+  printNames("Pushed while photographed", summary.moved);
+  printNames("Set aside", summary.set_aside);
   std::printf("%zu sherds, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
               summary.reprojection_rms_px, summary.seconds, summary.report.c_str());
   if (!summary.warnings.empty())

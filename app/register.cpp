@@ -28,13 +28,6 @@ ordered_json asJson(const RegisterSummary& summary, int status) {
           {"exit_status", status}};
 }
 
-void printLone(const char* title, const std::vector<std::string>& names) {
-  if (names.empty()) return;
-  std::printf("%s:", title);
-  for (const std::string& name : names) std::printf(" %s", name.c_str());
-  std::printf("\n");
-}
-
 void printTable(const RegisterSummary& summary) {
   std::printf("%-6s %-8s %-8s %7s %7s %10s %8s %12s\n", "sherd", "front", "back", "score", "margin",
               "rim RMS mm", "overlap", "uncertain mm");
@@ -42,8 +35,8 @@ void printTable(const RegisterSummary& summary) {
     std::printf("%-6s %-8s %-8s %7.4f %7.4f %10.3f %8.2f %12.3f  %s%s\n", p.number.c_str(),
                 p.front.c_str(), p.back.c_str(), p.score, p.margin, p.rim_rms_mm, p.rim_overlap,
                 p.uncertainty_mm, p.ambiguous ? "AMBIGUOUS " : "", p.reason.c_str());
-  printLone("Fronts without a back", summary.unpaired_front);
-  printLone("Backs without a front", summary.unpaired_back);
+  printNames("Fronts without a back", summary.unpaired_front);
+  printNames("Backs without a front", summary.unpaired_back);
   std::printf("%zu pairs in %.1f s: %s\n", summary.pairs.size(), summary.seconds,
               summary.pairs_file.c_str());
   if (summary.unusable > 0) std::printf("%d file(s) could not be used.\n", summary.unusable);

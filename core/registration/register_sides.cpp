@@ -102,7 +102,7 @@ double poseGap(const FittedPose& best, const FittedPose& other) {
 }
 
 Result<Registration> byBoundaries(const Strip& front, const Strip& back,
-                                  std::span<const Isometry3d> starts, const Witnesses& witnesses,
+                                  std::span<const Isometry3d> starts,
                                   const RegistrationOptions& options, std::stop_token stop) {
   BilateralBoundaryIcpOptions icp;
   icp.first_radius_mm = options.first_radius_mm;
@@ -132,7 +132,6 @@ Result<Registration> byBoundaries(const Strip& front, const Strip& back,
   found.rim_overlap = 1;
   found.runner_up_gap = 1e9;
   found.uncertainty_mm = 0.1;  // the method's own median error on clean scans; it knows no better
-  (void)witnesses;
   return found;
 }
 
@@ -160,7 +159,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   if (starts.empty())
     return Error{ErrorCode::NotEnough, "No start pose was given for the registration.", {}};
   if (options.method == Method::BilateralBoundary || options.scale == Scale::Free)
-    return byBoundaries(front, back, starts, witnesses, options, stop);
+    return byBoundaries(front, back, starts, options, stop);
   const PairFit pair(front, back, witnesses, options);
   std::vector<FittedPose> poses = startPoses(front, starts, witnesses, options);
   const auto each = [&](std::vector<FittedPose>& list, void (PairFit::*fit)(FittedPose&) const) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "base/files.h"
 #include "capture/sequence.h"
@@ -84,6 +85,60 @@ std::ptrdiff_t looksAt(const MapPiece& piece, const std::vector<MapPiece>& of_lo
   });
 }
 
+// What the photographs of one camera show of the plate, laid over each other.
+struct Looks {
+  int count = 0;
+  double radius_mm = 0;           // of the plate
+  cv::Mat1i sherd, seen;          // in how many looks, by the plate's pixel
+  std::vector<MapPiece> notched;  // of all looks
+};
+
+// Nothing: stopped.
+std::optional<Looks> looksOf(const std::vector<SidePhotograph>& photographs,
+                             const batch::Plate& plate, const LookOptions& options,
+                             std::stop_token stop) {
+  Looks looks;
+  for (const SidePhotograph& photograph : photographs) {
+    if (stop.stop_requested()) return std::nullopt;
+    const auto mapped = lookOf(photograph, plate, options);
+    if (!mapped) continue;
+    if (looks.sherd.empty()) {
+      looks.radius_mm = mapped->map.radius_mm;
+      looks.sherd = cv::Mat1i(mapped->map.sherd.size(), 0);
+      looks.seen = cv::Mat1i(mapped->map.sherd.size(), 0);
+    }
+    cv::add(looks.sherd, 1, looks.sherd, mapped->map.sherd);
+    cv::add(looks.seen, 1, looks.seen, mapped->map.seen);
+    ++looks.count;
+    for (MapPiece& piece : piecesOf(mapped->map, options.smallest_sherd_mm))
+      if (hasOppositeNotches(piece)) looks.notched.push_back(std::move(piece));
+  }
+  return looks;
+}
+
+// A sherd is where most looks at a place show one.
+PlateMap together(const Looks& looks) {
+  PlateMap map;
+  map.radius_mm = looks.radius_mm;
+  map.seen = looks.seen > 0;
+  cv::Mat1f share(looks.seen.size(), 0.f);
+  for (int y = 0; y < share.rows; ++y)
+    for (int x = 0; x < share.cols; ++x)
+      if (looks.seen(y, x) > 0)
+        share(y, x) = static_cast<float>(looks.sherd(y, x)) / looks.seen(y, x);
+  map.sherd = share >= kVotes;
+  cv::morphologyEx(map.sherd, map.sherd, cv::MORPH_OPEN,
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+  return map;
+}
+
+SideCheck uncounted() {
+  SideCheck side;
+  side.sentences.push_back(
+      "The sherds could not be counted: too few of the plate's markers are seen.");
+  return side;
+}
+
 // Turning sherds over by hand shifts them by millimetres: the same places twice are the same side.
 bool sameSide(const SideCheck& front, const SideCheck& back) {
   std::size_t same = 0;
@@ -108,41 +163,12 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
                     const LookOptions& options, std::stop_token stop) {
   SideCheck side;
   const int camera = steepestCamera(photographs, plate, options, stop);
-  cv::Mat1i votes, looks;
-  std::vector<MapPiece> notched;  // of all looks
-  int looked = 0;
-  PlateMap together;
-  if (camera >= 0)
-    for (const SidePhotograph& photograph : photographs[static_cast<std::size_t>(camera)]) {
-      if (stop.stop_requested()) return side;
-      const auto mapped = lookOf(photograph, plate, options);
-      if (!mapped) continue;
-      if (votes.empty()) {
-        together.radius_mm = mapped->map.radius_mm;
-        votes = cv::Mat1i(mapped->map.sherd.size(), 0);
-        looks = cv::Mat1i(mapped->map.sherd.size(), 0);
-      }
-      cv::add(votes, 1, votes, mapped->map.sherd);
-      cv::add(looks, 1, looks, mapped->map.seen);
-      ++looked;
-      for (MapPiece& piece : piecesOf(mapped->map, options.smallest_sherd_mm))
-        if (hasOppositeNotches(piece)) notched.push_back(std::move(piece));
-    }
-  if (votes.empty()) {
-    side.sentences.push_back(
-        "The sherds could not be counted: too few of the plate's markers are seen.");
-    return side;
-  }
-  together.seen = looks > 0;
-  cv::Mat1f share(votes.size(), 0.f);
-  for (int y = 0; y < votes.rows; ++y)
-    for (int x = 0; x < votes.cols; ++x)
-      if (looks(y, x) > 0) share(y, x) = static_cast<float>(votes(y, x)) / looks(y, x);
-  together.sherd = share >= kVotes;
-  cv::morphologyEx(together.sherd, together.sherd, cv::MORPH_OPEN,
-                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
-
-  const std::vector<MapPiece> pieces = piecesOf(together, options.smallest_sherd_mm);
+  if (camera < 0) return uncounted();
+  const std::optional<Looks> looks =
+      looksOf(photographs[static_cast<std::size_t>(camera)], plate, options, stop);
+  if (!looks) return side;
+  if (looks->sherd.empty()) return uncounted();
+  const std::vector<MapPiece> pieces = piecesOf(together(*looks), options.smallest_sherd_mm);
   std::vector<std::string> close, doubtful;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const int within = sherdsInPiece(pieces[i]);
@@ -151,7 +177,7 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
     side.touching += within - 1;
     if (within > 1)
       close.push_back(placeOf(pieces[i].centre_mm));
-    else if (mayBeSeveral(pieces[i]) || 2 * looksAt(pieces[i], notched) >= looked)
+    else if (mayBeSeveral(pieces[i]) || 2 * looksAt(pieces[i], looks->notched) >= looks->count)
       doubtful.push_back(placeOf(pieces[i].centre_mm));
     for (std::size_t k = 0; k < i; ++k)
       if (gapBetween_mm(pieces[k], pieces[i]) < options.touching_mm) {

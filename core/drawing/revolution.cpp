@@ -70,6 +70,36 @@ std::vector<double> offsets(const std::vector<Vector2d>& points, const std::vect
   return off;
 }
 
+// Two residuals per point.
+double costOf(const std::vector<ProfilePoint>& points, const Eigen::VectorXd& residuals) {
+  double sum = 0, weight = 0;
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    const double w = points[static_cast<std::size_t>(i) / 2].weight;
+    sum += w * loss(residuals[i]);
+    weight += w;
+  }
+  return sum / weight;
+}
+
+struct NormalEquations {
+  Eigen::Matrix4d h = Eigen::Matrix4d::Zero();
+  Vector4d g = Vector4d::Zero();
+};
+
+NormalEquations normalEquations(const std::vector<ProfilePoint>& points,
+                                const Eigen::VectorXd& residuals, const Eigen::MatrixXd& jacobian) {
+  NormalEquations equations;
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    const double a = std::abs(residuals[i]);
+    const double w =
+        points[static_cast<std::size_t>(i) / 2].weight * (a <= kHuber_mm ? 1 : kHuber_mm / a);
+    const Vector4d j = jacobian.row(i).transpose();
+    equations.h += w * j * j.transpose();
+    equations.g += w * residuals[i] * j;
+  }
+  return equations;
+}
+
 }  // namespace
 
 Revolution::Revolution(std::vector<ProfilePoint> points, const Eigen::Isometry3d& axis_from_model)
@@ -137,50 +167,36 @@ Eigen::VectorXd Revolution::residuals(const Eigen::Isometry3d& axis_from_model) 
   return out;
 }
 
+Eigen::MatrixXd Revolution::jacobian(const Eigen::Isometry3d& axis_from_model) const {
+  const Vector4d steps(1e-4, 1e-4, 1e-2, 1e-2);  // rad, rad, mm, mm
+  Eigen::MatrixXd columns(2 * static_cast<Eigen::Index>(points_.size()), 4);
+  for (int k = 0; k < 4; ++k) {
+    const Vector4d step = steps[k] * Vector4d::Unit(k);
+    columns.col(k) =
+        (residuals(moved(axis_from_model, step)) - residuals(moved(axis_from_model, -step))) /
+        (2 * steps[k]);
+  }
+  return columns;
+}
+
 Revolution::Fit Revolution::solve(int rounds) const {
   Fit fit;
   fit.axis_from_model = start_;
-  const auto n = 2 * static_cast<Eigen::Index>(points_.size());
-  const auto costOf = [&](const Eigen::VectorXd& r) {
-    double sum = 0, weight = 0;
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double w = points_[static_cast<std::size_t>(i) / 2].weight;
-      sum += w * loss(r[i]);
-      weight += w;
-    }
-    return sum / weight;
-  };
   fit.residuals = residuals(fit.axis_from_model);
-  fit.cost = costOf(fit.residuals);
-  const Vector4d steps(1e-4, 1e-4, 1e-2, 1e-2);
+  fit.cost = costOf(points_, fit.residuals);
   double damping = 1e-3;
   for (int round = 0; round < rounds; ++round) {
-    fit.jacobian.resize(n, 4);
-    for (int k = 0; k < 4; ++k) {
-      const Vector4d step = steps[k] * Vector4d::Unit(k);
-      fit.jacobian.col(k) = (residuals(moved(fit.axis_from_model, step)) -
-                             residuals(moved(fit.axis_from_model, -step))) /
-                            (2 * steps[k]);
-    }
-    Eigen::Matrix4d h = Eigen::Matrix4d::Zero();
-    Vector4d g = Vector4d::Zero();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double a = std::abs(fit.residuals[i]);
-      const double w =
-          points_[static_cast<std::size_t>(i) / 2].weight * (a <= kHuber_mm ? 1 : kHuber_mm / a);
-      const Vector4d j = fit.jacobian.row(i).transpose();
-      h += w * j * j.transpose();
-      g += w * fit.residuals[i] * j;
-    }
+    fit.jacobian = jacobian(fit.axis_from_model);
+    const NormalEquations equations = normalEquations(points_, fit.residuals, fit.jacobian);
     bool better = false;
     for (int attempt = 0; attempt < 8 && !better; ++attempt, damping *= 4) {
-      Eigen::Matrix4d damped = h;
+      Eigen::Matrix4d damped = equations.h;
       damped.diagonal() *= 1 + damping;
-      const Vector4d q = -damped.ldlt().solve(g);
+      const Vector4d q = -damped.ldlt().solve(equations.g);
       if (!q.allFinite()) continue;
       const Eigen::Isometry3d axis = moved(fit.axis_from_model, q);
       const Eigen::VectorXd r = residuals(axis);
-      const double cost = costOf(r);
+      const double cost = costOf(points_, r);
       if (!(cost < fit.cost)) continue;
       better = true;
       const double gain = (fit.cost - cost) / fit.cost;

@@ -40,6 +40,7 @@ class Revolution {
 
  private:
   Eigen::VectorXd residuals(const Eigen::Isometry3d& axis_from_model) const;
+  Eigen::MatrixXd jacobian(const Eigen::Isometry3d& axis_from_model) const;
 
   std::vector<ProfilePoint> points_;
   Eigen::Isometry3d start_;

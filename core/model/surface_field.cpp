@@ -62,6 +62,61 @@ float otherSheetRules(const Sheet& first, const Sheet& second, float radius) {
          ramp(std::abs(bend), 0, kBendRange * radius);
 }
 
+// The distance of p from the smooth surface through its neighbours, and the surface's normal, which
+// comes in as the first guess of it; the neighbours are left with their own distances.
+float smoothDistance(const Surfels& surfels, const Vector3f& p, float radius,
+                     std::vector<NearSurfel>& near, Vector3f& gradient) {
+  float distance = 0;
+  const float residual_scale = 1 / (0.5f * radius);
+  for (int round = 0; round < kSmoothingRounds; ++round) {
+    float sum = 0, total = 0;
+    Vector3f normal = Vector3f::Zero();
+    for (NearSurfel& n : near) {
+      const Vector3f& nj = surfels.normals[static_cast<std::size_t>(n.index)];
+      float w = n.weight;
+      const float turn = (nj - gradient).squaredNorm() / (kNormalSigma * kNormalSigma);
+      const float off = round > 0 ? (n.offset - distance) * residual_scale : 0;
+      w *= std::exp(-turn - off * off);
+      // The mean of both normals: exact on spheres at the surface.
+      n.offset = 0.5f * (nj + gradient).dot(p - surfels.points[static_cast<std::size_t>(n.index)]);
+      sum += w * n.offset;
+      total += w;
+      normal += w * nj;
+    }
+    if (!(total > 1e-20f)) break;
+    distance = sum / total;
+    if (normal.norm() > 1e-20f) gradient = normal.normalized();
+  }
+  return distance;
+}
+
+// Corrects distance and normal where another sheet of the surface is near. Whether there is one is
+// asked of the surface that was seen, whatever its noise: where two scans of a wall disagree, it
+// has little confidence beside the face above it.
+void blendOtherSheet(const Surfels& surfels, const Vector3f& p, float radius,
+                     const std::vector<NearSurfel>& near, float& distance, Vector3f& gradient) {
+  Sheet first, second;
+  float all = 0, others = 0;
+  for (const NearSurfel& n : near) {
+    const std::size_t i = static_cast<std::size_t>(n.index);
+    const float turn =
+        (surfels.normals[i] - gradient).squaredNorm() / (kNormalSigma * kNormalSigma);
+    const float same = std::exp(-turn);
+    all += n.mass;
+    first.add(n.weight * same, n.offset, surfels.normals[i], surfels.points[i]);
+    if (turn <= 1) continue;
+    others += n.mass * (1 - same);
+    second.add(n.weight * (1 - same), surfels.normals[i].dot(p - surfels.points[i]),
+               surfels.normals[i], surfels.points[i]);
+  }
+  const float is_sheet = ramp(others / std::max(all, 1e-20f), kLeastSecondSheet, kSheetRange);
+  if (!(is_sheet > 0) || !first.close() || !second.close()) return;
+  first.distance = distance;
+  const float share = is_sheet * otherSheetRules(first, second, radius);
+  distance += share * (second.distance - distance);
+  if (share > 0) gradient = (gradient + share * (second.normal - gradient)).normalized();
+}
+
 }  // namespace
 
 SurfaceField::SurfaceField(const Surfels& surfels, const Grid& indicator)
@@ -102,50 +157,8 @@ FieldSample SurfaceField::sample(const Vector3f& p) const {
   const float far = farDistance(p);
   if (near.empty() || !(gradient.norm() > 1e-20f)) return {far, Vector3f::Zero(), 0};
   gradient.normalize();
-  float distance = 0;
-  const float residual_scale = 1 / (0.5f * radius_);
-  for (int round = 0; round < kSmoothingRounds; ++round) {
-    float sum = 0, total = 0;
-    Vector3f normal = Vector3f::Zero();
-    for (NearSurfel& n : near) {
-      const Vector3f& nj = surfels_.normals[static_cast<std::size_t>(n.index)];
-      float w = n.weight;
-      const float turn = (nj - gradient).squaredNorm() / (kNormalSigma * kNormalSigma);
-      const float off = round > 0 ? (n.offset - distance) * residual_scale : 0;
-      w *= std::exp(-turn - off * off);
-      // The mean of both normals: exact on spheres at the surface.
-      n.offset = 0.5f * (nj + gradient).dot(p - surfels_.points[static_cast<std::size_t>(n.index)]);
-      sum += w * n.offset;
-      total += w;
-      normal += w * nj;
-    }
-    if (!(total > 1e-20f)) break;
-    distance = sum / total;
-    if (normal.norm() > 1e-20f) gradient = normal.normalized();
-  }
-  Sheet first, second;
-  // Whether there is another sheet is asked of the surface that was seen, whatever its noise: where
-  // two scans of a wall disagree, it has little confidence beside the face above it.
-  float all = 0, others = 0;
-  for (const NearSurfel& n : near) {
-    const std::size_t i = static_cast<std::size_t>(n.index);
-    const float turn =
-        (surfels_.normals[i] - gradient).squaredNorm() / (kNormalSigma * kNormalSigma);
-    const float same = std::exp(-turn);
-    all += n.mass;
-    first.add(n.weight * same, n.offset, surfels_.normals[i], surfels_.points[i]);
-    if (turn <= 1) continue;
-    others += n.mass * (1 - same);
-    second.add(n.weight * (1 - same), surfels_.normals[i].dot(p - surfels_.points[i]),
-               surfels_.normals[i], surfels_.points[i]);
-  }
-  const float is_sheet = ramp(others / std::max(all, 1e-20f), kLeastSecondSheet, kSheetRange);
-  if (is_sheet > 0 && first.close() && second.close()) {
-    first.distance = distance;
-    const float share = is_sheet * otherSheetRules(first, second, radius_);
-    distance += share * (second.distance - distance);
-    if (share > 0) gradient = (gradient + share * (second.normal - gradient)).normalized();
-  }
+  float distance = smoothDistance(surfels_, p, radius_, near, gradient);
+  blendOtherSheet(surfels_, p, radius_, near, distance, gradient);
   // Below a tenth of full support (an edge of a hole, half a radius out) the indicator takes over.
   const float own = std::min(1.0f, support / 0.1f);
   return {own * distance + (1 - own) * far, gradient, support};

@@ -20,6 +20,7 @@ constexpr float kLeastRadius_mm = 0.9f;   // about 4 pixels of the rig: the wind
 constexpr float kLeastSpacings = 3.0f;    // some 18 neighbours on a flat
 constexpr float kNearestSpacings = 2.4f;  // least radius of the smoothing: some 12 neighbours
 constexpr float kFewest = 3;  // neighbours, by weight, that a point needs to be believed
+constexpr std::size_t kFewestSurfels = 50;  // 4 mm^2 of surface at the least spacing
 
 // All points of both sides: what the fits are made from.
 struct Sources {
@@ -234,6 +235,44 @@ double sideGap(const Sources& all, const std::vector<Fit>& own_fits, float radiu
   return gap.size() < 20 ? 0 : medianOf(std::move(gap));
 }
 
+Error tooFew() {
+  return {ErrorCode::NotEnough,
+          "The scans hold too few points that agree with each other for a model.",
+          {}};
+}
+
+// The chosen points, each moved onto the smooth surface through its neighbours. false: stopped.
+bool smoothed(const Sources& all, const std::vector<float>& density, const std::vector<int>& chosen,
+              float radius, int threads, std::stop_token stop, Surfels& out) {
+  const float nearest = kNearestSpacings * static_cast<float>(out.spacing_mm);
+  const PointBins bins(all.points, radius);
+  std::vector<Fit> smooth(chosen.size());
+  const bool whole = inBlocks<std::vector<Near>>(
+      chosen.size(), threads, stop, [&](std::size_t k, std::vector<Near>& near) {
+        const std::size_t i = static_cast<std::size_t>(chosen[k]);
+        // As many neighbours as bring the mean's error down to the floor; the kernel counts half of
+        // them.
+        const float wanted =
+            all.noise[i] / kFitFloor_mm /
+            std::sqrt(0.5f * static_cast<float>(M_PI) * std::max(density[i], 0.1f));
+        const float reach = std::clamp(wanted, nearest, std::max(nearest, 1.2f));
+        smooth[k] = fitWithin(all.points[i], all.normals[i], reach, bins, all,
+                              {Residual::BothNormals, 8.0f, 4}, near);
+      });
+  if (!whole) return false;
+  for (std::size_t k = 0; k < smooth.size(); ++k) {
+    const std::size_t i = static_cast<std::size_t>(chosen[k]);
+    if (smooth[k].support < 2 || (smooth[k].point - all.points[i]).norm() > 1.0f) continue;
+    out.points.push_back(smooth[k].point);
+    out.normals.push_back(smooth[k].normal);
+    out.noise.push_back(all.noise[i]);
+    const float floor2 = kFitFloor_mm * kFitFloor_mm;
+    out.confidence.push_back(all.quality[i] * floor2 /
+                             (smooth[k].noise * smooth[k].noise + floor2));
+  }
+  return true;
+}
+
 }  // namespace
 
 void Surfels::keep(const std::vector<int>& indices) {
@@ -272,41 +311,10 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
   // A cube's edge of 1.2 spacings leaves about one point per square of one spacing.
   const std::vector<int> chosen =
       seeds(all, given < 0.8 * out.spacing_mm ? 1.2 * out.spacing_mm : 0);
-  if (chosen.size() < 50)
-    return Error{ErrorCode::NotEnough,
-                 "The scans hold too few points that agree with each other for a model.",
-                 {}};
+  if (chosen.size() < kFewestSurfels) return tooFew();
 
-  const float nearest = kNearestSpacings * static_cast<float>(out.spacing_mm);
-  const PointBins bins(all.points, radius);
-  std::vector<Fit> smooth(chosen.size());
-  const bool whole = inBlocks<std::vector<Near>>(
-      chosen.size(), threads, stop, [&](std::size_t k, std::vector<Near>& near) {
-        const std::size_t i = static_cast<std::size_t>(chosen[k]);
-        // As many neighbours as bring the mean's error down to the floor; the kernel counts half of
-        // them.
-        const float wanted =
-            all.noise[i] / kFitFloor_mm /
-            std::sqrt(0.5f * static_cast<float>(M_PI) * std::max(density[i], 0.1f));
-        const float reach = std::clamp(wanted, nearest, std::max(nearest, 1.2f));
-        smooth[k] = fitWithin(all.points[i], all.normals[i], reach, bins, all,
-                              {Residual::BothNormals, 8.0f, 4}, near);
-      });
-  if (!whole) return Error::cancelled();
-  for (std::size_t k = 0; k < smooth.size(); ++k) {
-    const std::size_t i = static_cast<std::size_t>(chosen[k]);
-    if (smooth[k].support < 2 || (smooth[k].point - all.points[i]).norm() > 1.0f) continue;
-    out.points.push_back(smooth[k].point);
-    out.normals.push_back(smooth[k].normal);
-    out.noise.push_back(all.noise[i]);
-    const float floor2 = kFitFloor_mm * kFitFloor_mm;
-    out.confidence.push_back(all.quality[i] * floor2 /
-                             (smooth[k].noise * smooth[k].noise + floor2));
-  }
-  if (out.size() < 50)
-    return Error{ErrorCode::NotEnough,
-                 "The scans hold too few points that agree with each other for a model.",
-                 {}};
+  if (!smoothed(all, density, chosen, radius, threads, stop, out)) return Error::cancelled();
+  if (out.size() < kFewestSurfels) return tooFew();
   estimateAreas(out, threads, stop);
   out.noise_mm = medianOf(std::vector(out.noise));
   out.side_gap_mm = sideGap(all, own, radius, threads, stop);

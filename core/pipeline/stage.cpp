@@ -43,7 +43,7 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
   const Result<std::string> text = readFile(folder / "stage.json");
   if (!text) return {};
   const ordered_json stage = ordered_json::parse(*text, nullptr, false);
-  if (!stage.is_object() || stage.value("key", "") != key_hash) return {};
+  if (!stage.is_object() || !stage.contains("key") || stage["key"] != key_hash) return {};
   const Result<ordered_json> files = hashesOf(folder);
   if (!files || !stage.contains("files") || *files != stage["files"]) return {};
   StageRecord record;

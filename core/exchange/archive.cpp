@@ -41,7 +41,7 @@ Result<std::int64_t> archiveProject(const catalogue::Project& project, const fs:
                  target.string()};
   Result<BagWriter> bag = BagWriter::begin(target);
   if (!bag) return bag.error();
-  const fs::path copy = target.string() + ".sqlite.partial";
+  const fs::path copy = folderNamed(target).string() + ".sqlite.partial";
   const auto removed = [&](const Error& error) {
     std::error_code ignored;
     fs::remove(copy, ignored);
@@ -95,7 +95,7 @@ Result<void> restoreProject(const fs::path& archive, const fs::path& folder, Pro
     return Error{ErrorCode::UnusableInput,
                  "This is no archive of a whole project; read it as an export instead.",
                  archive.string()};
-  const fs::path partial = fs::absolute(folder).string() + ".partial";
+  const fs::path partial = folderNamed(folder).string() + ".partial";
   fs::remove_all(partial, code);
   const auto failed = [&](const Error& error) {
     std::error_code ignored;
@@ -117,7 +117,7 @@ Result<void> restoreProject(const fs::path& archive, const fs::path& folder, Pro
       return failed(whole.error());
   }
   fs::remove(folder, code);  // empty, or not there
-  fs::rename(partial, folder, code);
+  fs::rename(partial, folderNamed(folder), code);
   if (code) return failed(cannotWrite(folder));
   return {};
 }

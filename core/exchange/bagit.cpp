@@ -111,6 +111,10 @@ Error cannotWrite(const fs::path& where) {
           "This cannot be written; check the space left and the permissions.", where.string()};
 }
 
+fs::path folderNamed(const fs::path& folder) {
+  return fs::absolute(folder / "").lexically_normal().parent_path();
+}
+
 BagWriter::BagWriter(fs::path target)
     : target_(std::move(target)), partial_(target_.string() + ".partial") {}
 
@@ -131,7 +135,7 @@ Result<BagWriter> BagWriter::begin(const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code))
     return Error::unusable("There is a folder of this name already; choose another name.", target);
-  BagWriter writer(fs::absolute(target));
+  BagWriter writer(folderNamed(target));
   fs::remove_all(writer.partial_, code);  // of an export that was cut off
   fs::create_directories(writer.partial_ / "data", code);
   if (code) return cannotWrite(target);

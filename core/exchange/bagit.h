@@ -14,6 +14,9 @@ namespace ostraka::exchange {
 /// What is said of a file or folder that a bag, or what is made of one, cannot be written to.
 Error cannotWrite(const std::filesystem::path& where);
 
+/// A folder's absolute path without a slash at its end, so that names can be made from its own.
+std::filesystem::path folderNamed(const std::filesystem::path& folder);
+
 struct BagFile {
   std::string path;  ///< within the bag, with '/': data/sherds.csv
   std::string sha256;

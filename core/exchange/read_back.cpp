@@ -73,8 +73,8 @@ class ReadingBack {
       : project_(project),
         folder_(folder),
         act_(act),
-        into_("imported/" + slug(folder.filename().string())) {
-    for (const BagFile& file : files) listed_.insert(file.path);
+        name_(slug(folderNamed(folder).filename().string())) {
+    for (const BagFile& file : files) hashes_[file.path] = file.sha256;
   }
 
   /// All records, read before anything is changed.
@@ -126,14 +126,13 @@ class ReadingBack {
         continue;
       }
       ++kept.refused;
-      const std::string from = slug(folder_.filename().string());
-      const auto undo = catalogue.change(otherVersion(*sherd, record.row, from), act_);
+      const auto undo = catalogue.change(otherVersion(*sherd, record.row, name_), act_);
       if (!undo) return undo.error();
       kept.undo.insert(kept.undo.begin(), undo->begin(), undo->end());
       kept.refusals.push_back({record.row.line, "number", sherd->number,
                                "The project has this sherd with other values; they stay, and what "
                                "differs is kept beside them in fields that end in _in_" +
-                                   from + "."});
+                                   name_ + "."});
     }
     Result<ImportReport> report = importSherds(catalogue, fresh, options, act_, progress, stop);
     if (!report) return report;
@@ -147,20 +146,25 @@ class ReadingBack {
     return report;
   }
 
-  /// Files of sherds that are new; those that are there already are not touched.
+  /// Files of sherds that are new. One that is there already, of an import that broke off, is not
+  /// touched if it is the same, and stops the import if it is another.
   Result<void> copyFiles(std::stop_token stop) {
     for (const FileCopy& file : copies_) {
       if (stop.stop_requested()) return Error::cancelled();
-      if (!listed_.contains("data/" + file.from))
-        return Error{ErrorCode::UnusableInput, "This file is not among the files of the export.",
-                     file.from};
+      const auto hash = hashes_.find("data/" + file.from);
+      if (hash == hashes_.end())
+        return Error::unusable("This file is not among the files of the export.", file.from);
       const fs::path to = project_.folder() / file.to;
-      std::error_code code;
-      fs::create_directories(to.parent_path(), code);
-      if (!fs::exists(to, code)) fs::copy_file(folder_ / "data" / file.from, to, code);
-      if (code)
-        return Error{ErrorCode::CannotWrite, "This file cannot be copied into the project.",
-                     to.string()};
+      std::error_code ignored;
+      const bool there = fs::exists(to, ignored);
+      const Result<std::string> bytes = readFile(there ? to : folder_ / hash->first);
+      if (!bytes) return bytes.error();
+      if (there && sha256(*bytes) != hash->second)
+        return Error::unusable(
+            "The project has another file of this name; rename the export, and import it again.",
+            to);
+      if (!there)
+        if (const Result<void> written = writeFileAtomically(to, *bytes); !written) return written;
     }
     return {};
   }
@@ -194,7 +198,7 @@ class ReadingBack {
     std::string model, preview;
     for (const SherdFile& file : record.files) {
       FileRecord f;
-      f.path = into_ + "/" + file.path;
+      f.path = "imported/" + name_ + "/" + file.path;
       f.sha256 = file.sha256;
       f.bytes = file.bytes;
       f.role = file.role;
@@ -228,10 +232,10 @@ class ReadingBack {
   Project& project_;
   const fs::path& folder_;
   const Act& act_;
-  std::string into_;
+  std::string name_;  ///< of the export's folder, as part of other names
   std::vector<ReadSherdJson> records_;
   std::vector<FileCopy> copies_;
-  std::set<std::string> listed_;  ///< the export's files, whose hashes agreed
+  std::map<std::string, std::string> hashes_;  ///< of the export's files, which agreed
 };
 
 }  // namespace

@@ -61,6 +61,12 @@ TEST_F(Bag, WithoutItsEndLeavesNothing) {
   EXPECT_FALSE(fs::exists(target.string() + ".partial"));
 }
 
+TEST_F(Bag, TakesANameWithASlashAtItsEnd) {
+  target /= "";
+  write();
+  EXPECT_EQ(why(), "accepted");
+}
+
 TEST_F(Bag, NeverWritesOverAnotherFolder) {
   write();
   EXPECT_FALSE(BagWriter::begin(target));

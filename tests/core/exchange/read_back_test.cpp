@@ -90,6 +90,29 @@ TEST_F(ReadingBack, KeepsBothVersionsOfASherdThatTwoLaptopsChanged) {
   EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "");
 }
 
+TEST_F(ReadingBack, KeepsFilesUnderTheNameOfTheExportWithASlashAtItsEndToo) {
+  ASSERT_TRUE(exportTo("out", all));
+  Project other = empty("other");
+  ASSERT_TRUE(readBack(other, folder_.path() / "out" / "", ImportMode::Enter, {}, quiet, {}));
+  const SherdRow row = *other.catalogue().sherdById(catalogue().sherd(rows[0])->id);
+  EXPECT_THAT(other.catalogue().sherd(row)->model_path, testing::StartsWith("imported/out/"));
+}
+
+TEST_F(ReadingBack, NeverTakesAnotherFileForOneOfTheExport) {
+  ASSERT_TRUE(exportTo("out", all));
+  Project other = empty("other");
+  const fs::path photograph = other.folder() / "batches/B0001/front/cam0_pos00.jpg";
+  put(photograph, "another JPEG");
+  const auto read = readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
+  ASSERT_FALSE(read);
+  EXPECT_EQ(read.error().where, photograph);
+  EXPECT_EQ(*readFile(photograph), "another JPEG");
+  EXPECT_FALSE(*other.catalogue().sherdById(catalogue().sherd(rows[0])->id)) << "nothing entered";
+  put(photograph, "JPEG");
+  EXPECT_TRUE(readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {}))
+      << "the same file is no other one";
+}
+
 // One text a row, in which ids stand for rows; when something entered a catalogue is its own.
 const std::map<std::string, std::string> kWholeTables = {
     {"person", "SELECT json_array(id, name, initials, orcid) FROM person"},
@@ -292,10 +315,10 @@ TEST_F(ReadingBack, NothingEntersWhenAFileWasChanged) {
 
 TEST_F(ReadingBack, AnArchiveOnAnEmptyLaptopIsTheSameProject) {
   const Result<std::int64_t> bytes =
-      archiveProject(*project_, folder_.path() / "archive", "ostraka 1.0.0", quiet, {});
+      archiveProject(*project_, folder_.path() / "archive" / "", "ostraka 1.0.0", quiet, {});
   ASSERT_TRUE(bytes) << bytes.error().sentence();
   const Result<void> restored =
-      restoreProject(folder_.path() / "archive", folder_.path() / "laptop", quiet, {});
+      restoreProject(folder_.path() / "archive", folder_.path() / "laptop" / "", quiet, {});
   ASSERT_TRUE(restored) << restored.error().sentence();
   Result<Project> laptop = Project::open(folder_.path() / "laptop");
   ASSERT_TRUE(laptop) << laptop.error().sentence();

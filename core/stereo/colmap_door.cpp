@@ -23,9 +23,7 @@ Result<void> writeStereoFolder(const fs::path& workspace, std::size_t views) {
                  workspace.string()};
   std::string match, fuse;
   for (std::size_t i = 0; i < views; ++i) {
-    const std::string digits = std::to_string(i);
-    const std::string name =
-        std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + ".png\n";
+    const std::string name = viewName(i) + ".png\n";
     match += name + "__auto__, 20\n";  // its own default number of neighbours
     fuse += name;
   }

@@ -31,11 +31,6 @@ constexpr std::size_t kSparsePoints = 6000;
 /// As the built-in stereo cuts: one mask may be wrong about a point.
 constexpr int kMaxViewsOutside = 1;
 
-std::string numbered(std::size_t index) {
-  const std::string digits = std::to_string(index);
-  return std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
-}
-
 Result<void> writePicture(const fs::path& file, const cv::Mat& picture) {
   std::vector<unsigned char> bytes;
   cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
@@ -175,6 +170,11 @@ Place placeOf(const View& view, const cv::Mat1b& wide_mask, const Eigen::Vector3
 
 }  // namespace
 
+std::string viewName(std::size_t view) {
+  const std::string digits = std::to_string(view);
+  return std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+}
+
 Result<void> writeOutsideFolder(std::span<const View> views, const DenseOptions& options,
                                 const fs::path& folder, MaskStyle style, std::stop_token stop) {
   if (const Result<void> good = check(views); !good) return good;
@@ -191,12 +191,12 @@ Result<void> writeOutsideFolder(std::span<const View> views, const DenseOptions&
   for (std::size_t i = 0; i < views.size(); ++i) {
     cameras.push_back(views[i].camera);
     cameras.back().intrinsics.distortion = {};
-    names.push_back(numbered(i) + ".png");
+    names.push_back(viewName(i) + ".png");
   }
   std::vector<std::optional<Error>> errors(views.size());
   parallelFor(views.size(), options.threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
-    const Result<void> written = writeView(views[i], folder, numbered(i), style);
+    const Result<void> written = writeView(views[i], folder, viewName(i), style);
     if (!written) errors[i] = written.error();
   });
   if (stop.stop_requested()) return Error::cancelled();

@@ -23,6 +23,9 @@ enum class MaskStyle {
   OpenMvs  ///< masks/<k>.mask.png
 };
 
+/// The <k> of a view.
+std::string viewName(std::size_t view);
+
 /// Fills `folder`, which is emptied first. Errors: NotEnough (fewer than 3 views, no common
 /// object), UnusableInput (sizes), CannotWrite, Cancelled.
 Result<void> writeOutsideFolder(std::span<const View> views, const DenseOptions& options,

@@ -83,7 +83,6 @@ class SimulatedGrbl final : public SimulatedController {
   std::string rest_;
   double machine_zero_ = 0, offset_ = 0;
   bool held_ = false, alarm_ = false;
-  double dwell_until_s_ = 0;
 };
 
 class SimulatedComXim final : public SimulatedController {

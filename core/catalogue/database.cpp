@@ -216,13 +216,15 @@ void Database::copyTo(const fs::path& file) const {
       sqlite3_open_v2(file.c_str(), &target, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   if (code == SQLITE_OK) {
     if (sqlite3_backup* backup = sqlite3_backup_init(target, "main", handle_, "main")) {
-      sqlite3_backup_step(backup, -1);
+      code = sqlite3_backup_step(backup, -1);  // finishing says nothing of a database that is busy
       sqlite3_backup_finish(backup);
+      if (code == SQLITE_DONE) code = SQLITE_OK;
+    } else {
+      code = sqlite3_extended_errcode(target);
     }
-    code = sqlite3_extended_errcode(target);
   }
   // The copy is one file: without a WAL beside it.
-  if (code == SQLITE_OK || code == SQLITE_DONE)
+  if (code == SQLITE_OK)
     code = sqlite3_exec(target, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
   const std::string text = sqlite3_errmsg(target);
   sqlite3_close(target);

@@ -104,7 +104,7 @@ void addDraw(CLI::App& root, Command& chosen) {
       ->required();
   command->add_option("--output,-o", a->output, "FILE.pdf (all sheets) or FILE.svg (a file each)")
       ->required();
-  command->add_option("--scale", a->drawing.scale, "1:1 or 1:2")
+  command->add_option("--scale", a->drawing.scale, "Size on paper to that of the sherd")
       ->transform(CLI::CheckedTransformer(std::map<std::string, double>{
           {"1:1", 1.0}, {"1:2", 0.5}, {"1:3", 1.0 / 3}, {"2:1", 2.0}}))
       ->default_str("1:1");

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "base/median.h"
 #include "mask/exponential.h"
 #include "mask/plate_picture.h"
 
@@ -22,13 +23,9 @@ cv::Vec2f colourOf(const cv::Vec3f& v) {
 }
 
 float robustDeviation(std::vector<float>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  const float median = *middle;
+  const float median = medianOf(values);
   for (float& v : values) v = std::abs(v - median);
-  std::nth_element(values.begin(), middle, values.end());
-  return 1.4826F * *middle;
+  return 1.4826F * medianOf(values);
 }
 
 // Gradient length of the bare plate's brightness, per pixel: markers and texture.
@@ -148,12 +145,8 @@ ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
     }
   ResidualNoise noise;
   if (brightness.size() < 500) return noise;
-  const auto middle = level.begin() + static_cast<std::ptrdiff_t>(level.size() / 2);
-  std::nth_element(level.begin(), middle, level.end());
-  const auto half = texture.begin() + static_cast<std::ptrdiff_t>(texture.size() / 2);
-  std::nth_element(texture.begin(), half, texture.end());
-  noise.texture = std::max(*half, 1e-6F);
-  noise.level = std::max(2.F, std::exp(*middle) - kDarkLevel);
+  noise.texture = std::max(medianOf(texture), 1e-6F);
+  noise.level = std::max(2.F, std::exp(medianOf(level)) - kDarkLevel);
   // Not below what 8 bits leave: a third of a level after smoothing.
   const float rounding = 0.3F / (noise.level + kDarkLevel);
   noise.brightness = std::max(robustDeviation(brightness), rounding);

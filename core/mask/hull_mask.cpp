@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "mask/colour_model.h"
 #include "mask/hull.h"
@@ -44,8 +45,7 @@ Guess guessFromAxes(std::span<const rig::PosedImage> images) {
     if (depth > 0) radii.push_back(0.25 * shorter / image.intrinsics.fx * depth);
   }
   if (radii.empty()) return guess;
-  std::nth_element(radii.begin(), radii.begin() + radii.size() / 2, radii.end());
-  guess.radius = radii[radii.size() / 2];
+  guess.radius = medianOf(radii);
   return guess;
 }
 

@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
 
+#include "batch/photograph.h"
+
 namespace ostraka::mask {
 namespace {
 
@@ -54,15 +56,6 @@ void removeSmall(cv::Mat1b& cut, double min_area_px) {
           cut(y, x) = holes ? 255 : 0;
       }
   }
-}
-
-std::array<float, 256> linearLight() {
-  std::array<float, 256> table{};
-  for (int i = 0; i < 256; ++i) {
-    const double v = i / 255.0;  // sRGB, IEC 61966-2-1
-    table[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-  }
-  return table;
 }
 
 // Mean colour of the masked pixels around each pixel; weight = how many.
@@ -135,12 +128,12 @@ cv::Mat1f sharesAlong(const cv::Mat1b& cut, const cv::Mat3f& colours, const Side
 }
 
 cv::Mat1b softenPart(const cv::Mat1b& cut, const cv::Mat& photograph, const Sides& sides) {
-  static const std::array<float, 256> kLinear = linearLight();
+  const std::array<double, 256>& light = batch::linearLight();
   cv::Mat3f colours(cut.size());
   for (int y = 0; y < cut.rows; ++y)
     for (int x = 0; x < cut.cols; ++x) {
       const cv::Vec3b& v = photograph.at<cv::Vec3b>(y, x);
-      colours(y, x) = {kLinear[v[0]], kLinear[v[1]], kLinear[v[2]]};
+      colours(y, x) = cv::Vec3d(light[v[0]], light[v[1]], light[v[2]]);
     }
   cv::Mat1b soft;
   sharesAlong(cut, colours, sides).convertTo(soft, CV_8U, 255);

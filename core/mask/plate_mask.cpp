@@ -6,7 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "base/median.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "mask/colour_model.h"
 #include "mask/evidence.h"
 #include "mask/hull.h"
@@ -289,18 +291,16 @@ class PlateMasker {
       if (members.size() < 3) continue;
       std::vector<double> shares;
       for (const std::size_t i : members) shares.push_back(darkenedShare(i));
-      std::vector<double> sorted = shares;
-      std::sort(sorted.begin(), sorted.end());
+      const double usual = medianOf(std::vector<double>(shares));
       for (std::size_t k = 0; k < members.size(); ++k)
-        if (shares[k] > sorted[sorted.size() / 2] + kStrange)
+        if (shares[k] > usual + kStrange)
           named.push_back(images_[members[k]].file + " (" +
                           std::to_string(cvRound(100 * shares[k])) + " % of the bare plate)");
     }
     if (named.empty()) return;
-    std::string text =
-        "masks: a shadow that the other photographs do not have lies on the plate in ";
-    for (std::size_t k = 0; k < named.size(); ++k) text += (k == 0 ? "" : ", ") + named[k];
-    text +=
+    const std::string text =
+        "masks: a shadow that the other photographs do not have lies on the plate in " +
+        joined(named, ", ") +
         "; keep people and hands out of the light, and take these again if their masks look wrong";
     progress.note(NoteLevel::Warning, text);
     result_.warnings.push_back(text);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "base/median.h"
 #include "mask/bare_rows.h"
 
 namespace ostraka::mask {
@@ -52,13 +53,7 @@ cv::Vec3f rimColour(const cv::Mat3f& samples, const cv::Mat1b& rim) {
       if (rim(row, column) != 0 && samples(row, column)[0] != kNoSample)
         for (int channel = 0; channel < 3; ++channel)
           values[channel].push_back(samples(row, column)[channel]);
-  for (int channel = 0; channel < 3; ++channel) {
-    std::vector<float>& own = values[channel];
-    if (own.empty()) continue;
-    const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
-    std::nth_element(own.begin(), middle, own.end());
-    colour[channel] = *middle;
-  }
+  for (int channel = 0; channel < 3; ++channel) colour[channel] = medianOf(values[channel]);
   return colour;
 }
 
@@ -120,9 +115,7 @@ void startAlbedo(std::span<const PlateLook> looks, const Samples& samples, const
             values.push_back(samples[s](row, column)[channel] - picture.exposure[s][channel] -
                              latticeAt(picture.light, p[0], p[1])[channel]);
           }
-          if (values.empty()) continue;
-          std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-          albedo[channel] = values[values.size() / 2];
+          if (!values.empty()) albedo[channel] = medianOf(values);
         }
       }
     }
@@ -181,11 +174,9 @@ Tolerance anchorTolerance(std::span<const PlateLook> looks, const Samples& sampl
         colour.push_back(static_cast<float>(cv::norm(own - cv::Vec3f(g, g, g))));
       }
   if (brightness.size() < 100) return tolerance;
-  const auto middle = static_cast<std::ptrdiff_t>(brightness.size() / 2);
-  std::nth_element(brightness.begin(), brightness.begin() + middle, brightness.end());
-  std::nth_element(colour.begin(), colour.begin() + middle, colour.end());
-  tolerance.brightness = std::clamp(3 * 1.48F * brightness[middle], 0.1F, 0.3F);
-  tolerance.colour = std::clamp(3 * 0.85F * colour[middle], 0.04F, 0.12F);  // 0.85: two dimensions
+  tolerance.brightness = std::clamp(3 * 1.48F * medianOf(brightness), 0.1F, 0.3F);
+  // 0.85: two dimensions.
+  tolerance.colour = std::clamp(3 * 0.85F * medianOf(colour), 0.04F, 0.12F);
   return tolerance;
 }
 
@@ -325,8 +316,7 @@ cv::Mat3f stillRoom(std::span<const PlateLook> looks, const PlatePicture& pictur
       for (int channel = 0; channel < 3; ++channel) {
         for (std::size_t s = 0; s < looks.size(); ++s)
           values[s] = looks[s].log_colours(y, x)[channel] - picture.exposure[s][channel];
-        std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-        room(y, x)[channel] = values[values.size() / 2];
+        room(y, x)[channel] = medianOf(values);
       }
     }
   return room;

@@ -181,16 +181,10 @@ class PlateMasker {
     });
   }
 
-  static cv::Mat1f enlarged(const cv::Mat1f& odds, cv::Size size) {
-    cv::Mat1f full;
-    cv::resize(odds, full, size, 0, 0, cv::INTER_LINEAR);
-    return full;
-  }
-
   void addHeights(ViewState& view, const cv::Mat1f& odds) {
     cv::Mat1f small;
     view.height_odds = odds;
-    view.log_odds += enlarged(odds, view.log_odds.size());
+    view.log_odds += heightsInTheLight(odds, view.residual);
     cv::resize(odds, small, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
     for (int y = 0; y < small.rows; ++y)
       for (int x = 0; x < small.cols; ++x) {
@@ -335,7 +329,7 @@ class PlateMasker {
     // Only what surely stands high: near the foot the windows reach over the outline.
     cv::Mat1f surely;
     cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
-    view.log_odds += enlarged(surely, view.log_odds.size());
+    view.log_odds += heightsInTheLight(surely, view.residual);
     const cv::Mat1b cut = cutOutline(view.log_odds, view.allowed, view.residual, cut_options);
     // The plate's z axis in the camera's frame, as it shows in the picture.
     const Eigen::Vector3d z = images_[index].camera_from_plate.linear().col(2);

@@ -109,4 +109,16 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
   return odds;
 }
 
+cv::Mat1f heightsInTheLight(const cv::Mat1f& odds, const cv::Mat3f& residual) {
+  cv::Mat1f full;
+  cv::resize(odds, full, residual.size(), 0, 0, cv::INTER_LINEAR);
+  for (int y = 0; y < full.rows; ++y)
+    for (int x = 0; x < full.cols; ++x) {
+      const cv::Vec3f& v = residual(y, x);
+      const float darker = std::exp(-(v[0] + v[1] + v[2]) / 3);
+      full(y, x) *= std::clamp(2 - darker / 3, 0.F, 1.F);
+    }
+  return full;
+}
+
 }  // namespace ostraka::mask

@@ -15,9 +15,15 @@ namespace ostraka::mask {
 /// images, photographs (CV_8UC3): those of one stop. Returns for each a CV_32FC1 of half its size:
 /// log P(agreement | something above the plate) / P(agreement | plate), 0 where nothing can be told
 /// (no texture, one photograph only, not above the plate). Shrunk by the correlation's window, so
-/// that it does not reach beyond an outline.
+/// that it does not reach beyond the outline of a sherd of the plate's brightness. The outline of
+/// another alone makes windows agree that lie beside it: low odds are no evidence.
 std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> images,
                                     std::span<const cv::Mat* const> photographs,
                                     const batch::Plate& plate, double max_height_mm);
+
+/// Such odds in a photograph's own size, less where it is darker than a third of the bare plate and
+/// none below a sixth: what lies in so deep a shadow shows no grain, so its windows agree by the
+/// outlines beside it. residual: log photograph - log bare plate.
+cv::Mat1f heightsInTheLight(const cv::Mat1f& odds, const cv::Mat3f& residual);
 
 }  // namespace ostraka::mask

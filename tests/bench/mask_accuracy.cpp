@@ -1,10 +1,11 @@
 // mask_accuracy BATCH [--no-empty] [--threads N] [--side S] [--dump FOLDER]: masks of a batch with
-// its true cameras, against the true masks: IoU and distance of the outline, per photograph and
-// mean.
+// its true cameras, against the true masks: IoU and distance of the outline, per photograph, per
+// camera and in the mean.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -55,6 +56,17 @@ Accuracy compare(const cv::Mat1b& mask, const cv::Mat1b& truth) {
   return accuracy;
 }
 
+// Sums of the photographs' figures, and their means in words.
+struct Sum {
+  double iou = 0, bias_px = 0, mean_px = 0;
+  int count = 0;
+  void add(const Accuracy& a) { iou += a.iou, bias_px += a.bias_px, mean_px += a.mean_px, ++count; }
+  void print(const std::string& of) const {
+    std::printf("%s of %d: IoU %.4f  edge bias %+.3f  mean %.3f px\n", of.c_str(), count,
+                iou / count, bias_px / count, mean_px / count);
+  }
+};
+
 std::string maskName(const rig::PosedImage& image) {
   char text[64];
   std::snprintf(text, sizeof text, "%s_cam%d_pos%02d.png", batch::name(image.side), image.camera,
@@ -87,8 +99,9 @@ int main(int argc, char** argv) {
   for (int c = 0; with_empty && c < 3; ++c)
     empties.push_back(
         cv::imread((folder / "calib" / ("empty_cam" + std::to_string(c) + ".jpg")).string()));
-  double iou = 0, bias = 0, mean = 0, seconds = 0;
-  int count = 0;
+  double seconds = 0;
+  Sum all_photographs;
+  std::map<int, Sum> by_camera;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     if (!only.empty() && only != batch::name(side)) continue;
     std::vector<rig::PosedImage> images;
@@ -113,11 +126,13 @@ int main(int argc, char** argv) {
       const Accuracy a = compare(result->masks[i], labels != 0);
       std::printf("%-24s IoU %.4f  edge bias %+.3f  mean %.3f  worst %.1f px\n", name.c_str(),
                   a.iou, a.bias_px, a.mean_px, a.worst_px);
-      iou += a.iou, bias += a.bias_px, mean += a.mean_px, ++count;
+      all_photographs.add(a);
+      by_camera[images[i].camera].add(a);
       if (!dump.empty()) cv::imwrite(dump + "/" + name, result->masks[i]);
     }
   }
-  std::printf("mean of %d: IoU %.4f  edge bias %+.3f  mean %.3f px  %.1f s\n", count, iou / count,
-              bias / count, mean / count, seconds);
+  for (const auto& [camera, sum] : by_camera) sum.print("camera " + std::to_string(camera));
+  all_photographs.print("mean");
+  std::printf("%.1f s\n", seconds);
   return 0;
 }

@@ -126,5 +126,19 @@ TEST(WeighHeights, SayNothingOfOnePhotograph) {
   EXPECT_EQ(cv::countNonZero(odds[0]), 0);
 }
 
+TEST(HeightsInTheLight, SayNothingInADeepShadow) {
+  // From left to right all of the plate's light, a half, a quarter, a tenth.
+  cv::Mat3f residual(2, 8);
+  constexpr float kLight[] = {1, 0.5F, 0.25F, 0.1F};
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 8; ++x) residual(y, x) = cv::Vec3f::all(std::log(kLight[x / 2]));
+  const cv::Mat1f odds = heightsInTheLight(cv::Mat1f(1, 4, 3.F), residual);
+  ASSERT_EQ(odds.size(), cv::Size(8, 2));
+  EXPECT_FLOAT_EQ(odds(0, 1), 3);
+  EXPECT_FLOAT_EQ(odds(1, 3), 3);
+  EXPECT_NEAR(odds(0, 5), 2, 1e-5);  // 2 - 4 / 3 of it
+  EXPECT_FLOAT_EQ(odds(1, 7), 0);
+}
+
 }  // namespace
 }  // namespace ostraka::mask

@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "batch/batch.h"
 #include "capture/manifest.h"
 #include "capture/rig_devices.h"
 #include "command.h"
@@ -87,12 +90,12 @@ Result<void> startPosition(RigDevices& devices, const SideOptions& options, Sess
 
 void tell(const CaptureEvent& event, Session& session) {
   const std::string shot = "capture: stop " + std::to_string(event.stop + 1) + ", camera " +
-                           capture::placeName(event.camera);
+                           batch::cameraLetter(event.camera);
   switch (event.kind) {
     case CaptureEventKind::PressShutter:
       session.finishProgress();
       std::fprintf(stderr, "Press the shutter of camera %s.\n",
-                   capture::placeName(event.camera).c_str());
+                   batch::cameraLetter(event.camera).c_str());
       break;
     case CaptureEventKind::ShotKept:
       for (const std::string& sentence : event.check.sentences())
@@ -108,8 +111,9 @@ struct SideResult {
   std::vector<std::string> sentences;  // everything that asks a person
 };
 
-Result<SideCheck> checkFront(const CaptureArguments& arguments, const RigDevices& devices,
-                             Session& session) {
+// Nothing where the front was not photographed.
+Result<std::optional<SideCheck>> checkFront(const CaptureArguments& arguments,
+                                            const RigDevices& devices, Session& session) {
   const Result<capture::Manifest> manifest = capture::readManifest(arguments.output);
   if (!manifest) return manifest.error();
   std::vector<std::vector<fs::path>> files(devices.cameras.size());
@@ -117,7 +121,11 @@ Result<SideCheck> checkFront(const CaptureArguments& arguments, const RigDevices
     for (std::size_t c = 0; c < files.size(); ++c)
       if (const auto* entry = manifest->find(batch::Side::Front, s, static_cast<int>(c)))
         files[c].push_back(arguments.output / entry->file);
-  return capture::checkSide(files, devices.plate, {}, session.stop);
+  if (std::all_of(files.begin(), files.end(), [](const auto& one) { return one.empty(); }))
+    return std::optional<SideCheck>();
+  Result<SideCheck> checked = capture::checkSide(files, devices.plate, {}, session.stop);
+  if (!checked) return checked.error();
+  return std::optional(std::move(*checked));
 }
 
 Result<SideResult> shoot(const CaptureArguments& arguments, batch::Side side, RigDevices& devices,
@@ -140,10 +148,15 @@ Result<SideResult> shoot(const CaptureArguments& arguments, batch::Side side, Ri
   if (!done) return done.error();
   SideResult result{*done, done->check.sentences};
   if (side == batch::Side::Back) {
-    const Result<SideCheck> front = checkFront(arguments, devices, session);
+    const Result<std::optional<SideCheck>> front = checkFront(arguments, devices, session);
     if (!front) return front.error();
-    for (std::string& sentence : capture::compareSides(*front, done->check))
-      result.sentences.push_back(std::move(sentence));
+    if (!*front)
+      result.sentences.push_back(
+          "This batch has no photographs of the front: take them with --side front into the same "
+          "folder.");
+    else
+      for (std::string& sentence : capture::compareSides(**front, done->check))
+        result.sentences.push_back(std::move(sentence));
   }
   return result;
 }

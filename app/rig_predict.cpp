@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "batch/batch.h"
 #include "rig_commands.h"
 #include "virtualrig/predict.h"
 
@@ -43,8 +44,9 @@ ordered_json asJson(const Prediction& p) {
 
 void print(const Prediction& p) {
   for (std::size_t c = 0; c < p.elevations_rad.size(); ++c)
-    std::printf("Camera %d: %.0f degrees above the plate, %.3f mm a pixel.\n", p.cameras[c],
-                p.elevations_rad[c] * 180 / M_PI, p.pixels_mm[c]);
+    std::printf("Camera %s: %.0f degrees above the plate, %.3f mm a pixel.\n",
+                batch::cameraLetter(p.cameras[c]).c_str(), p.elevations_rad[c] * 180 / M_PI,
+                p.pixels_mm[c]);
   std::printf("%-8s %9s %13s %13s %14s %10s %12s\n", "sherds", "width mm", "accuracy mm",
               "expected mm", "completeness %", "seen %", "breaks seen %");
   for (const SizePrediction& s : p.sizes) {

@@ -319,6 +319,11 @@ const char* name(Side side) {
   return side == Side::Front ? "front" : "back";
 }
 
+std::string cameraLetter(int camera) {
+  return camera >= 0 && camera < 26 ? std::string(1, static_cast<char>('A' + camera))
+                                    : std::to_string(camera);
+}
+
 Result<Batch> readBatch(const fs::path& folder, const ReadBatchOptions& options,
                         Progress& progress) {
   return Reader(folder, options, progress).read();

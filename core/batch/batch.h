@@ -13,6 +13,8 @@ namespace ostraka::batch {
 
 enum class Side { Front, Back };
 const char* name(Side side);  ///< "front" or "back"
+/// 0 is A (the lowest), 1 is B; beyond Z the number. Files count from 0, people read letters.
+std::string cameraLetter(int camera);
 
 /// One photograph. Cameras stand still, the plate turns: (side, camera, stop) is unique in a batch.
 struct Shot {
@@ -66,7 +68,7 @@ struct Batch {
   std::vector<CalibrationShot> empty_plates;  ///< the bare plate at stop 0; may be empty
   std::optional<Plate> plate;                 ///< absent in the paper's layout
   std::optional<Board> board;
-  std::vector<KnownLength> known_lengths;  ///< of scale.json; only asked for without a plate
+  std::vector<KnownLength> known_lengths;  ///< of scale.json; with a plate they check it
 };
 
 struct ReadBatchOptions {

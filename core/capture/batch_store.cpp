@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 constexpr const char* kArriving = ".arriving";
 
 Error cannotWrite(const fs::path& path, int reason) {
-  std::string what = "The file cannot be written (" + std::string(std::strerror(reason)) + ").";
+  std::string what = "This cannot be written (" + std::string(std::strerror(reason)) +
+                     "); choose another folder for the batch, or check its permissions.";
   if (reason == ENOSPC) what = "The disk is full; free some space and shoot on.";
   if (reason == EEXIST)
     what = "A file of this name is there already and is not overwritten; name another batch.";
@@ -206,7 +207,7 @@ Result<Arriving> BatchStore::stage(const std::vector<CameraFile>& files, int cam
   });
   if (photograph == files.end())
     return Error{ErrorCode::UnusableInput,
-                 "Camera " + placeName(camera) +
+                 "Camera " + batch::cameraLetter(camera) +
                      " delivers raw files only; set its image format to JPEG, or to both.",
                  {}};
   Arriving arriving;

@@ -7,10 +7,6 @@
 
 namespace ostraka::capture {
 
-/// Places of cameras: 0 is A (the lowest), 1 is B, 2 is C. Files and RIG.json count, people read
-/// letters.
-std::string placeName(int place);
-
 struct CameraId {
   std::string driver;  ///< "gphoto2", "uvc", "folder" or "virtual"
   std::string model;   ///< as the camera calls itself

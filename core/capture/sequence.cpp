@@ -5,11 +5,6 @@
 
 namespace ostraka::capture {
 
-std::string placeName(int place) {
-  return place >= 0 && place < 26 ? std::string(1, static_cast<char>('A' + place))
-                                  : std::to_string(place);
-}
-
 Result<void> SideOptions::check() const {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (batch.empty()) return bad("The batch must name a folder.");

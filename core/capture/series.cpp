@@ -15,7 +15,7 @@ constexpr double kSameAngle_deg = 0.3;
 }  // namespace
 
 std::string shotWords(int stop, int camera) {
-  return "Camera " + placeName(camera) + ", stop " + std::to_string(stop + 1);
+  return "Camera " + batch::cameraLetter(camera) + ", stop " + std::to_string(stop + 1);
 }
 
 std::string listed(const ShotCheck& check) {
@@ -91,7 +91,12 @@ Result<void> Series::prepare() {
   for (const ShotName& again : options_.retake) {
     if (again.stop < 0 || again.stop >= options_.stops || again.camera < 0 ||
         again.camera >= cameras)
-      return Error{ErrorCode::UnusableInput, "A shot to be taken again does not exist.", {}};
+      return Error{
+          ErrorCode::UnusableInput,
+          "There is no shot " + std::to_string(again.stop + 1) + batch::cameraLetter(again.camera) +
+              " to take again: this side has stops 1 to " + std::to_string(options_.stops) +
+              " and cameras A to " + batch::cameraLetter(cameras - 1) + ".",
+          {}};
     if (Result<void> r = store_->setAside(again.stop, again.camera, "asked for again"); !r)
       return r;
   }

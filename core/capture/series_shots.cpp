@@ -85,7 +85,7 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
     if (stop_.stop_requested()) return Error::cancelled();
     if (round == options_.tries_per_shot)
       return Error{ErrorCode::Failed,
-                   "Camera " + placeName(cameras[0]) +
+                   "Camera " + batch::cameraLetter(cameras[0]) +
                        " hands over earlier or broken photographs only; switch it off and on.",
                    devices_.cameras[static_cast<std::size_t>(cameras[0])]->id().serial};
     if (round > 0)

@@ -200,8 +200,8 @@ class PlateMasker {
     if (camera < 0 || camera >= static_cast<int>(empties_.size()) || empties_[camera].empty())
       return {cv::Mat3f(), 0};
     const auto refuse = [&](const std::string& why) {
-      const std::string text = "masks: the empty plate of camera " + std::to_string(camera) + " " +
-                               why + "; masked without it";
+      const std::string text = "masks: the empty plate of camera " + batch::cameraLetter(camera) +
+                               " " + why + "; masked without it";
       progress.note(NoteLevel::Warning, text);
       result_.warnings.push_back(text);
       return std::pair<cv::Mat3f, int>{cv::Mat3f(), 0};
@@ -214,10 +214,10 @@ class PlateMasker {
       const cv::Mat3f empty = logColours(photograph);
       // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
       if (ringAgreement(empty, looks[k], paper) < 0.85)
-        return refuse("does not show the plate at stop 0; take it again with the plate at stop 0");
+        return refuse("does not show the plate at the first stop; take it again there");
       return {empty, static_cast<int>(k)};
     }
-    return refuse("has no photograph at stop 0 beside it");
+    return refuse("has no photograph at the first stop beside it");
   }
 
   HullView reduced(std::size_t index, const Evidence& evidence) const {

@@ -79,7 +79,8 @@ std::string sidePicture(const ReportInput& input, batch::Side side) {
   std::vector<unsigned char> bytes;
   cv::imencode(".jpg", drawn, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
   const std::string words = std::string(batch::name(side)) + " side, camera " +
-                            std::to_string(image.camera) + ", stop " + std::to_string(image.stop);
+                            batch::cameraLetter(image.camera) + ", stop " +
+                            std::to_string(image.stop + 1);
   return "<figure>" + picture({bytes.begin(), bytes.end()}, "jpeg", words) + "<figcaption>" +
          words + "</figcaption></figure>";
 }

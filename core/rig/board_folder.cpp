@@ -77,6 +77,13 @@ struct Found {
 
 Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int threads,
                                                      Progress& progress, std::stop_token stop) {
+  std::error_code absent;
+  if (!fs::exists(folder / "board.json", absent))
+    return Error{ErrorCode::UnusableInput,
+                 "There is nothing to calibrate from: photograph the plate at each stop into "
+                 "'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy "
+                 "plate.json and board.json beside them.",
+                 folder.string()};
   const Result<Target> target = readTarget(folder / "board.json");
   if (!target) return target.error();
   std::error_code ignored;

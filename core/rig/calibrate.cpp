@@ -36,7 +36,8 @@ class Poser {
   Result<BatchPoses> run() {
     if (!batch_.plate)
       return Error{ErrorCode::NotEnough,
-                   "There is no plate.json, so the plate's markers cannot be used.",
+                   "There is no plate.json, so the plate's markers cannot be used; copy the one "
+                   "here that 'ostraka plate' wrote with the plate.",
                    batch_.folder.string()};
     numberEverything();
     Result<std::vector<ShotMarkers>> shots =
@@ -61,7 +62,7 @@ class Poser {
   }
   void inform(const std::string& text) { progress_.note(NoteLevel::Info, text); }
   std::string cameraName(std::size_t index) const {
-    return "camera " + std::to_string(camera_numbers_[index]);
+    return "camera " + batch::cameraLetter(camera_numbers_[index]);
   }
 
   void numberEverything() {
@@ -97,8 +98,9 @@ class Poser {
       const RigCamera* camera = known_->find(shot.camera);
       if (camera == nullptr || camera->intrinsics.width != shot.width ||
           camera->intrinsics.height != shot.height) {
-        warn("The known rig has no camera " + std::to_string(shot.camera) + " with pictures of " +
-             std::to_string(shot.width) + " x " + std::to_string(shot.height) +
+        warn("The known rig has no camera " + batch::cameraLetter(shot.camera) +
+             " with pictures of " + std::to_string(shot.width) + " x " +
+             std::to_string(shot.height) +
              " pixels; the rig is calibrated from this batch instead.");
         return false;
       }
@@ -349,10 +351,8 @@ class Poser {
     if (!state) return state.error();
     out_.held_out = heldOutDistances(*batch_.plate, chosen, *state, corners);
     for (const HeldOutDistance& d : out_.held_out) {
-      if (std::abs(d.error()) > kMostScaleError)
-        warn(
-            "The scale is not right: " + sentence(d) +
-            "; check that plate.json belongs to this plate and that it is printed and glued true.");
+      if (const std::optional<std::string> doubt = scaleDoubt(d))
+        warn(*doubt);
       else
         inform("rig: " + sentence(d));
     }

@@ -26,7 +26,7 @@ std::string enumerated(const std::vector<std::string>& parts) {
 }
 
 std::string cameraName(int camera) {
-  return "Camera " + std::to_string(camera);
+  return "Camera " + batch::cameraLetter(camera);
 }
 
 std::string percent(double part, double whole) {
@@ -39,7 +39,7 @@ void adviseOnStops(const BatchPoses& poses, std::vector<std::string>& missing) {
   for (std::size_t i = 0; i < poses.images.size(); ++i)
     if (poses.markers_per_image[i] < kFewMarkers)
       poor[poses.images[i].camera].push_back(std::string(batch::name(poses.images[i].side)) + " " +
-                                             std::to_string(poses.images[i].stop));
+                                             std::to_string(poses.images[i].stop + 1));
   for (const auto& [camera, stops] : poor)
     missing.push_back(cameraName(camera) + " sees fewer than six of the plate's markers at stop " +
                       enumerated(stops) +
@@ -56,9 +56,7 @@ void adviseOnScale(const CalibrationReport& report, std::vector<std::string>& mi
         "Fewer than eight markers were seen, so no distance could be kept out of the fit: the "
         "scale is not checked.");
   for (const HeldOutDistance& d : report.held_out)
-    if (std::abs(d.error()) > kMostScaleError)
-      missing.push_back("The scale is not right: " + sentence(d) +
-                        "; check that plate.json belongs to this plate and that it is glued true.");
+    if (const std::optional<std::string> doubt = scaleDoubt(d)) missing.push_back(*doubt);
   for (const MeasuredLength& m : report.lengths) {
     const double error = m.found_mm / m.length.mm - 1;
     if (std::abs(error) > kMostScaleError)
@@ -88,7 +86,7 @@ void judge(CalibrationReport& report) {
   }
   std::vector<std::string> without_lens;
   for (const CameraCalibration& c : report.cameras)
-    if (c.pictures == 0) without_lens.push_back(std::to_string(c.camera));
+    if (c.pictures == 0) without_lens.push_back(batch::cameraLetter(c.camera));
   bool exact = true;
   for (const CameraCalibration& c : report.cameras)
     exact = exact && c.focal_sd_px > 0 && c.focal_sd_px < kMostFocalError * c.focal_px;

@@ -44,7 +44,7 @@ CameraCalibration ofLens(int camera, const IntrinsicsReport& lens,
 }
 
 std::string prefixed(int camera, const std::string& sentence) {
-  return "Camera " + std::to_string(camera) + ": " + sentence;
+  return "Camera " + batch::cameraLetter(camera) + ": " + sentence;
 }
 
 // Pictures of a board alone: lenses, no places.

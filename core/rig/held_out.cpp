@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -100,6 +102,12 @@ std::string sentence(const HeldOutDistance& d) {
   return text;
 }
 
+std::optional<std::string> scaleDoubt(const HeldOutDistance& d) {
+  if (std::abs(d.error()) <= kMostScaleError) return std::nullopt;
+  return "The scale is not right: " + sentence(d) +
+         "; check that plate.json belongs to this plate and that it is printed and glued true.";
+}
+
 Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
                  std::size_t reference) {
   const auto pose = [](const RigState& state, std::size_t camera) {
@@ -115,13 +123,10 @@ Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
 }
 
 std::string sentence(const Move& move, int camera, int reference) {
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "Against camera %d, camera %d has moved by %.1f mm and turned by %.2f degrees since "
-      "the rig was calibrated.",
-      reference, camera, move.moved_mm, move.turned_rad * 180 / M_PI);
-  return text;
+  return "Against camera " + batch::cameraLetter(reference) + ", camera " +
+         batch::cameraLetter(camera) + " has moved by " + fixed(move.moved_mm, 1) +
+         " mm and turned by " + fixed(move.turned_rad * 180 / M_PI, 2) +
+         " degrees since the rig was calibrated.";
 }
 
 }  // namespace ostraka::rig

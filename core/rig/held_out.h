@@ -32,6 +32,8 @@ std::vector<HeldOutDistance> heldOutDistances(const batch::Plate& plate,
 
 /// "markers 0 and 12, kept out of the fit, lie ... mm apart".
 std::string sentence(const HeldOutDistance& distance);
+/// The sentence when it is off by more than kMostScaleError, with what to do.
+std::optional<std::string> scaleDoubt(const HeldOutDistance& distance);
 
 /// How far camera `index` of `now` stands from where `known` has it, seen from camera `reference`:
 /// the turntable's frame is free in height and turn, so only cameras among each other compare.

@@ -73,7 +73,7 @@ Result<void> lookByRays(const rig::Rig& rig, const SimulateOptions& simulated,
 
 void remark(const rig::Rig& rig, Prediction& prediction) {
   const auto name = [&](std::size_t c) {
-    return "Camera " + std::to_string(rig.cameras[c].camera);
+    return "Camera " + batch::cameraLetter(rig.cameras[c].camera);
   };
   const double finest = *std::min_element(prediction.pixels_mm.begin(), prediction.pixels_mm.end());
   for (std::size_t c = 0; c < prediction.pixels_mm.size(); ++c)

@@ -151,7 +151,7 @@ class VirtualCamera final : public Camera {
       : place_(std::move(place)), number_(number) {}
 
   CameraId id() const override {
-    return {"virtual", "Virtual camera", "VIRTUAL-" + capture::placeName(number_), "virtual"};
+    return {"virtual", "Virtual camera", "VIRTUAL-" + batch::cameraLetter(number_), "virtual"};
   }
   Result<std::vector<CameraSetting>> settings() override {
     return std::vector<CameraSetting>{{"iso", "100", {"100"}, true},

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "batch/batch.h"
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_wizard.h"
@@ -92,7 +93,7 @@ void CaptureStation::buildActions() {
   change_rig_ =
       addAct(QStringLiteral("changeRig"), QStringLiteral("turntable"), tr("Another rig…"), {});
   for (int camera = 0; camera < kMostCameras; ++camera) {
-    const QString letter = QString::fromStdString(capture::placeName(camera));
+    const QString letter = QString::fromStdString(batch::cameraLetter(camera));
     QAction* action =
         addAct(QStringLiteral("camera") + letter, QStringLiteral("camera"),
                tr("Camera %1").arg(letter), QKeySequence(static_cast<Qt::Key>(Qt::Key_A + camera)));

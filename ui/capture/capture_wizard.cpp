@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/files.h"
+#include "batch/batch.h"
 #include "capture/label_code.h"
 #include "catalogue/project.h"
 #include "ui/frame/message_panel.h"
@@ -329,7 +330,7 @@ void CaptureWizard::hear(const capture::CaptureEvent& event) {
   if (event.kind == Kind::Trouble) emit said(QString::fromStdString(event.trouble));
   if (event.kind == Kind::PressShutter)
     emit said(tr("Press the shutter of camera %1.")
-                  .arg(QString::fromStdString(capture::placeName(event.camera))));
+                  .arg(QString::fromStdString(batch::cameraLetter(event.camera))));
   emit shotsChanged();
 }
 
@@ -350,7 +351,7 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
     });
     const QString why = at == shots_.end() ? QString() : at->problems.join(QStringLiteral(", "));
     doubts_ << tr("Camera %1 at stop %2: %3")
-                   .arg(QString::fromStdString(capture::placeName(shot.camera)))
+                   .arg(QString::fromStdString(batch::cameraLetter(shot.camera)))
                    .arg(shot.stop + 1)
                    .arg(why);
   }

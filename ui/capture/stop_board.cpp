@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "batch/batch.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
@@ -77,7 +78,7 @@ void StopBoard::drawShots(QPainter& painter, const QRectF& board) const {
     painter.setPen(palette().color(QPalette::Text));
     painter.setFont(scaledFont(*this, 1.2));
     painter.drawText(QRectF(board.left(), top + camera * cell_height, letter, cell_height),
-                     Qt::AlignCenter, QString::fromStdString(capture::placeName(camera)));
+                     Qt::AlignCenter, QString::fromStdString(batch::cameraLetter(camera)));
     for (int stop = 0; stop < stops; ++stop) {
       const QRectF cell = QRectF(board.left() + letter + stop * cell_width,
                                  top + camera * cell_height, cell_width, cell_height)

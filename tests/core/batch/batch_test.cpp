@@ -21,6 +21,12 @@ Result<Batch> read(const TemporaryFolder& folder, Listener& listener) {
   return readBatch(folder.path(), {}, listener);
 }
 
+TEST(CameraLetter, CountsAsPeopleDo) {
+  EXPECT_EQ(cameraLetter(0), "A");
+  EXPECT_EQ(cameraLetter(25), "Z");
+  EXPECT_EQ(cameraLetter(26), "26");
+}
+
 TEST(ReadBatch, SortsShotsBySideCameraAndStop) {
   const TemporaryFolder folder("sorted");
   threeViewsPerSide(folder);

@@ -390,6 +390,14 @@ TEST_F(Sequence, SetsAPhotographAsideThatAPersonWantsAgain) {
   expectWholeSide();
 }
 
+TEST_F(Sequence, NamesTheShotThatCannotBeTakenAgain) {
+  options_.retake = {{98, 1}};
+  const auto refused = shoot();
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(refused.error().what, HasSubstr("no shot 99B"));
+  EXPECT_THAT(refused.error().what, HasSubstr("stops 1 to 3 and cameras A to B"));
+}
+
 TEST_F(Sequence, NeverTouchesAPhotographThatItDidNotTake) {
   fs::create_directories(folder_ / "front");
   std::ofstream(folder_ / "front" / "cam0_pos00.jpg") << "mine";

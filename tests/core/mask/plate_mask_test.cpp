@@ -184,7 +184,7 @@ TEST(PlateMasks, AnEmptyPlateOfAnotherStopIsLeftAsideWithAWarning) {
       maskByPlate(scene.images, scene.photographs, scene.plate, empties, {}, quiet, {});
   ASSERT_TRUE(result.has_value());
   ASSERT_EQ(result->warnings.size(), 1U);
-  EXPECT_THAT(result->warnings[0], testing::HasSubstr("camera 0"));
+  EXPECT_THAT(result->warnings[0], testing::HasSubstr("camera A"));
 }
 
 TEST(PlateMasks, APhotographOfAnotherSizeIsNamed) {

@@ -35,6 +35,7 @@ ordered_json asJson(const ProcessSummary& summary, int status) {
           {"set_aside", summary.set_aside},
           {"reshoot", summary.reshoot},
           {"moved", summary.moved},
+          {"scale_doubts", summary.scale_doubts},
           {"warnings", summary.warnings},
           {"reprojection_rms_px", summary.reprojection_rms_px},
           {"seconds", summary.seconds},
@@ -65,18 +66,17 @@ void printTable(const ProcessSummary& summary) {
   if (summary.ambiguous() > 0)
     std::printf("%d pair(s) need a person's eye; the report shows the alternatives.\n",
                 summary.ambiguous());
-  if (summary.scale_doubtful)
-    std::printf(
-        "The scale is not right, see the report: check plate.json before anything is measured.\n");
+  for (const std::string& doubt : summary.scale_doubts)
+    std::printf("A person must decide before anything is measured here: %s\n", doubt.c_str());
 }
 
 int runProcess(const ProcessOptions& options, Session& session) {
   const Result<ProcessSummary> summary =
       pipeline::processBatch(options, session.progress, session.stop);
   if (!summary) return fail(session, summary.error());
-  const int status = summary->ambiguous() > 0 || summary->scale_doubtful ? PersonMustDecide
-                     : summary->whole()                                  ? Whole
-                                                                         : NotWhole;
+  const int status = summary->ambiguous() > 0 || !summary->scale_doubts.empty() ? PersonMustDecide
+                     : summary->whole()                                         ? Whole
+                                                                                : NotWhole;
   session.finishProgress();
   if (session.json)
     printJson(asJson(*summary, status));

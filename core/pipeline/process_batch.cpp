@@ -17,7 +17,6 @@
 #include "pipeline/no_plate.h"
 #include "pipeline/report.h"
 #include "pipeline/stillness.h"
-#include "rig/held_out.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -300,13 +299,6 @@ Result<void> writeReports(const fs::path& output, const Pairs& pairs, const Repo
   return writeJson(output / "report.json", reportJson(report));
 }
 
-// A distance between markers that took no part in the fit tells whether the scale is right.
-bool isScaleDoubtful(const StageRecord& poses) {
-  for (const auto& distance : poses.notes.figures.value("held_out", ordered_json::array()))
-    if (std::abs(distance.value("error_pct", 0.0)) > 100 * rig::kMostScaleError) return true;
-  return false;
-}
-
 // reading: the warnings about the batch itself.
 Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& reading) {
   ReportInput report;
@@ -331,6 +323,8 @@ Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& 
   report.unpaired_back = pairs->value.unpaired_back;
   report.set_aside = pairs->value.set_aside;
   report.reshoot = pairs->value.reshoot;
+  report.scale_doubts =
+      poses->record.notes.figures.value("scale_doubts", std::vector<std::string>());
   report.poses = &poses->value;
   report.front_masks = &front->masks.value;
   report.back_masks = &back->masks.value;
@@ -359,7 +353,7 @@ Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& 
   summary.moved = front->moved;
   summary.moved.insert(summary.moved.end(), back->moved.begin(), back->moved.end());
   summary.reprojection_rms_px = poses->record.notes.figures.value("reprojection_rms_px", 0.0);
-  summary.scale_doubtful = isScaleDoubtful(poses->record);
+  summary.scale_doubts = report.scale_doubts;
   summary.report = run.options.output / "report.html";
   return summary;
 }

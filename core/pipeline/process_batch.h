@@ -44,9 +44,10 @@ struct ProcessSummary {
   std::vector<std::string> moved;      ///< scans pushed while photographed: not whole
   std::vector<std::string> warnings;
   double reprojection_rms_px = 0;
-  /// A distance between markers that took no part in the fit is off by more than 0.3 %: the batch
-  /// is held until a person has found out why.
-  bool scale_doubtful = false;
+  /// A length of scale.json, or a distance between markers that took no part in the fit, is not
+  /// what plate.json makes of it: the batch is held until a person has found out why. Sentences,
+  /// which stand among the warnings too.
+  std::vector<std::string> scale_doubts;
   double seconds = 0;  ///< of this run, not of stages done earlier
   std::filesystem::path report;
   int ambiguous() const;

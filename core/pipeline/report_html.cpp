@@ -253,6 +253,9 @@ std::string reportHtml(const ReportInput& input) {
                                     : "<span class=\"ask\">" + std::to_string(doubtful) +
                                           " for a person to decide.</span>") +
                      "</p>";
+  for (const std::string& doubt : input.scale_doubts)
+    html += "<p class=\"ask\">A person must decide before anything is measured here: " +
+            markupText(doubt) + "</p>";
   if (!input.warnings.empty()) {
     html += "<h2>Warnings</h2><ul>";
     for (const std::string& warning : input.warnings)

@@ -31,6 +31,7 @@ ordered_json reportJson(const ReportInput& input) {
   return {{"format", "ostraka-report/1"},
           {"unit", "mm"},
           {"has_scale", input.poses == nullptr || input.poses->has_scale},
+          {"scale_doubts", input.scale_doubts},
           {"batch", input.batch_name},
           {"stages", stages},
           {"sherds", sherds},

@@ -15,6 +15,7 @@
 #include "pipeline/no_plate.h"
 #include "pipeline/photo_checks.h"
 #include "pipeline/piece_edits.h"
+#include "pipeline/scale_check.h"
 #include "rig/calibrate.h"
 #include "rig/colmap_program.h"
 #include "scan/rim.h"
@@ -189,6 +190,17 @@ ordered_json heldOutOf(const rig::BatchPoses& poses) {
   return list;
 }
 
+// What speaks against the scale holds the result; what agrees stands in the log.
+ScaleCheck scaleOf(const Run& run, const rig::BatchPoses& poses, StageNotes& notes) {
+  const ScaleCheck check = checkScale(poses, run.batch.known_lengths);
+  for (const std::string& warning : check.warnings) {
+    run.progress.note(NoteLevel::Warning, warning);
+    notes.warnings.push_back(warning);
+  }
+  for (const std::string& words : check.agreeing) run.progress.note(NoteLevel::Info, words);
+  return check;
+}
+
 // Blurred photographs help the poses, by their markers, and harm all that follows.
 Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& notes) {
   const Result<PhotoFindings> found =
@@ -250,6 +262,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     if (!poses) return poses.error();
     StageNotes notes;
     notes.warnings = poses->warnings;
+    const ScaleCheck scale = scaleOf(run, *poses, notes);
     if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
         !written)
@@ -261,7 +274,9 @@ Result<Staged<Poses>> poseStage(const Run& run) {
                      {"rms_per_image_px", poses->rms_per_image_px},
                      {"markers_per_image", poses->markers_per_image},
                      {"cameras", residualsOf(*poses)},
-                     {"held_out", heldOutOf(*poses)}};
+                     {"held_out", heldOutOf(*poses)},
+                     {"known_lengths", scale.lengths},
+                     {"scale_doubts", scale.doubts}};
     return notes;
   };
   const Result<StageRecord> record =

@@ -6,11 +6,14 @@
 #include <filesystem>
 #include <map>
 
+#include "rig/held_out.h"
+
 namespace ostraka::rig {
 namespace {
 
 constexpr double kMinAngle_rad = 0.052;  // 3 degrees: below it a pixel moves the depth by 20
 constexpr std::size_t kMinScaleCorners = 6;
+constexpr double kRounding_px = 0.28867513459481287;  // 1 / sqrt(12): to whole pixels
 
 std::optional<KnownScale> middleOf(std::vector<double> ratios) {
   if (ratios.empty()) return std::nullopt;
@@ -30,7 +33,81 @@ const PosedImage* imageNamed(const std::vector<PosedImage>& images, batch::Side 
   return nullptr;
 }
 
+std::vector<SeenIn> raysTo(const std::vector<PosedImage>& images, batch::Side side,
+                           const std::vector<batch::KnownLength::Mark>& marks) {
+  std::vector<SeenIn> rays;
+  for (const batch::KnownLength::Mark& mark : marks)
+    if (const PosedImage* image = imageNamed(images, side, mark.file))
+      rays.push_back({image, mark.pixel});
+  return rays;
+}
+
+// A marked end in space, and how it was seen.
+struct MarkedEnd {
+  Eigen::Vector3d point;
+  Eigen::Matrix3d information;  // for marks with a standard deviation of 1 px, 1 / mm^2
+  double squares_px2 = 0;       // of what is left between the marks and the point
+  int freedom = 0;              // marks' coordinates less the point's three
+};
+
+// Two steps of Gauss-Newton from the rays' nearest point: the rays differ in length.
+std::optional<MarkedEnd> locate(const std::vector<SeenIn>& rays) {
+  constexpr double kStep_mm = 1e-3;
+  const std::optional<Eigen::Vector3d> start = triangulate(rays);
+  if (!start) return std::nullopt;
+  MarkedEnd end{*start, {}, 0, 2 * static_cast<int>(rays.size()) - 3};
+  for (int round = 0; round < 3; ++round) {
+    end.information.setZero();
+    end.squares_px2 = 0;
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    for (const SeenIn& ray : rays) {
+      const Eigen::Vector2d left = ray.pixel - ray.image->project(end.point);
+      Eigen::Matrix<double, 2, 3> slope;
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d step = kStep_mm * Eigen::Vector3d::Unit(k);
+        slope.col(k) =
+            (ray.image->project(end.point + step) - ray.image->project(end.point - step)) /
+            (2 * kStep_mm);
+      }
+      end.information += slope.transpose() * slope;
+      gradient += slope.transpose() * left;
+      end.squares_px2 += left.squaredNorm();
+    }
+    if (round < 2) end.point += end.information.ldlt().solve(gradient);
+  }
+  return end;
+}
+
 }  // namespace
+
+bool CheckedLength::contradicts() const {
+  return std::abs(found_mm - true_mm) > 3 * sd_mm && std::abs(error()) > kMostScaleError;
+}
+
+std::vector<std::optional<CheckedLength>> checkLengths(
+    const std::vector<PosedImage>& images, const std::vector<batch::KnownLength>& lengths) {
+  std::vector<std::array<std::optional<MarkedEnd>, 2>> found;
+  double squares = 0;
+  int freedom = 0;
+  for (const batch::KnownLength& known : lengths) {
+    found.push_back({locate(raysTo(images, known.side, known.ends[0])),
+                     locate(raysTo(images, known.side, known.ends[1]))});
+    for (const std::optional<MarkedEnd>& end : found.back())
+      if (end) squares += end->squares_px2, freedom += end->freedom;
+  }
+  const double mark_sd_px = std::max(kRounding_px, freedom > 0 ? std::sqrt(squares / freedom) : 0);
+  std::vector<std::optional<CheckedLength>> checked(lengths.size());
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const auto& [a, b] = found[i];
+    if (!a || !b) continue;
+    const Eigen::Vector3d along = (a->point - b->point).normalized();
+    const double variance = along.dot(a->information.ldlt().solve(along)) +
+                            along.dot(b->information.ldlt().solve(along));
+    checked[i] = CheckedLength{lengths[i].side, lengths[i].length_mm, (a->point - b->point).norm(),
+                               mark_sd_px * std::sqrt(variance)};
+  }
+  return checked;
+}
 
 std::optional<Eigen::Vector3d> triangulate(const std::vector<SeenIn>& rays) {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -57,13 +134,7 @@ std::optional<KnownScale> scaleFromLengths(const std::vector<PosedImage>& images
   std::vector<double> ratios;
   for (const batch::KnownLength& known : lengths) {
     std::array<std::optional<Eigen::Vector3d>, 2> ends;
-    for (int e = 0; e < 2; ++e) {
-      std::vector<SeenIn> rays;
-      for (const batch::KnownLength::Mark& mark : known.ends[e])
-        if (const PosedImage* image = imageNamed(images, known.side, mark.file))
-          rays.push_back({image, mark.pixel});
-      ends[e] = triangulate(rays);
-    }
+    for (int e = 0; e < 2; ++e) ends[e] = triangulate(raysTo(images, known.side, known.ends[e]));
     if (!ends[0] || !ends[1]) continue;
     const double found = (*ends[0] - *ends[1]).norm();
     if (found > 0) ratios.push_back(known.length_mm / found);

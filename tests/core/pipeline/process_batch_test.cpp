@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "pipeline/candidate_table.h"
+#include "rig/camera.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::pipeline {
@@ -218,6 +220,74 @@ TEST_F(ProcessBatch, SetAsideASherdIsNeitherMadeNorMissed) {
   EXPECT_TRUE(summary->whole());
   EXPECT_FALSE(fs::exists(folder_ / "aside" / "sherds" / "01"));
   EXPECT_TRUE(fs::exists(folder_ / "aside" / "sherds" / "02" / "model.ply"));
+}
+
+// A batch of four stops whose plate is said to be 1 % smaller, or as it is; and 160 mm of its true
+// plate, each end marked to whole pixels on three photographs, as a person would.
+void makeSaidSmaller(const fs::path& from, const fs::path& batch, double factor) {
+  fs::copy(from, batch, fs::copy_options::recursive);
+  for (const char* side : {"front", "back"})
+    for (const char* camera : {"0", "1", "2"})
+      for (const char* stop : {"1", "3", "5", "7"})
+        fs::remove(batch / side / (std::string("cam") + camera + "_pos0" + stop + ".jpg"));
+  nlohmann::ordered_json plate = *readJson(batch / "plate.json");
+  for (auto& marker : plate.at("markers"))
+    for (auto& corner : marker.at("corners"))
+      for (auto& value : corner) value = factor * value.get<double>();
+  ASSERT_TRUE(writeJson(batch / "plate.json", plate).has_value());
+  const auto cameras = rig::readCameras(batch / "truth" / "cameras.json");
+  ASSERT_TRUE(cameras.has_value()) << cameras.error().sentence();
+  nlohmann::ordered_json ends = {nlohmann::ordered_json::array(), nlohmann::ordered_json::array()};
+  for (const rig::PosedImage& image : *cameras) {
+    if (image.side != batch::Side::Front || image.stop != 0) continue;
+    for (const int e : {0, 1}) {
+      const Eigen::Vector2d pixel = image.project({e == 0 ? -80.0 : 80.0, 0, 0});
+      ends[e].push_back({{"file", fs::path(image.file).filename().string()},
+                         {"pixel", {std::round(pixel.x()), std::round(pixel.y())}}});
+    }
+  }
+  const nlohmann::ordered_json length = {{"side", "front"}, {"length", 160}, {"ends", ends}};
+  const nlohmann::ordered_json scale = {{"unit", "mm"},
+                                        {"lengths", nlohmann::ordered_json::array({length})}};
+  ASSERT_TRUE(writeJson(batch / "scale.json", scale).has_value());
+}
+
+TEST_F(ProcessBatch, IsHeldWhenAMarkedLengthContradictsThePlate) {
+  QuietProgress quiet;
+  makeSaidSmaller(folder_ / "batch", folder_ / "smaller", 0.99);
+  ProcessOptions options;
+  options.batch = folder_ / "smaller";
+  options.output = folder_ / "smaller_out";
+  const Result<ProcessSummary> summary = processBatch(options, quiet, {});
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_EQ(summary->scale_doubts.size(), 1u);
+  const std::string& doubt = summary->scale_doubts[0];
+  EXPECT_NE(doubt.find("the length of 160.00 mm marked on the front side measures 158."),
+            std::string::npos)
+      << doubt;
+  const Result<nlohmann::json> report = readJson(options.output / "report.json");
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->at("scale_doubts").at(0), doubt);
+  const nlohmann::json length = report->at("stages").at(0).at("figures").at("known_lengths").at(0);
+  // 160 * 0.99 = 158.40; 0.48 mm a pixel, rounded, seen by three cameras: within 3 of its own sd.
+  EXPECT_NEAR(length.at("found_mm").get<double>(), 158.4, 3 * length.at("sd_mm").get<double>());
+  EXPECT_LT(length.at("sd_mm").get<double>(), 0.3);
+  const std::string html = *readFile(options.output / "report.html");
+  EXPECT_NE(html.find("A person must decide before anything is measured here"), std::string::npos);
+}
+
+TEST_F(ProcessBatch, IsNotHeldByAMarkedLengthThatAgrees) {
+  makeSaidSmaller(folder_ / "batch", folder_ / "true_plate", 1);
+  std::stop_source stop;
+  StopsAt front("masks of the front side", stop);
+  ProcessOptions options;
+  options.batch = folder_ / "true_plate";
+  options.output = folder_ / "true_plate_out";
+  ASSERT_FALSE(processBatch(options, front, stop.get_token()).has_value());
+  const Result<nlohmann::json> cameras = readJson(options.output / "work" / "rig" / "stage.json");
+  ASSERT_TRUE(cameras.has_value()) << cameras.error().sentence();
+  EXPECT_TRUE(cameras->at("figures").at("scale_doubts").empty());
+  EXPECT_EQ(cameras->at("figures").at("known_lengths").size(), 1u);
 }
 
 TEST_F(ProcessBatch, RefusesAFolderThatHoldsSomethingElse) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace ostraka::rig {
@@ -66,6 +67,78 @@ TEST(KnownScale, TakesNoMarksOfTheOtherSideOrOfPhotographsWithoutAPose) {
   known.side = batch::Side::Back;
   known.ends[1][1].file = "not_posed.tif";
   EXPECT_FALSE(scaleFromLengths(images, {known}).has_value());
+}
+
+// Two cameras 500 mm from the axis, one on +x and one on +y, both looking level at it: a pixel is
+// half a millimetre there.
+std::vector<PosedImage> twoLevelViews() {
+  std::vector<PosedImage> images(2);
+  images[0].camera_from_plate.linear() << 0, 1, 0, 0, 0, -1, -1, 0, 0;
+  images[1].camera_from_plate.linear() << -1, 0, 0, 0, 0, -1, 0, -1, 0;
+  for (int k = 0; k < 2; ++k) {
+    images[k].file = "/batch/front/cam" + std::to_string(k) + "_pos00.jpg";
+    images[k].intrinsics = {1600, 1200, 1000, 1000, 800, 600, {}};
+    images[k].camera_from_plate.translation() = Eigen::Vector3d(0, 0, 500);
+  }
+  return images;
+}
+
+batch::KnownLength alongX(const std::vector<PosedImage>& images, double length_mm) {
+  batch::KnownLength known;
+  known.length_mm = length_mm;
+  for (const PosedImage& image : images) {
+    const std::string name = std::filesystem::path(image.file).filename().string();
+    known.ends[0].push_back({name, image.project({-10, 0, 0})});
+    known.ends[1].push_back({name, image.project({10, 0, 0})});
+  }
+  return known;
+}
+
+TEST(CheckLengths, TakeMarksWithoutScatterForRoundedToWholePixels) {
+  const auto images = twoLevelViews();
+  const auto checked = checkLengths(images, {alongX(images, 20.2), alongX(images, 21)});
+  ASSERT_TRUE(checked[0] && checked[1]);
+  EXPECT_NEAR(checked[0]->found_mm, 20, 1e-6);
+  // Along x only the camera on +y sees: 0.5 mm a pixel, 1/sqrt(12) px, two ends. That it looks at
+  // them by a fiftieth askew adds 2e-4 of it.
+  EXPECT_NEAR(checked[0]->sd_mm, 0.5 * std::sqrt(2.0 / 12), 2e-4);
+  EXPECT_FALSE(checked[0]->contradicts()) << "0.2 mm is one standard deviation";
+  EXPECT_TRUE(checked[1]->contradicts()) << "1 mm is nearly five";
+}
+
+TEST(CheckLengths, LearnFromTheRaysHowWellAPersonMarked) {
+  const auto images = twoLevelViews();
+  batch::KnownLength known = alongX(images, 21);
+  for (auto& end : known.ends) {
+    end[0].pixel.y() += 1;  // the cameras disagree by two pixels about the height of both ends
+    end[1].pixel.y() -= 1;
+  }
+  const auto checked = checkLengths(images, {known});
+  ASSERT_TRUE(checked[0].has_value());
+  // Four misses of a pixel, two degrees of freedom: sqrt(2) px a coordinate, 0.5 mm, two ends: 1
+  // mm.
+  EXPECT_NEAR(checked[0]->sd_mm, 1.0, 2e-3);
+  EXPECT_FALSE(checked[0]->contradicts()) << "what was marked so badly contradicts nothing";
+}
+
+TEST(CheckLengths, HaveNothingForAnEndWithoutTwoPosedPhotographs) {
+  const auto images = twoLevelViews();
+  batch::KnownLength known = alongX(images, 20);
+  known.ends[1][1].file = "not_posed.jpg";
+  const auto checked = checkLengths(images, {known, alongX(images, 20)});
+  ASSERT_EQ(checked.size(), 2u);
+  EXPECT_FALSE(checked[0].has_value());
+  EXPECT_TRUE(checked[1].has_value());
+}
+
+TEST(CheckLengths, ContradictBeyondThreeDeviationsAndThreeThousandths) {
+  const auto is_off = [](double found_mm, double sd_mm) {
+    return CheckedLength{batch::Side::Front, 100, found_mm, sd_mm}.contradicts();
+  };
+  EXPECT_FALSE(is_off(100.29, 0.01));
+  EXPECT_TRUE(is_off(100.31, 0.01));
+  EXPECT_TRUE(is_off(99.69, 0.10));
+  EXPECT_FALSE(is_off(99.69, 0.11));
 }
 
 TEST(KnownScale, ComesFromABoardBesideTheSherds) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <numeric>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -24,12 +25,17 @@ h1{font-size:26px}h2{font-size:20px;margin-top:32px;border-bottom:2px solid #ddd
 table{border-collapse:collapse;font-variant-numeric:tabular-nums}
 td,th{padding:4px 10px;border-bottom:1px solid #ddd;text-align:right}
 td.words,th.words{text-align:left}img{max-width:100%;border:1px solid #ccc}
-.sides{display:flex;gap:12px;flex-wrap:wrap}.sides figure{margin:0;flex:1 1 480px}
+figure{margin:0}.sides{display:flex;gap:12px;flex-wrap:wrap}.sides figure{flex:1 1 480px}
 .sherd{display:flex;gap:16px;flex-wrap:wrap;align-items:flex-start;
   margin:12px 0;padding:12px;border:1px solid #ddd}
 .doubt{border-left:8px solid #b35900}.ask{color:#8a4300;font-weight:600}
 figcaption{color:#555;font-size:14px}
 )";
+
+// Blue and red as the rims in the paper; the dashes tell them apart without colours.
+constexpr const char* kFrontStroke = "stroke=\"#0050c8\" stroke-width=\"1.5\"";
+constexpr const char* kBackStroke =
+    "stroke=\"#c81e1e\" stroke-width=\"1.5\" stroke-dasharray=\"5 3\"";
 
 std::string picture(const std::string& bytes, const char* type, const std::string& words) {
   return "<img alt=\"" + markupText(words) + "\" src=\"data:image/" + type + ";base64," +
@@ -123,15 +129,45 @@ std::string overlay(const Line& front, const Line& back) {
     for (const Eigen::Vector2d& p : *line) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const double scale = 284 / std::max(1.0, (high - low).maxCoeff());
   const std::string bar = fixed(10 * scale, 1);
-  return "<figure style=\"margin:0\"><svg width=\"300\" height=\"320\" role=\"img\" "
+  return "<figure><svg width=\"300\" height=\"320\" role=\"img\" "
          "aria-label=\"outlines laid over each other\">" +
-         svgLine(front, low, scale, 300, "stroke=\"#0050c8\" stroke-width=\"1.6\"", true) +
-         svgLine(back, low, scale, 300,
-                 "stroke=\"#c81e1e\" stroke-width=\"1.6\" stroke-dasharray=\"5 3\"", true) +
-         "<path d=\"M8 310h" + bar + "\" stroke=\"#000\" stroke-width=\"3\"/><text x=\"" +
-         fixed(14 + 10 * scale, 1) +
+         svgLine(front, low, scale, 300, kFrontStroke, true) +
+         svgLine(back, low, scale, 300, kBackStroke, true) + "<path d=\"M8 310h" + bar +
+         "\" stroke=\"#000\" stroke-width=\"3\"/><text x=\"" + fixed(14 + 10 * scale, 1) +
          "\" y=\"315\" font-size=\"13\">10 mm</text></svg><figcaption>Outlines: front solid, back "
          "dashed</figcaption></figure>";
+}
+
+// Two curves over the share of the outline, in a frame with the quarters of a turn. radians.
+std::string anglePlot(const std::vector<double>& front, const std::vector<double>& back) {
+  constexpr double kLeft = 40, kWidth = 284, kBottom = 292, kHeight = 284;
+  constexpr double kQuarter = std::numbers::pi / 2;
+  const auto [front_low, front_high] = std::minmax_element(front.begin(), front.end());
+  const auto [back_low, back_high] = std::minmax_element(back.begin(), back.end());
+  const double low = kQuarter * std::floor(std::min(*front_low, *back_low) / kQuarter),
+               high = kQuarter * std::ceil(std::max(*front_high, *back_high) / kQuarter);
+  const double scale = kHeight / std::max(kQuarter, high - low);
+  std::string svg = "<g font-size=\"11\" fill=\"#555\" stroke-width=\"1\">";
+  for (double angle = low; angle < high + kQuarter / 2; angle += kQuarter) {
+    const std::string y = fixed(kBottom - (angle - low) * scale, 1);
+    svg += "<path d=\"M" + fixed(kLeft, 0) + " " + y + "h" + fixed(kWidth, 0) +
+           "\" stroke=\"#ddd\"/><text text-anchor=\"end\" x=\"" + fixed(kLeft - 5, 0) + "\" y=\"" +
+           y + "\" dy=\"4\">" + fixed(angle * 180 / std::numbers::pi, 0) + "&deg;</text>";
+  }
+  for (const int percent : {0, 50, 100})
+    svg += "<text text-anchor=\"middle\" x=\"" + fixed(kLeft + percent * kWidth / 100, 0) +
+           "\" y=\"" + fixed(kBottom + 18, 0) + "\">" + std::to_string(percent) + " %</text>";
+  svg += "</g>";
+  const auto curve = [&](const std::vector<double>& sums) {
+    Line line;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      line.emplace_back(
+          kLeft - 8 + static_cast<double>(i) * kWidth / static_cast<double>(sums.size()),
+          (sums[i] - low) * scale);
+    return line;
+  };
+  return svg + svgLine(curve(front), {0, 0}, 1, kBottom + 8, kFrontStroke, false) +
+         svgLine(curve(back), {0, 0}, 1, kBottom + 8, kBackStroke, false);
 }
 
 // Accumulated turning angles of both outlines, the back's from its best start point.
@@ -152,20 +188,13 @@ std::string descriptors(const Line& front, Line back) {
   if (!a || !b) return {};
   const std::vector<double> costs = pairing::shiftCosts(*a, *b, pairing::Offset::None);
   const int shift = static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-  const auto curve = [](const std::vector<double>& sums) {
-    Line line;
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      line.emplace_back(static_cast<double>(i) * 284 / kSamples, sums[i] * 284 / 9.0);
-    return line;
-  };
-  return "<figure style=\"margin:0\"><svg width=\"300\" height=\"300\" role=\"img\" "
-         "aria-label=\"turning angles\">" +
-         svgLine(curve(pairing::accumulated(*a, 0)), {0, -20}, 1, 300,
-                 "stroke=\"#0050c8\" stroke-width=\"1.4\"", false) +
-         svgLine(curve(pairing::accumulated(*b, shift)), {0, -20}, 1, 300,
-                 "stroke=\"#c81e1e\" stroke-width=\"1.4\" stroke-dasharray=\"5 3\"", false) +
+  const std::vector<double> front_sums = pairing::accumulated(*a, 0),
+                            back_sums = pairing::accumulated(*b, shift);
+  return "<figure><svg width=\"350\" height=\"320\" role=\"img\" aria-label=\"turning angles\">" +
+         anglePlot(front_sums, back_sums) +
          "</svg><figcaption>Accumulated turning angles along the outline, difference " +
-         fixed(costs[static_cast<std::size_t>(shift)], 3) + " rad</figcaption></figure>";
+         fixed(costs[static_cast<std::size_t>(shift)] * 180 / std::numbers::pi, 1) +
+         "&deg;</figcaption></figure>";
 }
 
 std::string measureLine(const nlohmann::ordered_json& figures) {
@@ -178,7 +207,8 @@ std::string measureLine(const nlohmann::ordered_json& figures) {
          " mm, thickness " + get("thickness_min_mm", 1) + " to " + get("thickness_max_mm", 1) +
          " mm (mean " + get("thickness_mean_mm", 1) + "), area " + get("area_mm2", 0) +
          " mm&sup2;, volume " + get("volume_mm3", 0) + " mm&sup3;. Not seen by any camera: " +
-         fixed(100 * figures.value("filled_share", 0.0), 1) + " % of the surface.</p>";
+         fixed(100 * figures.value("filled_share", 0.0), 1) +
+         " % of the surface, orange in the picture.</p>";
 }
 
 std::string decidedWords(const DecidedPair& pair) {

@@ -52,6 +52,13 @@ Result<cv::Mat> readMask(const std::filesystem::path& file) {
   return readImage(file, cv::IMREAD_GRAYSCALE);
 }
 
+cv::Mat reducedTo(const cv::Mat& picture, int width, int height) {
+  if (picture.cols <= width && picture.rows <= height) return picture;
+  cv::Mat small;
+  cv::resize(picture, small, {width, height}, 0, 0, cv::INTER_AREA);
+  return small;
+}
+
 cv::Mat greyOf(const cv::Mat& photograph) {
   if (photograph.channels() == 1) return photograph;
   cv::Mat grey;

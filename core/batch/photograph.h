@@ -22,6 +22,9 @@ Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& wher
 /// A mask or label image as 8-bit grey values, unscaled. Errors as above.
 Result<cv::Mat> readMask(const std::filesystem::path& file);
 
+/// A picture or mask averaged down to this size; itself, shared, where it is no larger.
+cv::Mat reducedTo(const cv::Mat& picture, int width, int height);
+
 /// Grey values of an 8-bit BGR or grey photograph; the latter is shared, not copied.
 cv::Mat greyOf(const cv::Mat& photograph);
 

@@ -34,8 +34,10 @@ struct Staged {
 };
 
 struct Poses {
-  std::vector<rig::PosedImage> images;  ///< both sides, plate frame
-  rig::Rig rig;                         ///< empty without a plate
+  /// Both sides, plate frame; photographs of more than ProcessOptions::megapixels with the camera
+  /// of the reduced picture, unlike in OUT/work/rig/cameras.json.
+  std::vector<rig::PosedImage> images;
+  rig::Rig rig;           ///< empty without a plate
   bool has_scale = true;  ///< false: each side has a size of its own, no length is known
   std::vector<rig::PosedImage> of(batch::Side side) const;
 };

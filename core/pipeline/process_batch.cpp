@@ -372,6 +372,10 @@ Result<void> ProcessOptions::check() const {
                  "The output folder lies in the batch folder, where nothing is ever written; "
                  "choose one beside it.",
                  output.string()};
+  if (!(megapixels >= 0.3))
+    return Error{ErrorCode::UnusableInput,
+                 "Photographs cannot be averaged down to less than 0.3 megapixels.",
+                 {}};
   if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))
     return Error{ErrorCode::UnusableInput,
                  "There is no such segmentation network; masks are 'auto', 'given' or an ONNX "

@@ -68,7 +68,8 @@ std::string sidePicture(const ReportInput& input, batch::Side side) {
   const rig::PosedImage& image = images[static_cast<std::size_t>(view)];
   Result<cv::Mat> photograph = batch::readPhotograph(image.file);
   if (!photograph) return "<p>" + markupText(photograph.error().sentence()) + "</p>";
-  cv::Mat drawn = photograph->clone();
+  cv::Mat drawn =
+      batch::reducedTo(*photograph, image.intrinsics.width, image.intrinsics.height).clone();
   const Masks& masks = side == batch::Side::Front ? *input.front_masks : *input.back_masks;
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(masks[static_cast<std::size_t>(view)] >= 128, outlines, cv::RETR_EXTERNAL,

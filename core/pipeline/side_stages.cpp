@@ -1,11 +1,14 @@
 // Poses, masks, dense reconstruction and scans: each side on its own.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "base/files.h"
 #include "base/json.h"
 #include "base/parallel.h"
+#include "base/text.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "mask/given_mask.h"
@@ -37,7 +40,8 @@ Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& i
   parallelFor(images.size(), threads, [&](std::size_t i) {
     Result<cv::Mat> photograph = batch::readPhotograph(images[i].file);
     if (photograph)
-      photographs[i] = std::move(*photograph);
+      photographs[i] =
+          batch::reducedTo(*photograph, images[i].intrinsics.width, images[i].intrinsics.height);
     else
       errors[i] = photograph.error();
   });
@@ -46,20 +50,36 @@ Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& i
   return photographs;
 }
 
-Result<void> writeMask(const fs::path& file, const cv::Mat1b& mask) {
+const batch::Shot& shotOf(const batch::Batch& batch, const rig::PosedImage& image) {
+  return *std::find_if(batch.shots.begin(), batch.shots.end(),
+                       [&](const batch::Shot& shot) { return shot.file == image.file; });
+}
+
+// Of the photograph's own size, so that the two can be laid upon each other.
+Result<void> writeMask(const fs::path& file, const cv::Mat1b& mask, const batch::Shot& shot) {
+  cv::Mat whole = mask;
+  if (mask.cols < shot.width || mask.rows < shot.height)
+    cv::resize(mask, whole, {shot.width, shot.height}, 0, 0, cv::INTER_LINEAR);
   std::vector<unsigned char> bytes;
-  cv::imencode(".png", mask, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3});
+  cv::imencode(".png", whole, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3});
   return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-std::vector<cv::Mat> emptyPlates(const batch::Batch& batch) {
+// By camera, of the size that its images have.
+std::vector<cv::Mat> emptyPlates(const batch::Batch& batch,
+                                 const std::vector<rig::PosedImage>& images) {
   std::vector<cv::Mat> empties;
   for (const batch::CalibrationShot& shot : batch.empty_plates) {
+    const auto same = std::find_if(images.begin(), images.end(), [&](const rig::PosedImage& image) {
+      return image.camera == shot.camera;
+    });
+    if (same == images.end()) continue;
     const Result<cv::Mat> photograph = batch::readPhotograph(shot.file);
     if (!photograph) continue;
     if (static_cast<int>(empties.size()) <= shot.camera)
       empties.resize(static_cast<std::size_t>(shot.camera) + 1);
-    empties[static_cast<std::size_t>(shot.camera)] = *photograph;
+    empties[static_cast<std::size_t>(shot.camera)] =
+        batch::reducedTo(*photograph, same->intrinsics.width, same->intrinsics.height);
   }
   return empties;
 }
@@ -70,27 +90,26 @@ Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::Posed
   mask::MaskResult result;
   std::optional<Error> first;
   int usable = 0;
-  for (const rig::PosedImage& image : images)
-    for (const batch::Shot& shot : run.batch.shots) {
-      if (shot.file != image.file) continue;
-      Result<cv::Mat1b> mask =
-          shot.mask_file.empty()
-              ? Result<cv::Mat1b>(Error{ErrorCode::UnusableInput,
-                                        "This photograph has no mask; give one for each that is "
-                                        "to be used.",
-                                        image.file})
-              : mask::readGivenMask(shot.mask_file, shot.width, shot.height);
-      if (mask) {
-        ++usable;
-      } else {
-        if (!first) first = mask.error();
-        const std::string warning = mask.error().sentence() + " This photograph is not used.";
-        run.progress.note(NoteLevel::Warning, warning);
-        result.warnings.push_back(warning);
-        mask = cv::Mat1b(shot.height, shot.width, uchar{0});
-      }
-      result.masks.push_back(std::move(*mask));
+  for (const rig::PosedImage& image : images) {
+    const batch::Shot& shot = shotOf(run.batch, image);
+    Result<cv::Mat1b> mask =
+        shot.mask_file.empty()
+            ? Result<cv::Mat1b>(Error{ErrorCode::UnusableInput,
+                                      "This photograph has no mask; give one for each that is "
+                                      "to be used.",
+                                      image.file})
+            : mask::readGivenMask(shot.mask_file, shot.width, shot.height);
+    if (mask) {
+      ++usable;
+    } else {
+      if (!first) first = mask.error();
+      const std::string warning = mask.error().sentence() + " This photograph is not used.";
+      run.progress.note(NoteLevel::Warning, warning);
+      result.warnings.push_back(warning);
+      mask = cv::Mat1b(shot.height, shot.width, uchar{0});
     }
+    result.masks.push_back(std::move(*mask));
+  }
   if (usable == 0 && first) return *first;
   return result;
 }
@@ -117,8 +136,8 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   if (*source == MaskSource::Network) return networkMasks(run, *photographs);
   mask::PlateMaskOptions options;
   options.threads = run.options.threads;
-  return mask::maskByPlate(images, *photographs, *run.batch.plate, emptyPlates(run.batch), options,
-                           run.progress, run.stop);
+  return mask::maskByPlate(images, *photographs, *run.batch.plate, emptyPlates(run.batch, images),
+                           options, run.progress, run.stop);
 }
 
 // Each side by itself: in its true size where a length is known, else in the nominal one; then
@@ -219,6 +238,21 @@ Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& 
   return {};
 }
 
+// What masks, stereo and all that follows work on: images of no more pixels than asked for.
+Staged<Poses> atWorkingSize(const Run& run, Poses poses, StageRecord record) {
+  bool any = false;
+  for (rig::PosedImage& image : poses.images) {
+    const rig::Intrinsics& camera = image.intrinsics;
+    const double shrink = std::sqrt(run.options.megapixels * 1e6 / camera.width / camera.height);
+    if (shrink >= 1) continue;
+    any = true;
+    image.intrinsics =
+        rig::reduced(camera, cvRound(shrink * camera.width), cvRound(shrink * camera.height));
+  }
+  if (any) record.outputs_hash = sha256(record.outputs_hash + fixed(run.options.megapixels, 3));
+  return {std::move(poses), std::move(record)};
+}
+
 // The share of all photographs' pixels that the masks cover: a figure for the report.
 double coverage(const std::vector<cv::Mat1b>& masks) {
   double inside = 0, all = 0;
@@ -286,11 +320,11 @@ Result<Staged<Poses>> poseStage(const Run& run) {
   if (!images) return images.error();
   if (!run.batch.plate) {
     const bool has_scale = record->notes.figures.value("has_scale", false);
-    return Staged<Poses>{{std::move(*images), {}, has_scale}, *record};
+    return atWorkingSize(run, {std::move(*images), {}, has_scale}, *record);
   }
   Result<rig::Rig> rig = rig::readRig(run.work / "rig" / "rig.json");
   if (!rig) return rig.error();
-  return Staged<Poses>{{std::move(*images), std::move(*rig)}, *record};
+  return atWorkingSize(run, {std::move(*images), std::move(*rig)}, *record);
 }
 
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses) {
@@ -306,7 +340,8 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
     const Result<mask::MaskResult> made = makeMasks(run, images);
     if (!made) return made.error();
     for (std::size_t i = 0; i < images.size(); ++i)
-      if (const Result<void> written = writeMask(folder / maskName(images[i]), made->masks[i]);
+      if (const Result<void> written =
+              writeMask(folder / maskName(images[i]), made->masks[i], shotOf(run.batch, images[i]));
           !written)
         return written.error();
     return StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};
@@ -320,7 +355,7 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
   for (const rig::PosedImage& image : images) {
     Result<cv::Mat> mask = batch::readMask(run.work / name / maskName(image));
     if (!mask) return mask.error();
-    masks.emplace_back(std::move(*mask));
+    masks.emplace_back(batch::reducedTo(*mask, image.intrinsics.width, image.intrinsics.height));
   }
   return Staged<Masks>{std::move(masks), *record};
 }

@@ -66,6 +66,19 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
 
 }  // namespace
 
+Intrinsics reduced(const Intrinsics& camera, int width, int height) {
+  const double x = static_cast<double>(width) / camera.width,
+               y = static_cast<double>(height) / camera.height;
+  Intrinsics small = camera;
+  small.width = width;
+  small.height = height;
+  small.fx *= x;
+  small.fy *= y;
+  small.cx = (camera.cx + 0.5) * x - 0.5;
+  small.cy = (camera.cy + 0.5) * y - 0.5;
+  return small;
+}
+
 bool Intrinsics::hasDistortion() const {
   for (const double d : distortion)
     if (d != 0) return true;

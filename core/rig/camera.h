@@ -24,6 +24,10 @@ struct Intrinsics {
   bool hasDistortion() const;
 };
 
+/// The same camera with its pictures averaged down to this size. Pixels cover areas: a point at x
+/// comes to (x + 0.5) width / old width - 0.5. The distortion is free of pixels and stays.
+Intrinsics reduced(const Intrinsics& camera, int width, int height);
+
 /// A photograph with its camera and pose: x_camera = camera_from_plate * x_plate.
 struct PosedImage {
   std::string file;  ///< as named in its JSON, or the photograph's path

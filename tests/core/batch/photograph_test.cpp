@@ -76,5 +76,15 @@ TEST(LinearLight, IsTheInverseOfTheSrgbCurve) {
   for (std::size_t i = 1; i < 256; ++i) EXPECT_GT(linearLight()[i], linearLight()[i - 1]);
 }
 
+TEST(ReducedTo, AveragesAreasAndLeavesWhatIsSmallEnough) {
+  cv::Mat1b picture = (cv::Mat1b(2, 4) << 10, 20, 0, 100, 30, 40, 0, 100);
+  const cv::Mat1b small = reducedTo(picture, 2, 1);
+  ASSERT_EQ(small.size(), cv::Size(2, 1));
+  EXPECT_EQ(small(0, 0), 25);
+  EXPECT_EQ(small(0, 1), 50);
+  EXPECT_EQ(reducedTo(picture, 4, 2).data, picture.data);
+  EXPECT_EQ(reducedTo(picture, 8, 4).data, picture.data);
+}
+
 }  // namespace
 }  // namespace ostraka::batch

@@ -3,14 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "base/files.h"
 #include "base/json.h"
+#include "batch/photograph.h"
 #include "pipeline/candidate_table.h"
 #include "rig/camera.h"
 #include "virtualrig/simulate.h"
@@ -125,6 +128,45 @@ TEST_F(ProcessBatch, StoppedAndStartedAgainWithOtherThreadsLeavesTheSameBytes) {
   }
   ASSERT_TRUE(process(folder_ / "again", 1, quiet).has_value());
   EXPECT_EQ(results(folder_ / "again"), results(folder_ / "out"));
+}
+
+// Photographs with twice the pixels each way but nothing more to see: averaged down, they give what
+// the small ones gave.
+TEST_F(ProcessBatch, AveragesLargePhotographsDownForAllButTheCameras) {
+  QuietProgress quiet;
+  ASSERT_TRUE(process(folder_ / "out", 0, quiet).has_value());
+  const fs::path large = folder_ / "large";
+  fs::copy(folder_ / "batch", large, fs::copy_options::recursive);
+  fs::remove_all(large / "truth");
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(large)) {
+    if (!batch::hasPhotographEnding(entry.path())) continue;
+    const cv::Mat small = *batch::readPhotograph(entry.path());
+    cv::Mat twice;
+    cv::resize(small, twice, {}, 2, 2, cv::INTER_CUBIC);
+    ASSERT_TRUE(cv::imwrite(entry.path().string(), twice, {cv::IMWRITE_JPEG_QUALITY, 97}));
+  }
+  ProcessOptions options;
+  options.batch = large;
+  options.output = folder_ / "large_out";
+  options.megapixels = 0.48;  // 800 x 600
+  const Result<ProcessSummary> summary = processBatch(options, quiet, {});
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_EQ(summary->sherds.size(), 2u);
+  EXPECT_TRUE(summary->whole());
+  const cv::Mat mask = *batch::readMask(options.output / "work" / "masks_front" / "cam0_pos00.png");
+  EXPECT_EQ(mask.size(), cv::Size(1600, 1200)) << "a mask is laid upon its photograph";
+  const auto sizes = [](const fs::path& output) {
+    std::vector<std::array<double, 3>> all;
+    for (const nlohmann::json& sherd : readJson(output / "report.json")->at("sherds")) {
+      const nlohmann::json& of = sherd.at("figures").at("measures");
+      all.push_back({of.at("length_mm"), of.at("width_mm"), of.at("thickness_mean_mm")});
+    }
+    return all;
+  };
+  const auto expected = sizes(folder_ / "out"), found = sizes(options.output);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[i][k], expected[i][k], 0.5) << i << k;
 }
 
 TEST_F(ProcessBatch, WhatIsWrongWithOnePhotographOrMaskCostsThatPhotographAndIsNamed) {

@@ -28,5 +28,27 @@ TEST(Intrinsics, UnprojectUndoesProject) {
       EXPECT_LT((i.unproject(i.project({x, y, 1})) - Eigen::Vector2d(x, y)).norm(), 1e-9);
 }
 
+// A pixel of 1000 x 800 covers 2 x 4 pixels of 500 x 200: what was at the middle of the first two
+// columns, x = 0.5, is at the middle of the first, x = 0.
+TEST(Intrinsics, ReducedPicturesShowAPointWhereItsAreaWent) {
+  Intrinsics i;
+  i.width = 1000;
+  i.height = 800;
+  i.fx = i.fy = 2000;
+  i.cx = 499.5;
+  i.cy = 399.5;
+  i.distortion = {0.1, 0, 0.01, 0.02, 0};
+  const Intrinsics small = reduced(i, 500, 200);
+  EXPECT_EQ(small.width, 500);
+  EXPECT_EQ(small.height, 200);
+  EXPECT_DOUBLE_EQ(small.cx, 249.5);
+  EXPECT_DOUBLE_EQ(small.cy, 99.5);
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0, 0, 10), Eigen::Vector3d(2, -1, 11)}) {
+    const Eigen::Vector2d at = i.project(p);
+    EXPECT_NEAR(small.project(p).x(), (at.x() + 0.5) / 2 - 0.5, 1e-9);
+    EXPECT_NEAR(small.project(p).y(), (at.y() + 0.5) / 4 - 0.5, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace ostraka::rig

@@ -51,6 +51,7 @@ void addManPages(CLI::App& root, Command& chosen);
 
 /// Options that several commands have.
 void addThreads(CLI::App& command, int& threads);
+void addMegapixels(CLI::App& command, double& megapixels);
 void addPairing(CLI::App& command, pairing::Method& method);
 
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives

@@ -25,8 +25,18 @@ namespace fs = std::filesystem;
 struct DenseArguments {
   fs::path images, cameras, output;
   std::optional<fs::path> masks;
+  double megapixels = 5;
   int threads = 0;
 };
+
+// Photograph, mask and camera averaged down together.
+stereo::View reducedTo(stereo::View view, double megapixels) {
+  view.camera.intrinsics = rig::reducedTo(view.camera.intrinsics, megapixels);
+  const int width = view.camera.intrinsics.width, height = view.camera.intrinsics.height;
+  view.photograph = batch::reducedTo(view.photograph, width, height);
+  view.mask = batch::reducedTo(view.mask, width, height);
+  return view;
+}
 
 // The photograph's mask beside its own name or stem, whatever folder the camera file gives.
 std::optional<fs::path> maskFileOf(const fs::path& folder, const fs::path& file) {
@@ -83,7 +93,7 @@ Result<std::vector<stereo::View>> readViews(const DenseArguments& arguments, Ses
     if (session.stop.stop_requested()) return Error::cancelled();
     Result<stereo::View> view = readView(arguments, camera);
     if (view) {
-      views.push_back(std::move(*view));
+      views.push_back(reducedTo(std::move(*view), arguments.megapixels));
     } else {
       if (first_wrong.empty()) first_wrong = view.error().sentence();
       session.progress.note(NoteLevel::Warning, view.error().sentence() + " It is left out.");
@@ -124,8 +134,7 @@ Result<void> maskCluttered(std::vector<stereo::View>& views, int threads, Sessio
     return {};
   }
   if (!masks) return masks.error();
-  for (std::size_t i = 0; i < views.size(); ++i)
-    views[i].mask = stereo::wholeBody(masks->masks[i]);
+  for (std::size_t i = 0; i < views.size(); ++i) views[i].mask = stereo::wholeBody(masks->masks[i]);
   return {};
 }
 
@@ -215,6 +224,7 @@ void addDense(CLI::App& root, Command& chosen) {
       ->check(CLI::ExistingDirectory);
   command->add_option("--output,-o", arguments->output, "The cloud, a PLY file")->required();
   addThreads(*command, arguments->threads);
+  addMegapixels(*command, arguments->megapixels);
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return runDense(*arguments, session); };
   });

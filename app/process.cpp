@@ -112,11 +112,7 @@ void addProcess(CLI::App& root, Command& chosen) {
                    "Masks: auto (from the plate), given (beside the photographs), or a "
                    "segmentation network as an ONNX file")
       ->capture_default_str();
-  command
-      ->add_option("--megapixels", options->megapixels,
-                   "Photographs of more millions of pixels are averaged down to this for masks "
-                   "and stereo: more takes more memory and time")
-      ->capture_default_str();
+  addMegapixels(*command, options->megapixels);
   addPairing(*command, options->pairing);
   command->callback([options, &chosen] {
     chosen = [options](Session& session) { return runProcess(*options, session); };

@@ -1,6 +1,5 @@
 // Poses, masks, dense reconstruction and scans: each side on its own.
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -242,12 +241,9 @@ Result<void> leaveOutSpoilt(const Run& run, rig::BatchPoses& poses, StageNotes& 
 Staged<Poses> atWorkingSize(const Run& run, Poses poses, StageRecord record) {
   bool any = false;
   for (rig::PosedImage& image : poses.images) {
-    const rig::Intrinsics& camera = image.intrinsics;
-    const double shrink = std::sqrt(run.options.megapixels * 1e6 / camera.width / camera.height);
-    if (shrink >= 1) continue;
-    any = true;
-    image.intrinsics =
-        rig::reduced(camera, cvRound(shrink * camera.width), cvRound(shrink * camera.height));
+    const int width = image.intrinsics.width;
+    image.intrinsics = rig::reducedTo(image.intrinsics, run.options.megapixels);
+    any = any || image.intrinsics.width != width;
   }
   if (any) record.outputs_hash = sha256(record.outputs_hash + fixed(run.options.megapixels, 3));
   return {std::move(poses), std::move(record)};

@@ -79,6 +79,13 @@ Intrinsics reduced(const Intrinsics& camera, int width, int height) {
   return small;
 }
 
+Intrinsics reducedTo(const Intrinsics& camera, double megapixels) {
+  const double shrink = std::sqrt(megapixels * 1e6 / camera.width / camera.height);
+  if (shrink >= 1) return camera;
+  return reduced(camera, static_cast<int>(std::lround(shrink * camera.width)),
+                 static_cast<int>(std::lround(shrink * camera.height)));
+}
+
 bool Intrinsics::hasDistortion() const {
   for (const double d : distortion)
     if (d != 0) return true;

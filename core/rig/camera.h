@@ -27,6 +27,8 @@ struct Intrinsics {
 /// The same camera with its pictures averaged down to this size. Pixels cover areas: a point at x
 /// comes to (x + 0.5) width / old width - 0.5. The distortion is free of pixels and stays.
 Intrinsics reduced(const Intrinsics& camera, int width, int height);
+/// The same for pictures of so many millions of pixels; itself where it has no more.
+Intrinsics reducedTo(const Intrinsics& camera, double megapixels);
 
 /// A photograph with its camera and pose: x_camera = camera_from_plate * x_plate.
 struct PosedImage {

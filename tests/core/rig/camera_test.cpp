@@ -43,6 +43,9 @@ TEST(Intrinsics, ReducedPicturesShowAPointWhereItsAreaWent) {
   EXPECT_EQ(small.height, 200);
   EXPECT_DOUBLE_EQ(small.cx, 249.5);
   EXPECT_DOUBLE_EQ(small.cy, 99.5);
+  EXPECT_EQ(reducedTo(i, 0.8).width, 1000);
+  EXPECT_EQ(reducedTo(i, 0.2).width, 500);
+  EXPECT_EQ(reducedTo(i, 0.2).height, 400);
   for (const Eigen::Vector3d& p : {Eigen::Vector3d(0, 0, 10), Eigen::Vector3d(2, -1, 11)}) {
     const Eigen::Vector2d at = i.project(p);
     EXPECT_NEAR(small.project(p).x(), (at.x() + 0.5) / 2 - 0.5, 1e-9);

@@ -8,6 +8,7 @@
 
 #include "batch/photograph.h"
 #include "rig/calibrate.h"
+#include "rig/held_out.h"
 
 // Figures against the truth of the demo batch; only tests read truth/.
 namespace ostraka::rig {
@@ -155,6 +156,22 @@ TEST(DemoRig, SaysThatAMovedCameraNoLongerFitsAndRecovers) {
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
   EXPECT_THAT(poses->warnings, testing::Contains(testing::HasSubstr("camera B")));
   EXPECT_LT(against(poses->images).worst_px, 0.05);
+}
+
+TEST(DemoRig, TellsAPlateThatIsSaidSmallerThanTheRigsOwn) {
+  batch::Batch batch = stopsBelow(demo(), 3);
+  const auto first = pose(batch);
+  ASSERT_TRUE(first.has_value());
+  for (batch::Marker& marker : batch.plate->markers)
+    for (Eigen::Vector3d& corner : marker.corners) corner *= 0.99;
+  const auto poses = pose(batch, first->rig);
+  ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
+  // The rig's cameras stand where they stood by the true plate: its distances are 1 / 0.99 as long.
+  ASSERT_EQ(poses->held_out.size(), 2U);
+  for (const HeldOutDistance& d : poses->held_out) {
+    EXPECT_NEAR(d.error(), 1 / 0.99 - 1, 1e-3);
+    EXPECT_TRUE(scaleDoubt(d).has_value());
+  }
 }
 
 TEST(DemoRig, ManagesWithoutCalibrationPicturesAndSaysSo) {

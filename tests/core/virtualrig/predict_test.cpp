@@ -1,0 +1,129 @@
+// Predictions for a small rig: pictures of 400 pixels, four stops, one sherd of each size.
+#include "virtualrig/predict.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <numbers>
+
+namespace ostraka::virtualrig {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// 800 pixels wide, 0.48 mm a pixel, cameras at 25, 44 and 64 degrees.
+VirtualRig designedRig() {
+  Random random(5);
+  return makeRig(800, 4, random);
+}
+
+// The two lower cameras carried up about the plate's middle, beside the highest.
+VirtualRig steepRig() {
+  VirtualRig rig = designedRig();
+  for (int c = 0; c < 2; ++c) {
+    Eigen::Isometry3d& pose = rig.camera_from_room[static_cast<std::size_t>(c)];
+    const Eigen::Vector3d axis =
+        pose.inverse().translation().cross(Eigen::Vector3d::UnitZ()).normalized();
+    pose = pose * Eigen::AngleAxisd(elevation(rig, c) - 64 * kDegree, axis);
+  }
+  return rig;
+}
+
+rig::Rig calibrated(const VirtualRig& from) {
+  rig::Rig rig;
+  for (int c = 0; c < from.cameras(); ++c) {
+    rig::RigCamera camera;
+    camera.camera = c;
+    camera.intrinsics = from.intrinsics[static_cast<std::size_t>(c)];
+    camera.camera_from_turntable = from.camera_from_room[static_cast<std::size_t>(c)];
+    rig.cameras.push_back(camera);
+  }
+  for (std::size_t k = 0; k < from.angles_rad.size(); ++k) {
+    rig.stops.push_back(static_cast<int>(k));
+    rig.stop_angles_rad.push_back(from.angles_rad[k] - from.angles_rad[0]);
+  }
+  return rig;
+}
+
+class Predict : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string pattern = (fs::temp_directory_path() / "ostraka_predict_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    designed_ = of(designedRig(), "designed");
+    steep_ = of(steepRig(), "steep");
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  static Prediction of(const VirtualRig& rig, const char* name) {
+    PredictOptions options;
+    options.width = 400;
+    options.sherds_per_size = 1;
+    options.work = folder_ / name;
+    QuietProgress quiet;
+    const Result<Prediction> prediction = predict(calibrated(rig), options, quiet, {});
+    EXPECT_TRUE(prediction.has_value()) << prediction.error().sentence();
+    return prediction ? *prediction : Prediction();
+  }
+
+  static fs::path folder_;
+  static Prediction designed_, steep_;
+};
+
+fs::path Predict::folder_;
+Prediction Predict::designed_, Predict::steep_;
+
+TEST_F(Predict, TellsWhatToExpectOfEachSize) {
+  const std::array<std::pair<double, double>, 3> widths{{{18, 34}, {38, 58}, {68, 96}}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SizePrediction& size = designed_.sizes[k];
+    EXPECT_GT(size.width_mm, widths[k].first) << size.name;
+    EXPECT_LT(size.width_mm, widths[k].second) << size.name;
+    EXPECT_EQ(size.sherds, 1);
+    EXPECT_GT(size.seen, 0.9) << size.name;
+  }
+  // A pixel of the simulated pictures is 0.96 mm; the surface lies within a fraction of it.
+  const SizePrediction& large = designed_.sizes[2];
+  EXPECT_EQ(large.without_model, 0);
+  EXPECT_GT(large.accuracy_mm, 0.02);
+  EXPECT_LT(large.accuracy_mm, 0.96);
+  EXPECT_GT(large.completeness_percent, 50);
+}
+
+TEST_F(Predict, CarriesFiguresToTheRigsOwnResolution) {
+  EXPECT_EQ(designed_.photographs, 2 * 3 * 4);
+  EXPECT_DOUBLE_EQ(designed_.width_share, 0.5);
+  EXPECT_GT(designed_.seconds, 0);
+  EXPECT_DOUBLE_EQ(designed_.expectedSeconds(), 4 * designed_.seconds);
+  EXPECT_DOUBLE_EQ(designed_.expectedAccuracy(designed_.sizes[2]),
+                   designed_.sizes[2].accuracy_mm / 2);
+}
+
+TEST_F(Predict, RanksARigThatOnlyLooksDownSteeplyAsWorse) {
+  double designed = 0, steep = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_LT(steep_.sizes[k].break_seen, designed_.sizes[k].break_seen) << steep_.sizes[k].name;
+    designed += designed_.sizes[k].completeness_percent;
+    steep += steep_.sizes[k].completeness_percent;
+  }
+  EXPECT_LT(steep, designed) << "the models lack what no camera sees";
+}
+
+TEST_F(Predict, NamesTheCameraToMove) {
+  EXPECT_LT(steep_.advice.raise_rad, 0);
+  EXPECT_THAT(steep_.remarks,
+              Contains(AllOf(HasSubstr("Camera "), HasSubstr(" should stand lower, by "))));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(steep_.elevations_rad[c], 64 * kDegree, 3 * kDegree);
+  EXPECT_THAT(designed_.remarks, Not(Contains(HasSubstr("falls outside"))));
+  EXPECT_GT(designed_.elevations_rad[2], designed_.elevations_rad[0]);
+}
+
+}  // namespace
+}  // namespace ostraka::virtualrig

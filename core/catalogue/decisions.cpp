@@ -8,6 +8,7 @@
 #include "catalogue/names.h"
 #include "catalogue/restore.h"
 #include "catalogue/sherd_columns.h"
+#include "catalogue/typed_numbers.h"
 #include "catalogue/words.h"
 
 namespace ostraka::catalogue {
@@ -210,6 +211,7 @@ void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act) {
     for (const ScanRow scan : {d.front, d.back})
       if (scan) database.sql("UPDATE scan SET state = ? WHERE row = ?").with(state, scan).run();
   }
+  orRefuse(giveTypedNumbers(catalogue, batch, act));  // those that find no sherd wait
 }
 
 Result<DecisionRow> Catalogue::decide(const PairDecision& d, const Act& act) {

@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "batch/batch.h"
 #include "catalogue/sherd_columns.h"
+#include "catalogue/typed_numbers.h"
 #include "catalogue/values.h"
 #include "cloud/ply.h"
 
@@ -227,6 +228,7 @@ class Entering {
       orRefuse(catalogue_.save(record, act_));
       ++entered_.files;
     }
+    entered_.numbers_left = orRefuse(giveTypedNumbers(catalogue_, batch_, act_));
     countOpen();
     BatchRecord batch = orRefuse(catalogue_.batch(batch_));
     batch.state = entered_.open > 0 ? BatchState::Review : BatchState::Done;

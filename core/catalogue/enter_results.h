@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
@@ -12,6 +14,7 @@ struct EnteredResults {
   int scans = 0, decisions = 0, new_sherds = 0, models = 0, measurements = 0, files = 0;
   int kept_decisions = 0;  ///< pairs where the person's word stayed above the program's
   int open = 0;            ///< pairs and scans that want a person
+  std::vector<std::string> numbers_left;  ///< typed on the plate, but no sherd lies there
 };
 
 /// Reads OUT of `ostraka process` (pairs.json, report.json, the models) into the catalogue: scans,

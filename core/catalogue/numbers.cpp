@@ -9,9 +9,9 @@
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
-namespace {
 
-std::map<std::string, std::string> tokensOf(const Catalogue& catalogue, const SherdRecord& sherd) {
+std::map<std::string, std::string> numberTokens(const Catalogue& catalogue,
+                                                const SherdRecord& sherd) {
   std::int64_t at = catalogue.now();
   if (sherd.batch) {
     Statement row =
@@ -33,6 +33,8 @@ std::map<std::string, std::string> tokensOf(const Catalogue& catalogue, const Sh
           {"yy", year.substr(year.size() - 2)}};
 }
 
+namespace {
+
 struct Counted {
   std::string counter;
   std::optional<std::int64_t> n;
@@ -41,7 +43,7 @@ struct Counted {
 // Which n of the project's count a number is, when it has the scheme's form.
 Counted countedIn(const Catalogue& catalogue, const Numbering& scheme, const SherdRecord& sherd,
                   const std::string& number) {
-  const Result<std::string> counter = scheme.counter(tokensOf(catalogue, sherd));
+  const Result<std::string> counter = scheme.counter(numberTokens(catalogue, sherd));
   if (!counter) return {};
   const std::size_t at = counter->find("{n}");
   const std::string before = counter->substr(0, at), after = counter->substr(at + 3);
@@ -109,12 +111,13 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
     const std::int64_t last = settingNumber(*this, "numbering.last", 999'999'999);
     std::map<std::string, std::int64_t> next;
     std::vector<std::string> numbers;
+    const std::set<std::string> typed = typedEverywhere(*this, {});
     for (const SherdRecord& sherd : orRefuse(sherds(rows))) {
       if (!sherd.number.empty()) {
         numbers.push_back(sherd.number);
         continue;
       }
-      const auto tokens = tokensOf(*this, sherd);
+      const auto tokens = numberTokens(*this, sherd);
       const std::string counter = orRefuse(scheme.counter(tokens));
       // A sherd that had a number of this count before gets it back: it is nobody else's.
       Statement own = database_->sql(
@@ -141,7 +144,8 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
                      " is used up; give this computer a new block in the settings.",
                  counter);
         number = orRefuse(scheme.number(tokens, static_cast<int>(n)));
-      } while (takenBy(*database_, number).sherd);  // typed by hand in another form
+        // Typed by hand in another form, or on a plate that is not computed yet.
+      } while (takenBy(*database_, number).sherd || typed.contains(uniqueKey(number)));
       numbers.push_back(number);
     }
     return numbers;

@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,15 @@ struct Taken {
 Taken takenBy(Database& database, const std::string& number);
 /// Writes number, state and sort key of the sherd, and that the number is given. Throws Refused.
 void setNumber(Catalogue& catalogue, const SherdRecord& sherd, const std::string& number);
+
+/// Values of the numbering scheme's tokens for a sherd, by its codes of places and batch.
+std::map<std::string, std::string> numberTokens(const Catalogue& catalogue,
+                                                const SherdRecord& sherd);
+
+/// Settings with the numbers typed on plates: this and the batch's number.
+inline constexpr const char* kTypedNumbers = "typed_numbers.";
+/// Unique keys of all numbers that were typed on plates, but those of one setting.
+std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key);
 
 enum class MeasureRank {
   PersonFirst,  ///< what a person measured stays above what the program computes

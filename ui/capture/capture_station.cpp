@@ -14,9 +14,11 @@
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/fact_list.h"
+#include "ui/capture/number_edit.h"
 #include "ui/capture/place_edit.h"
 #include "ui/capture/plate_view.h"
 #include "ui/capture/rig_page.h"
+#include "ui/capture/sherd_numbers.h"
 #include "ui/capture/stop_board.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
@@ -86,6 +88,8 @@ void CaptureStation::buildActions() {
                  QKeySequence(Qt::Key_Escape));
   again_ = addAct(QStringLiteral("captureAgain"), QStringLiteral("again"), tr("Photograph again"),
                   QKeySequence(Qt::Key_R));
+  number_ = addAct(QStringLiteral("numberSherds"), QStringLiteral("label"),
+                   tr("Type the sherds' numbers"), QKeySequence(Qt::Key_N));
   import_photographs_ = addAct(QStringLiteral("importPhotographs"), QStringLiteral("import"),
                                tr("Import photographs…"), {});
   import_scans_ =
@@ -126,6 +130,20 @@ QWidget* CaptureStation::buildWorkPage() {
   auto* row = new QHBoxLayout;
   row->addWidget(middle_, 1);
   row->addWidget(facts_);
+  numbers_ = new SherdNumbers(this);
+  number_edit_ = new NumberEdit(numbers_, page);
+  number_edit_->hide();
+  connect(plate_, &PlateView::sherdClicked, this, [this](int sherd) {
+    if (number_edit_->isVisible()) number_edit_->choose(sherd);
+  });
+  connect(number_, &QAction::triggered, this,
+          [this] { number_edit_->choose(number_edit_->sherd()); });
+  connect(number_edit_, &NumberEdit::chosen, this, &CaptureStation::followNumbers);
+  connect(numbers_, &SherdNumbers::changed, this, &CaptureStation::followNumbers);
+  connect(number_edit_, &NumberEdit::finished, this, [this] {
+    setFocus();
+    followNumbers();
+  });
   doubts_ = new MessagePanel(page);
   doubts_->setObjectName(QStringLiteral("captureDoubts"));
   doubts_->hide();
@@ -142,6 +160,7 @@ QWidget* CaptureStation::buildWorkPage() {
   column->addWidget(headline_);
   column->addWidget(instruction_);
   column->addLayout(row, 1);
+  column->addWidget(number_edit_);
   column->addWidget(doubts_);
   column->addWidget(fault_);
   column->addWidget(buildFoot());
@@ -313,6 +332,19 @@ void CaptureStation::followLive() {
                                                                       : std::nullopt,
       phase == CapturePhase::Done ? wizard_->instruction() : tr("The picture is on its way."));
   facts_->setFacts(wizard_->facts());
+  numbers_->follow(session_, wizard_->batchNumber(),
+                   front ? &wizard_->frontPicture()->look : nullptr);
+  const bool typing = front && numbers_->count() > 0;
+  number_edit_->setVisible(typing);
+  number_->setEnabled(typing);
+  followNumbers();
+}
+
+void CaptureStation::followNumbers() {
+  plate_->setNumbers(numbers_->all(),
+                     number_edit_->isVisible() && number_edit_->isAncestorOf(focusWidget())
+                         ? number_edit_->sherd()
+                         : -1);
 }
 
 void CaptureStation::showTrouble() {

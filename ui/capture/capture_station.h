@@ -17,8 +17,10 @@ class CaptureWizard;
 class FactList;
 class MessagePanel;
 class PlaceEdit;
+class NumberEdit;
 class PlateView;
 class RigPage;
+class SherdNumbers;
 class StopBoard;
 class Thumbnails;
 
@@ -56,6 +58,7 @@ class CaptureStation final : public Station {
                   const QKeySequence& key);
   void follow();
   void followLive();
+  void followNumbers();
   void showTrouble();
   void placeTyped();
 
@@ -70,9 +73,11 @@ class CaptureStation final : public Station {
   QLabel *headline_, *instruction_;
   FactList* facts_;
   PlaceEdit* place_;
+  SherdNumbers* numbers_;
+  NumberEdit* number_edit_;
   MessagePanel *doubts_, *fault_;
   BigButton* button_;
-  QAction *next_, *stop_, *again_, *import_photographs_, *import_scans_, *change_rig_;
+  QAction *next_, *stop_, *again_, *number_, *import_photographs_, *import_scans_, *change_rig_;
   std::vector<QAction*> cameras_;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/capture/plate_view.h"
 
 #include <Eigen/Geometry>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 #include <cmath>
@@ -51,17 +52,43 @@ void PlateView::paintEvent(QPaintEvent*) {
                      otherwise_);
     return;
   }
-  const QSizeF fit = QSizeF(picture_->image.size()).scaled(QSizeF(size()), Qt::KeepAspectRatio);
-  const QRectF target(QPointF((width() - fit.width()) / 2, (height() - fit.height()) / 2), fit);
-  painter.drawImage(target, picture_->image);
+  const QRectF where = target();
+  painter.drawImage(where, picture_->image);
   if (picture_->look.width <= 0) return;
-  const double scale = fit.width() / picture_->look.width;
+  const double scale = where.width() / picture_->look.width;
   painter.save();
-  painter.translate(target.topLeft());
+  painter.translate(where.topLeft());
   drawFreePlaces(painter, scale);
   drawSherds(painter, scale);
   painter.restore();
-  drawScaleBar(painter, target, scale);
+  drawScaleBar(painter, where, scale);
+}
+
+QRectF PlateView::target() const {
+  const QSizeF fit = QSizeF(picture_->image.size()).scaled(QSizeF(size()), Qt::KeepAspectRatio);
+  return {QPointF((width() - fit.width()) / 2, (height() - fit.height()) / 2), fit};
+}
+
+void PlateView::setNumbers(const QStringList& numbers, int chosen) {
+  if (numbers == numbers_ && chosen == chosen_) return;
+  numbers_ = numbers;
+  chosen_ = chosen;
+  update();
+}
+
+void PlateView::mousePressEvent(QMouseEvent* event) {
+  QWidget::mousePressEvent(event);
+  if (!picture_ || picture_->look.width <= 0) return;
+  const QRectF where = target();
+  const QPointF pixel =
+      (event->position() - where.topLeft()) * (picture_->look.width / where.width());
+  for (std::size_t i = 0; i < picture_->look.sherds.size(); ++i) {
+    QPolygonF outline;
+    for (const Eigen::Vector2f& p : picture_->look.sherds[i].outline_px)
+      outline << QPointF(static_cast<double>(p.x()), static_cast<double>(p.y()));
+    if (outline.containsPoint(pixel, Qt::OddEvenFill))
+      return emit sherdClicked(static_cast<int>(i));
+  }
 }
 
 // Where more may lie: shaded, and edged by dots, so that nobody takes them for sherds.
@@ -111,12 +138,16 @@ void PlateView::drawSherds(QPainter& painter, double scale) const {
   }
   const QFont font = scaledFont(*this, 1.8);
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    const QString number = QString::number(i + 1);
+    const auto sherd = static_cast<int>(i);
+    const QString typed = numbers_.value(sherd);
+    // The end of a number tells it from its neighbours; what they share stands elsewhere.
+    QString number = QString::number(i + 1);
+    if (!typed.isEmpty()) number += QStringLiteral(": ") + typed.section(QLatin1Char('-'), -1);
     QPainterPath path;
     const QFontMetricsF metrics(font);
     path.addText(centres[i].x() - metrics.horizontalAdvance(number) / 2,
                  centres[i].y() + metrics.capHeight() / 2, font, number);
-    drawOnPhotograph(painter, path, Qt::white, line);
+    drawOnPhotograph(painter, path, sherd == chosen_ ? Qt::yellow : Qt::white, line);
   }
 }
 

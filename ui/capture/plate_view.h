@@ -14,18 +14,27 @@ class PlateView final : public QWidget {
  public:
   explicit PlateView(QWidget* parent = nullptr);
   void setPicture(const std::optional<PlatePicture>& picture, const QString& otherwise);
+  /// Numbers that the sherds have got, by their index; chosen: the one in hand, or -1.
+  void setNumbers(const QStringList& numbers, int chosen);
   QSize sizeHint() const override;
+
+ signals:
+  void sherdClicked(int sherd);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
 
  private:
   void drawFreePlaces(QPainter& painter, double scale) const;
   void drawSherds(QPainter& painter, double scale) const;
+  QRectF target() const;  ///< where the picture is drawn
   void drawScaleBar(QPainter& painter, const QRectF& picture, double scale) const;
 
   std::optional<PlatePicture> picture_;
   QString otherwise_;
+  QStringList numbers_;
+  int chosen_ = -1;
 };
 
 }  // namespace ostraka::ui

@@ -8,6 +8,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 
@@ -47,6 +48,7 @@ RigPage::RigPage(QWidget* parent)
   form->addRow(tr("&Sherds on the plate"), sherds_);
   form->addRow(tr("&Photographs"), width_);
   form->addRow(lookalikes_);
+  centreLabels(*form);
   auto* column = new QVBoxLayout(this);
   column->addWidget(empty, 3);
   column->addWidget(box, 0, Qt::AlignHCenter);

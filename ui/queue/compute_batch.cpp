@@ -132,6 +132,10 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   const Result<catalogue::EnteredResults> entered =
       catalogue::enterResults(rows, project->folder(), record->row, output, act, progress, stop);
   if (!entered) return entered.error();
+  for (const std::string& number : entered->numbers_left)
+    progress.note(NoteLevel::Warning,
+                  number + ": this number was typed on the plate, but no sherd with a context lies "
+                           "there; give it in the catalogue.");
   if (const auto backup = project->backUp(); !backup)
     progress.note(NoteLevel::Warning, backup.error().sentence());
   return figures;

@@ -20,6 +20,15 @@ TEST_F(ProjectFolder, HoldsTheFoldersThatTheProgramWorksIn) {
   EXPECT_EQ(project_->batchFolder("B0001"), project_->folder() / "batches" / "B0001");
 }
 
+TEST_F(ProjectFolder, TheCataloguesHeaderTellsItFromOtherDatabases) {
+  project_.reset();
+  std::ifstream file(folder_.path() / "project" / "catalogue.sqlite", std::ios::binary);
+  std::string head(72, '\0');
+  ASSERT_TRUE(file.read(head.data(), 72));
+  EXPECT_EQ(head.substr(0, 15), "SQLite format 3");
+  EXPECT_EQ(head.substr(68, 4), "OSTR") << "where packaging/ostraka-mime.xml looks for it";
+}
+
 TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
   const SherdRow sherd = numbered(context12);
   project_.reset();

@@ -8,6 +8,8 @@
 #include "catalogue/project.h"
 #include "fake_rig.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/number_edit.h"
+#include "ui/capture/sherd_numbers.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
@@ -133,6 +135,48 @@ class CaptureStationTest : public QObject {
     QCOMPARE(wizard_->camera(), 0);
     QTest::keyClick(station_.get(), Qt::Key_B);
     QCOMPARE(wizard_->camera(), 1);
+  }
+
+  void numbersTypedOnTheFrontsAreKeptWithTheBatch() {
+    auto& rows = session_->project().catalogue();
+    catalogue::BatchRecord batch;
+    const auto bag = bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {});
+    QVERIFY(bag.has_value());
+    batch.bags = {{*bag}};
+    const auto row = rows.addBatch(batch, {});
+    QVERIFY(row.has_value());
+    capture::PlateLook look;
+    look.pixel_from_plate = Eigen::Matrix3d::Identity();
+    look.sherds.resize(3);
+    for (const int i : {0, 1, 2}) look.sherds[static_cast<std::size_t>(i)].centre_mm = {60 * i, 5};
+    SherdNumbers numbers;
+    NumberEdit edit(&numbers);
+    edit.show();
+    auto* line = edit.findChild<QLineEdit*>("sherdNumber");
+    numbers.follow(session_.get(), "B0001", &look);
+    QCOMPARE(numbers.count(), 3);
+    QSignalSpy finished(&edit, &NumberEdit::finished);
+    edit.choose(0);
+    QTest::keyClicks(line, "7");
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(numbers.of(0), QStringLiteral("ARM1-T3-0012-0007"));
+    QCOMPARE(edit.sherd(), 1);
+    QTest::keyClicks(line, "7");
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(edit.sherd(), 1);
+    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().contains("two sherds"));
+    QTest::keyClick(line, Qt::Key_Down);
+    QTest::keyClicks(line, "OST1:S:OLD-9:7F3K9Q2M");
+    QTest::keyClick(line, Qt::Key_Return);
+    QCOMPARE(finished.count(), 1);
+    QCOMPARE(numbers.all(), (QStringList{"ARM1-T3-0012-0007", {}, "OLD-9"}));
+    // The fronts are photographed again: the numbers stay where the sherds lie.
+    std::swap(look.sherds[0], look.sherds[2]);
+    look.sherds[0].centre_mm.x() += 3;
+    numbers.follow(session_.get(), "B0001", &look);
+    QCOMPARE(numbers.all(), (QStringList{"OLD-9", {}, "ARM1-T3-0012-0007"}));
+    QCOMPARE(numbers.give(0, {}), QString());
+    QCOMPARE(numbers.of(0), QString());
   }
 
  private:

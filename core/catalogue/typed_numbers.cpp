@@ -1,0 +1,164 @@
+// Numbers typed onto the plate's picture follow their sherds by the places of the fronts.
+#include "catalogue/typed_numbers.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "catalogue/names.h"
+#include "catalogue/numbering.h"
+#include "catalogue/sherd_columns.h"
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using nlohmann::json;
+
+// The middle of an outline seen from the side lies a few mm from the middle of the scan; sherds lie
+// further apart.
+constexpr double kReach_mm = 20;
+constexpr std::size_t kMostDigits = 6;
+
+std::string keyOf(const Catalogue& catalogue, BatchRow batch) {
+  return kTypedNumbers + orRefuse(catalogue.batch(batch)).number;
+}
+
+std::vector<TypedNumber> parsed(const std::string& text) {
+  std::vector<TypedNumber> numbers;
+  const json list = json::parse(text, nullptr, false);
+  if (!list.is_array()) return numbers;
+  for (const json& one : list)
+    if (one.is_object())
+      numbers.push_back(
+          {{one.value("x_mm", 0.0), one.value("y_mm", 0.0)}, one.value("number", "")});
+  return numbers;
+}
+
+int nearest(const Eigen::Vector2d& to, std::span<const Eigen::Vector2d> places) {
+  int best = -1;
+  double least = kReach_mm;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (const double distance = (places[i] - to).norm(); distance < least) {
+      least = distance;
+      best = static_cast<int>(i);
+    }
+  return best;
+}
+
+}  // namespace
+
+std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key) {
+  std::set<std::string> keys;
+  Statement rows = catalogue.database().sql(
+      "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111) AND key <> ?2");
+  rows.with(std::string(kTypedNumbers), but_key);
+  while (rows.next()) {
+    std::string text;
+    rows >> text;
+    for (const TypedNumber& typed : parsed(text)) keys.insert(uniqueKey(typed.number));
+  }
+  return keys;
+}
+
+Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchRow batch) {
+  return catalogue.database().door(
+      [&] { return parsed(orRefuse(catalogue.setting(keyOf(catalogue, batch)))); });
+}
+
+Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
+                             std::span<const TypedNumber> numbers) {
+  Database& database = catalogue.database();
+  return database.inTransaction([&] {
+    const std::string key = keyOf(catalogue, batch);
+    const std::set<std::string> elsewhere = typedEverywhere(catalogue, key);
+    std::set<std::string> seen;
+    json list = json::array();
+    for (const TypedNumber& typed : numbers) {
+      const std::string number = uniqueKey(typed.number);
+      if (!seen.insert(number).second)
+        refuse("The number " + typed.number + " stands on two sherds of this plate.", typed.number);
+      const Taken taken = takenBy(database, typed.number);
+      const bool own = taken.sherd && orRefuse(catalogue.sherd(taken.sherd)).batch == batch;
+      if ((taken.sherd && !own) || elsewhere.contains(number))
+        refuse("The number " + typed.number + " belongs to another sherd already.", typed.number);
+      list.push_back(
+          {{"x_mm", typed.at_mm.x()}, {"y_mm", typed.at_mm.y()}, {"number", typed.number}});
+    }
+    orRefuse(catalogue.setSetting(key, list.empty() ? std::string() : list.dump()));
+  });
+}
+
+Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
+                                const std::string& typed) {
+  return catalogue.database().door([&]() -> std::string {
+    const std::string text = trimmed(typed);
+    if (text.starts_with("OST1:S:")) {
+      const std::string rest = text.substr(7);
+      return rest.substr(0, rest.find(':'));
+    }
+    if (text.empty() || text.size() > kMostDigits ||
+        text.find_first_not_of("0123456789") != std::string::npos)
+      return text;
+    SherdRecord sherd;
+    const BatchRecord record = orRefuse(catalogue.batch(batch));
+    sherd.batch = batch;
+    sherd.batch_number = record.number;
+    for (const BagRecord& bag : orRefuse(catalogue.bags()))
+      if (record.bags.size() == 1 && bag.row == record.bags.front()) {
+        const ContextRecord place = orRefuse(catalogue.context(bag.context));
+        sherd.site = place.site_code;
+        sherd.trench = place.trench_code;
+        sherd.context_number = place.number;
+        sherd.bag_number = bag.number;
+      }
+    const Numbering scheme = orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
+    return orRefuse(scheme.number(numberTokens(catalogue, sherd), std::stoi(text)));
+  });
+}
+
+std::vector<int> placesOf(std::span<const TypedNumber> numbers,
+                          std::span<const Eigen::Vector2d> places_mm) {
+  std::vector<Eigen::Vector2d> typed;
+  for (const TypedNumber& number : numbers) typed.push_back(number.at_mm);
+  std::vector<int> found;
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    const int place = nearest(typed[i], places_mm);
+    const bool mutual = place >= 0 && nearest(places_mm[static_cast<std::size_t>(place)], typed) ==
+                                          static_cast<int>(i);
+    found.push_back(mutual ? place : -1);
+  }
+  return found;
+}
+
+Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
+                                                  const Act& act) {
+  return catalogue.database().inTransaction([&] {
+    std::vector<std::string> left;
+    const std::vector<TypedNumber> typed = orRefuse(typedNumbers(catalogue, batch));
+    if (typed.empty()) return left;
+    std::vector<Eigen::Vector2d> places;
+    std::vector<ScanRow> fronts;
+    for (const ScanRecord& scan : orRefuse(catalogue.scans(batch))) {
+      if (scan.side != batch::Side::Front || !scan.plate_x_mm || !scan.plate_y_mm) continue;
+      places.emplace_back(*scan.plate_x_mm, *scan.plate_y_mm);
+      fronts.push_back(scan.row);
+    }
+    const std::vector<int> place_of = placesOf(typed, places);
+    const auto sherds = orRefuse(catalogue.sherds(orRefuse(catalogue.sherdRows(batch))));
+    for (std::size_t i = 0; i < typed.size(); ++i) {
+      const auto sherd = std::find_if(sherds.begin(), sherds.end(), [&](const SherdRecord& s) {
+        return place_of[i] >= 0 && s.front == fronts[static_cast<std::size_t>(place_of[i])];
+      });
+      if (sherd != sherds.end() && sherd->number.empty() && sherd->state == SherdState::Draft) {
+        const FieldChange number{sherd->row, "number", typed[i].number};
+        if (catalogue.change(std::span(&number, 1), act)) continue;
+      }
+      if (sherd == sherds.end() || uniqueKey(sherd->number) != uniqueKey(typed[i].number))
+        left.push_back(typed[i].number);
+    }
+    return left;
+  });
+}
+
+}  // namespace ostraka::catalogue

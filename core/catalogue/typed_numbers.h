@@ -1,0 +1,41 @@
+#pragma once
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::catalogue {
+
+/// A number that a person gave a sherd while it lay on the plate with its front up.
+struct TypedNumber {
+  Eigen::Vector2d at_mm{0, 0};  ///< of the sherd's middle, frame of the plate
+  std::string number;
+};
+
+/// Those of a batch, as they were typed; empty when none were.
+Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchRow batch);
+/// All of a batch. Errors: UnusableInput, a number that stands here twice or belongs to another
+/// sherd, here or on a plate that is not computed yet.
+Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
+                             std::span<const TypedNumber> numbers);
+
+/// The whole number of what was typed or scanned: digits alone are the running number in the
+/// batch's context after the project's scheme, a label's code (OST1:S:...) holds its own. Errors:
+/// UnusableInput, digits without a bag that says the context.
+Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
+                                const std::string& typed);
+
+/// For each number the place that it belongs to: nearest to each other, within 20 mm; else -1.
+std::vector<int> placesOf(std::span<const TypedNumber> numbers,
+                          std::span<const Eigen::Vector2d> places_mm);
+
+/// Gives the sherds of a batch the numbers that were typed on their fronts; a sherd that has a
+/// number already keeps it. Returns the numbers that are left: no sherd lies there, or it has no
+/// context yet. Doing it twice changes nothing.
+Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
+                                                  const Act& act);
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,120 @@
+#include "catalogue/typed_numbers.h"
+
+#include <gmock/gmock.h>
+
+#include "catalogue/enter_results.h"
+#include "cloud/ply.h"
+#include "result_folder.h"
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using testing::ElementsAre;
+
+// Three sherds 50 mm apart on a plate; the results come when entered.
+class TypedNumbers : public SmallProject {
+ protected:
+  TypedNumbers() : batch(newBatch({bag4})) {}
+  void results(bool doubtful = false) {
+    ResultFolder out(project_->resultsFolder("B0001"), 3);
+    out.pairs()[0].ambiguous = out.pairs()[1].ambiguous = doubtful;
+    out.write();
+    for (const int i : {1, 2, 3}) {
+      PointCloud cloud;
+      const auto x = static_cast<float>(50 * i);
+      cloud.points = {{x - 2, 10, 0}, {x + 2, 10, 0}};
+      EXPECT_TRUE(writePly(project_->resultsFolder("B0001") / "work/scans_front" /
+                               ("f00" + std::to_string(i) + ".ply"),
+                           cloud, "plate_front"));
+    }
+  }
+  EnteredResults enter() {
+    QuietProgress quiet;
+    const auto entered = enterResults(catalogue(), project_->folder(), batch,
+                                      project_->resultsFolder("B0001"), {}, quiet, {});
+    EXPECT_TRUE(entered) << (entered ? "" : entered.error().sentence());
+    return entered ? *entered : EnteredResults{};
+  }
+  std::string numberOf(const std::string& front) {
+    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+      if (scan.name == front)
+        for (const SherdRecord& sherd :
+             valueIn(catalogue().sherds(valueIn(catalogue().sherdRows(batch)))))
+          if (sherd.front == scan.row) return sherd.number;
+    return "no sherd";
+  }
+  Result<void> type(const std::vector<TypedNumber>& numbers) {
+    return setTypedNumbers(catalogue(), batch, numbers);
+  }
+  BatchRow batch;
+};
+
+TEST_F(TypedNumbers, FollowTheirSherdsByTheirPlaces) {
+  ASSERT_TRUE(type({{{152, 14}, "ARM1-T3-0012-0007"}, {{47, 6}, "OLD-1"}}));
+  results();
+  EXPECT_TRUE(enter().numbers_left.empty());
+  EXPECT_EQ(numberOf("f003"), "ARM1-T3-0012-0007");
+  EXPECT_EQ(numberOf("f001"), "OLD-1");
+  EXPECT_EQ(numberOf("f002"), "");
+  EXPECT_TRUE(enter().numbers_left.empty()) << "twice gives once";
+}
+
+TEST_F(TypedNumbers, StayWithTheFrontOfADoubtfulPairWhateverIsDecided) {
+  ASSERT_TRUE(type({{{50, 10}, "A-1"}, {{100, 10}, "A-2"}}));
+  results(true);
+  enter();
+  EXPECT_EQ(numberOf("f001"), "A-1");
+  EXPECT_EQ(numberOf("f002"), "A-2");
+  std::map<std::string, ScanRow> scans;
+  for (const ScanRecord& scan : valueIn(catalogue().scans(batch))) scans[scan.name] = scan.row;
+  PairDecision swapped;
+  swapped.batch = batch;
+  swapped.front = scans["f001"];
+  swapped.back = scans["b002"];
+  ASSERT_TRUE(catalogue().decide(swapped, anna));
+  EXPECT_EQ(numberOf("f001"), "A-1");
+}
+
+TEST_F(TypedNumbers, ThatFindNoSherdAreNamed) {
+  ASSERT_TRUE(type({{{50, 200}, "FAR-1"}, {{100, 12}, "NEAR-1"}, {{100, 18}, "NEAR-2"}}));
+  results();
+  EXPECT_THAT(enter().numbers_left, ElementsAre("FAR-1", "NEAR-2"));
+  EXPECT_EQ(numberOf("f002"), "NEAR-1");
+}
+
+TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
+  numbered(context12);
+  const auto why = [&](const std::vector<TypedNumber>& numbers) {
+    const Result<void> done = type(numbers);
+    return done ? std::string("accepted") : done.error().what;
+  };
+  EXPECT_EQ(why({{{0, 0}, "A-1"}, {{50, 0}, "a-1"}}),
+            "The number a-1 stands on two sherds of this plate.");
+  EXPECT_EQ(why({{{0, 0}, "ARM1-T3-0012-0001"}}),
+            "The number ARM1-T3-0012-0001 belongs to another sherd already.");
+  ASSERT_TRUE(type({{{0, 0}, "A-1"}}));
+  const TypedNumber again{{0, 0}, "A-1"};
+  EXPECT_FALSE(setTypedNumbers(catalogue(), newBatch({bag5}), std::span(&again, 1)))
+      << "it waits on another plate";
+  EXPECT_EQ(valueIn(typedNumbers(catalogue(), batch)).size(), 1u);
+}
+
+TEST_F(TypedNumbers, AreNotProposedToOthers) {
+  ASSERT_TRUE(type({{{0, 0}, "ARM1-T3-0012-0001"}}));
+  const std::vector<SherdRow> rows = {draft(context12)};
+  EXPECT_THAT(*catalogue().proposeNumbers(rows), ElementsAre("ARM1-T3-0012-0002"));
+}
+
+TEST_F(TypedNumbers, DigitsAndCodesOfLabelsBecomeWholeNumbers) {
+  const auto whole = [&](const std::string& typed) {
+    return *wholeNumber(catalogue(), batch, typed);
+  };
+  EXPECT_EQ(whole(" 7 "), "ARM1-T3-0012-0007");
+  EXPECT_EQ(whole("OST1:S:ARM1-T3-0012-0009:7F3K9Q2M"), "ARM1-T3-0012-0009");
+  EXPECT_EQ(whole("Ar/Ts.WSH.02.C.12"), "Ar/Ts.WSH.02.C.12");
+  EXPECT_FALSE(wholeNumber(catalogue(), newBatch({}), "7")) << "no context says whose seventh";
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

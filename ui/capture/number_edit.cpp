@@ -1,0 +1,84 @@
+#include "ui/capture/number_edit.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+
+#include "ui/capture/sherd_numbers.h"
+#include "ui/frame/look.h"
+
+namespace ostraka::ui {
+
+NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
+    : QWidget(parent),
+      numbers_(numbers),
+      label_(new QLabel(this)),
+      note_(new QLabel(this)),
+      edit_(new QLineEdit(this)) {
+  edit_->setObjectName(QStringLiteral("sherdNumber"));
+  edit_->setPlaceholderText(tr("7, a whole number, or scan its label"));
+  edit_->setMinimumHeight(targetSize(*this));
+  edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 34);
+  edit_->installEventFilter(this);
+  label_->setBuddy(edit_);
+  note_->setObjectName(QStringLiteral("sherdNumberNote"));
+  note_->setWordWrap(true);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(label_);
+  row->addWidget(edit_);
+  row->addWidget(note_, 1);
+  connect(edit_, &QLineEdit::returnPressed, this, &NumberEdit::keep);
+  connect(numbers_, &SherdNumbers::changed, this, [this] {
+    if (sherd_ >= numbers_->count()) sherd_ = 0;
+    if (!edit_->hasFocus()) show(sherd_);
+  });
+  show(0);
+}
+
+void NumberEdit::choose(int sherd) {
+  show(sherd);
+  edit_->setFocus();
+  edit_->selectAll();
+}
+
+void NumberEdit::show(int sherd) {
+  sherd_ = sherd;
+  const QString words = tr("&Number of sherd %1").arg(sherd + 1);
+  label_->setText(words);
+  edit_->setAccessibleName(QString(words).remove(QLatin1Char('&')));
+  edit_->setText(numbers_->of(sherd));
+  note_->setText(
+      tr("If they have numbers already: each follows its sherd through the flip. Key N."));
+  emit chosen(sherd);
+}
+
+void NumberEdit::keep() {
+  const QString why = numbers_->give(sherd_, edit_->text());
+  if (!why.isEmpty()) {
+    note_->setText(why);
+    edit_->selectAll();
+    return;
+  }
+  if (sherd_ + 1 < numbers_->count()) return choose(sherd_ + 1);
+  show(sherd_);
+  emit finished();
+}
+
+bool NumberEdit::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == edit_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int by = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
+    if (by != 0 && sherd_ + by >= 0 && sherd_ + by < numbers_->count()) choose(sherd_ + by);
+    if (by != 0) return true;
+    if (key == Qt::Key_Escape) {
+      show(sherd_);
+      emit finished();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,53 @@
+#include "ui/capture/sherd_numbers.h"
+
+#include "catalogue/project.h"
+#include "ui/frame/project_session.h"
+
+namespace ostraka::ui {
+
+void SherdNumbers::follow(ProjectSession* session, const QString& batch,
+                          const capture::PlateLook* look) {
+  std::vector<Eigen::Vector2d> places;
+  if (session != nullptr && look != nullptr && look->pixel_from_plate)
+    for (const capture::SeenSherd& sherd : look->sherds) places.push_back(sherd.centre_mm);
+  if (session == session_ && batch == batch_ && places == places_mm_) return;
+  session_ = session;
+  batch_ = batch;
+  places_mm_ = std::move(places);
+  typed_.clear();
+  row_ = {};
+  if (!places_mm_.empty()) {
+    catalogue::Catalogue& rows = session_->project().catalogue();
+    if (const auto record = rows.batchByNumber(batch_.toStdString())) row_ = record->row;
+    if (row_)
+      if (auto typed = catalogue::typedNumbers(rows, row_)) typed_ = std::move(*typed);
+  }
+  assign();
+}
+
+void SherdNumbers::assign() {
+  numbers_ = QStringList(count());
+  const std::vector<int> place = catalogue::placesOf(typed_, places_mm_);
+  for (std::size_t i = 0; i < typed_.size(); ++i)
+    if (place[i] >= 0) numbers_[place[i]] = QString::fromStdString(typed_[i].number);
+  emit changed();
+}
+
+QString SherdNumbers::give(int sherd, const QString& typed) {
+  if (session_ == nullptr || !row_ || sherd < 0 || sherd >= count()) return {};
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  const auto number = catalogue::wholeNumber(rows, row_, typed.toStdString());
+  if (!number) return QString::fromStdString(number.error().sentence());
+  std::vector<catalogue::TypedNumber> all;
+  const std::vector<int> place = catalogue::placesOf(typed_, places_mm_);
+  for (std::size_t i = 0; i < typed_.size(); ++i)
+    if (place[i] != sherd) all.push_back(typed_[i]);
+  if (!number->empty()) all.push_back({places_mm_[static_cast<std::size_t>(sherd)], *number});
+  if (const auto kept = catalogue::setTypedNumbers(rows, row_, all); !kept)
+    return QString::fromStdString(kept.error().what);
+  typed_ = std::move(all);
+  assign();
+  return {};
+}
+
+}  // namespace ostraka::ui

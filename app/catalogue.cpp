@@ -249,7 +249,9 @@ void addCatalogue(CLI::App& root, Command& chosen) {
                                                               {"obj", Form::Obj},
                                                               {"pictures", Form::Pictures},
                                                               {"photographs", Form::Photographs},
-                                                              {"drawings", Form::Drawings}}))
+                                                              {"drawings", Form::Drawings},
+                                                              {"ods", Form::Ods},
+                                                              {"views", Form::Views}}))
       ->default_str("csv,json,ply,glb,pictures");
   CLI::App* enter = add("enter", "Enter the results of 'ostraka process' of a batch", runEnter);
   addProject(enter, *options);

@@ -5,6 +5,7 @@
 #include "catalogue/values.h"
 #include "exchange/csv.h"
 #include "exchange/import_table.h"
+#include "exchange/portions.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -96,6 +97,61 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   return saved ? Result<void>() : saved.error();
 }
 
+// Each row whole or not at all, and what became of it.
+class ContextRows {
+ public:
+  ContextRows(Catalogue& catalogue, const CsvTable& table, const Act& act, ImportReport& report)
+      : catalogue_(catalogue),
+        table_(table),
+        act_(act),
+        report_(report),
+        places_(catalogue, UnknownPlaces::Make, act) {
+  }  // a table of contexts is there to make them
+
+  Result<void> row(const CsvRow& row) {
+    if (row.values.size() != table_.columns.size()) {
+      refuse({row.line,
+              {},
+              {},
+              "The row has " + std::to_string(row.values.size()) + " values, the header " +
+                  std::to_string(table_.columns.size()) + "."});
+      return {};
+    }
+    const Values values(table_, row);
+    const auto known =
+        catalogue_.contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
+    const bool fresh = !known || !*known;
+    const std::int64_t before = catalogue_.historyLength();
+    const Result<void> entered =
+        catalogue_.together([&] { return enterRow(catalogue_, places_, values, act_); });
+    if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
+    if (!entered) {
+      places_.forget();
+      refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
+      return {};
+    }
+    const bool changed = catalogue_.historyLength() > before;
+    ++(fresh ? report_.fresh : changed ? report_.changed : report_.same);
+    report_.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
+                                        : changed ? RowFate::Changed
+                                                  : RowFate::Same);
+    return {};
+  }
+
+ private:
+  void refuse(Refusal refusal) {
+    ++report_.refused;
+    report_.rows.emplace_back(refusal.line, RowFate::Refused);
+    report_.refusals.push_back(std::move(refusal));
+  }
+
+  Catalogue& catalogue_;
+  const CsvTable& table_;
+  const Act& act_;
+  ImportReport& report_;
+  Places places_;
+};
+
 }  // namespace
 
 Result<ContextRow> Places::context(const std::string& site_code, const std::string& trench_code,
@@ -174,47 +230,12 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
     if (std::find(kColumns.begin(), kColumns.end(), column) == kColumns.end() && column != "uuid")
       report.warnings.push_back("The column '" + column +
                                 "' is not known for contexts and is left aside.");
-  const Result<void> done = previewOrEnter(catalogue, options.mode, [&]() -> Result<void> {
-    // A table of contexts is there to make them.
-    Places places(catalogue, UnknownPlaces::Make, act);
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      if (stop.stop_requested()) return Error::cancelled();
-      progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(table.rows.size()));
-      const CsvRow& row = table.rows[i];
-      Refusal refusal{row.line, {}, {}, {}};
-      if (row.values.size() != table.columns.size()) {
-        refusal.reason = "The row has " + std::to_string(row.values.size()) +
-                         " values, the header " + std::to_string(table.columns.size()) + ".";
-      } else {
-        const Values values(table, row);
-        const auto known = catalogue.contextByPlace(values.raw("site"), values.raw("trench"),
-                                                    values.raw("context"));
-        const bool fresh = !known || !*known;
-        const std::int64_t before = catalogue.historyLength();
-        const Result<void> entered =
-            catalogue.together([&] { return enterRow(catalogue, places, values, act); });
-        if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
-        if (!entered) {
-          places.forget();
-          refusal.column = "context";
-          refusal.value = values.raw("context");
-          refusal.reason = entered.error().sentence();
-        } else {
-          const bool changed = catalogue.historyLength() > before;
-          ++(fresh ? report.fresh : changed ? report.changed : report.same);
-          report.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
-                                             : changed ? RowFate::Changed
-                                                       : RowFate::Same);
-        }
-      }
-      if (refusal.reason.empty()) continue;
-      ++report.refused;
-      report.rows.emplace_back(row.line, RowFate::Refused);
-      report.refusals.push_back(std::move(refusal));
-    }
-    return {};
-  });
-  if (!done) return done.error();
+  ContextRows entering(catalogue, table, act, report);
+  const Result<std::size_t> entered =
+      enterInPortions(catalogue, table.rows.size(), options, progress, stop,
+                      [&](std::size_t i) { return entering.row(table.rows[i]); });
+  if (!entered) return entered.error();
+  report.not_reached = static_cast<int>(table.rows.size() - *entered);
   return report;
 }
 

@@ -17,10 +17,23 @@ drawing::RimChoice rimChoiceOf(const SherdRecord& sherd) {
   return sherd.part.empty() || names("lid") ? RimChoice::Propose : RimChoice::No;
 }
 
+namespace {
+
+// A draft is known by its place in its batch, as on the plate's map.
+std::string nameOf(const SherdRecord& sherd) {
+  if (!sherd.number.empty()) return sherd.number;
+  const std::string place =
+      std::filesystem::path(sherd.model_path).parent_path().filename().string();
+  return sherd.batch_number.empty() || place.empty() ? "draft " + sherd.id
+                                                     : sherd.batch_number + "-" + place;
+}
+
+}  // namespace
+
 Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options) {
-  const std::string id = sherd.number.empty() ? "draft " + sherd.id : sherd.number;
+  const std::string id = nameOf(sherd);
   if (sherd.model_path.empty())
     return Error{ErrorCode::UnusableInput,
                  "This sherd has no model yet, so it cannot be drawn; compute its batch first.",

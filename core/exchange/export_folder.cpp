@@ -1,6 +1,7 @@
 #include "exchange/export_folder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -8,11 +9,14 @@
 #include "catalogue/names.h"
 #include "catalogue/values.h"
 #include "catalogue/words.h"
+#include "cloud/ply.h"
 #include "exchange/bagit.h"
 #include "exchange/drawn_sherds.h"
 #include "exchange/metadata.h"
 #include "exchange/model_files.h"
 #include "exchange/sherd_json.h"
+#include "exchange/views_out.h"
+#include "model/volume_moment.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -22,6 +26,8 @@ using namespace catalogue;
 
 constexpr double kScales[] = {1, 1 / 2.0, 1 / 3.0, 1 / 4.0, 1 / 5.0};  // those in use
 constexpr int kDrawingAsCopies = 20;             // for the progress: a drawing takes its time
+constexpr int kViewAsCopies = 5;                 // likewise a photograph without its lens
+constexpr std::int64_t kViewTimesJpeg = 5;       // PNG with masks, of a JPEG
 constexpr std::int64_t kDrawingBytes = 300'000;  // SVG and PDF of a sherd of 60 mm together
 
 std::string slugOf(const SherdRecord& sherd) {
@@ -69,11 +75,15 @@ class Plan {
              Form::Drawings});
     else if (options_.forms.contains(Form::Drawings) && !sherd.model_path.empty())
       drawn_.push_back(&sherd);
-    if (options_.forms.contains(Form::Photographs) && sherd.batch &&
-        batches_.insert(sherd.batch).second)
+    if (sherd.batch && batches_.emplace(sherd.batch, sherd.batch_number).second)
       return photographs(sherd.batch, sherd.batch_number);
     return {};
   }
+  /// Those whose pictures, masks and poses are wanted.
+  std::map<BatchRow, std::string> viewed() const {
+    return options_.forms.contains(Form::Views) ? batches_ : std::map<BatchRow, std::string>();
+  }
+  const std::vector<fs::path>& viewedPhotographs() const { return viewed_photographs_; }
   const std::vector<Wanted>& files() const { return files_; }
   const fs::path& project() const { return project_; }
   /// To be drawn; the records outlive the plan.
@@ -88,11 +98,15 @@ class Plan {
   }
 
   Result<void> photographs(BatchRow batch, const std::string& number) {
+    if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views))
+      return {};
     const Result<std::vector<FileRecord>> files = catalogue_.files(batch);
     if (!files) return files.error();
     const std::string folder = "batches/" + number + "/";
     for (const FileRecord& file : *files) {
       if (file.role != "photo") continue;
+      if (options_.forms.contains(Form::Views)) viewed_photographs_.push_back(project_ / file.path);
+      if (!options_.forms.contains(Form::Photographs)) continue;
       const std::string inside = file.path.starts_with(folder)
                                      ? file.path.substr(folder.size())
                                      : fs::path(file.path).filename().string();
@@ -111,7 +125,8 @@ class Plan {
   const ExportOptions& options_;
   std::vector<Wanted> files_;
   std::vector<const SherdRecord*> drawn_;
-  std::set<BatchRow> batches_;
+  std::vector<fs::path> viewed_photographs_;
+  std::map<BatchRow, std::string> batches_;
   std::map<std::string, std::string> hashes_;
 };
 
@@ -157,9 +172,12 @@ class Exporting {
     const Result<ProjectRecord> project = catalogue_.project();
     if (!project) return project.error();
     total_ =
-        static_cast<std::int64_t>(plan.files().size() + kDrawingAsCopies * plan.drawn().size());
+        static_cast<std::int64_t>(plan.files().size() + kDrawingAsCopies * plan.drawn().size() +
+                                  kViewAsCopies * plan.viewedPhotographs().size());
     if (Result<void> copied = copy(sherds, plan, project->licence); !copied) return copied.error();
     if (Result<void> drawn = draw(plan, project->title); !drawn) return drawn.error();
+    if (Result<void> seen = views(plan); !seen) return seen.error();
+    if (Result<void> centred = centres(sherds, plan.project()); !centred) return centred.error();
     if (Result<void> written = records(sherds, rows); !written) return written.error();
     const Result<void> beside = writeMetadata(catalogue_, sherds, *project, options_.program, bag_);
     if (!beside) return beside.error();
@@ -252,19 +270,64 @@ class Exporting {
     return Error{ErrorCode::Failed, "There is no scale to draw it at.", sherd.number};
   }
 
-  Result<void> records(const std::vector<SherdRecord>& sherds, std::span<const SherdRow> rows) {
-    if (options_.forms.contains(Form::Csv)) {
-      const Result<std::string> table = sherdsCsv(catalogue_, rows, ByteOrderMark::With, named_);
-      if (!table) return table.error();
-      if (const auto added = bag_.add("sherds.csv", *table); !added) return added.error();
-      std::set<ContextRow> contexts;
-      for (const SherdRecord& sherd : sherds)
-        if (sherd.context) contexts.insert(sherd.context);
-      const std::vector<ContextRow> list(contexts.begin(), contexts.end());
-      const Result<std::string> places = contextsCsv(catalogue_, list, ByteOrderMark::With);
-      if (!places) return places.error();
-      if (const auto added = bag_.add("contexts.csv", *places); !added) return added.error();
+  Result<void> views(const Plan& plan) {
+    const auto batches = plan.viewed();
+    const fs::path scratch = folderNamed(options_.target).string() + ".views";
+    for (const auto& [row, number] : batches) {
+      progress_.report(done_, total_);
+      done_ += kViewAsCopies *
+               static_cast<std::int64_t>(plan.viewedPhotographs().size() / batches.size());
+      const Result<void> added = addViews(bag_, plan.project(), number, scratch, stop_);
+      if (added) continue;
+      if (added.error().code != ErrorCode::UnusableInput &&
+          added.error().code != ErrorCode::NotEnough)
+        return added;
+      exported_.warnings.push_back("No pictures with masks and poses of " + number + ": " +
+                                   added.error().sentence());
     }
+    return {};
+  }
+
+  // Of the models that go along; to read all others for a table would take hours.
+  Result<void> centres(const std::vector<SherdRecord>& sherds, const fs::path& project) {
+    if (!options_.forms.contains(Form::Csv) && !options_.forms.contains(Form::Ods)) return {};
+    for (const SherdRecord& sherd : sherds) {
+      const auto named = named_.find(sherd.row);
+      if (named == named_.end() || !named->second.contains("model_file")) continue;
+      if (stop_.stop_requested()) return Error::cancelled();
+      const Result<PlyContents> model = readPly(project / sherd.model_path);
+      if (!model) continue;  // a GLB alone
+      const Eigen::Vector3d centre = model::volumeMoment(model->mesh).centre;
+      for (int axis = 0; axis < 3; ++axis)
+        named->second[std::string("mass_centre_") + "xyz"[axis] + "_mm"] =
+            numberText(std::round(100 * centre[axis]) / 100);
+    }
+    return {};
+  }
+
+  Result<void> tables(const std::vector<SherdRecord>& sherds, std::span<const SherdRow> rows) {
+    std::set<ContextRow> contexts;
+    for (const SherdRecord& sherd : sherds)
+      if (sherd.context) contexts.insert(sherd.context);
+    const std::vector<ContextRow> list(contexts.begin(), contexts.end());
+    const auto put = [&](const char* name, const Result<std::string>& bytes) -> Result<void> {
+      if (!bytes) return bytes.error();
+      const auto added = bag_.add(name, *bytes);
+      return added ? Result<void>() : added.error();
+    };
+    if (options_.forms.contains(Form::Csv)) {
+      constexpr ByteOrderMark kBom = ByteOrderMark::With;
+      Result<void> done = put("sherds.csv", sherdsCsv(catalogue_, rows, kBom, named_));
+      if (done) done = put("contexts.csv", contextsCsv(catalogue_, list, kBom));
+      if (done) done = put("columns.csv", columnsCsv(kBom));
+      if (!done) return done;
+    }
+    if (!options_.forms.contains(Form::Ods)) return {};
+    return put("sherds.ods", tablesOds(catalogue_, rows, list, named_));
+  }
+
+  Result<void> records(const std::vector<SherdRecord>& sherds, std::span<const SherdRow> rows) {
+    if (Result<void> done = tables(sherds, rows); !done) return done;
     if (!options_.forms.contains(Form::Json)) return {};
     for (const SherdRecord& sherd : sherds) {
       if (stop_.stop_requested()) return Error::cancelled();
@@ -285,7 +348,7 @@ class Exporting {
   Exported exported_;
   std::int64_t done_ = 0, total_ = 0;
   std::map<SherdRow, std::vector<SherdFile>> files_;
-  std::map<SherdRow, std::map<std::string, std::string>> named_;
+  FilesOfSherds named_;
 };
 
 }  // namespace
@@ -298,9 +361,15 @@ Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& proj
   ExportSize size;
   size.sherds = static_cast<int>(sherds->size());
   size.drawings = static_cast<int>(plan.drawn().size());
-  size.files = static_cast<int>(plan.files().size()) + 2 * size.drawings;
+  size.files = static_cast<int>(plan.files().size() + 3 * plan.viewedPhotographs().size()) +
+               2 * size.drawings;
   size.bytes = size.drawings * kDrawingBytes;
   size.without_model = plan.without_model;
+  for (const fs::path& photograph : plan.viewedPhotographs()) {
+    std::error_code code;
+    const std::uintmax_t bytes = fs::file_size(photograph, code);
+    if (!code) size.bytes += kViewTimesJpeg * static_cast<std::int64_t>(bytes);
+  }
   for (const Wanted& file : plan.files()) {
     std::error_code code;
     const std::uintmax_t bytes = fs::file_size(file.from, code);

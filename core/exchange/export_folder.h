@@ -14,7 +14,18 @@
 
 namespace ostraka::exchange {
 
-enum class Form { Csv, Json, Ply, Glb, Obj, Pictures, Photographs, Drawings };
+enum class Form {
+  Csv,
+  Json,
+  Ply,
+  Glb,
+  Obj,
+  Pictures,
+  Photographs,
+  Drawings,
+  Ods,
+  Views  ///< pictures, masks and poses of the batches, for COLMAP and OpenMVS
+};
 
 struct ExportOptions {
   std::filesystem::path target;  ///< new folder
@@ -54,13 +65,22 @@ Result<Exported> exportFolder(const catalogue::Catalogue& catalogue,
                               std::stop_token stop);
 
 enum class ByteOrderMark { With, Without };  ///< Excel reads UTF-8 only with it
-/// The table alone. files: names of model, picture and drawing per sherd, may be empty.
-Result<std::string> sherdsCsv(
-    const catalogue::Catalogue& catalogue, std::span<const catalogue::SherdRow> sherds,
-    ByteOrderMark mark,
-    const std::map<catalogue::SherdRow, std::map<std::string, std::string>>& files = {});
+/// What a table says of a sherd besides its fields: model_file, image_file, drawing_file,
+/// mass_centre_x_mm ...; may be empty.
+using FilesOfSherds = std::map<catalogue::SherdRow, std::map<std::string, std::string>>;
+/// The table alone.
+Result<std::string> sherdsCsv(const catalogue::Catalogue& catalogue,
+                              std::span<const catalogue::SherdRow> sherds, ByteOrderMark mark,
+                              const FilesOfSherds& files = {});
 Result<std::string> contextsCsv(const catalogue::Catalogue& catalogue,
                                 std::span<const catalogue::ContextRow> contexts,
                                 ByteOrderMark mark);
+/// What the columns of both mean, and their units.
+std::string columnsCsv(ByteOrderMark mark);
+/// Sherds, contexts and the meanings of the columns as three sheets of an OpenDocument spreadsheet.
+Result<std::string> tablesOds(const catalogue::Catalogue& catalogue,
+                              std::span<const catalogue::SherdRow> sherds,
+                              std::span<const catalogue::ContextRow> contexts,
+                              const FilesOfSherds& files);
 
 }  // namespace ostraka::exchange

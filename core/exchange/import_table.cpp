@@ -1,13 +1,11 @@
 #include "exchange/import_table.h"
 
 #include <algorithm>
-#include <chrono>
 #include <set>
-#include <sstream>
-#include <thread>
 
 #include "catalogue/names.h"
 #include "exchange/csv.h"
+#include "exchange/portions.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -21,11 +19,10 @@ using catalogue::SherdRecord;
 using catalogue::SherdRow;
 
 constexpr const char* kClear = "<clear>";
-constexpr const char* kUnfinished = "import.unfinished";
-constexpr auto kTogether = std::chrono::milliseconds(20);  // rows of one transaction
-constexpr auto kForOthers = std::chrono::milliseconds(5);  // who waits looks every 2 ms
 // Columns that an export writes beside the fields; they say nothing about the sherd itself.
-const std::set<std::string> kBeside = {"model_file", "image_file", "drawing_file", "licence"};
+const std::set<std::string> kBeside = {"model_file",      "image_file",       "drawing_file",
+                                       "licence",         "mass_centre_x_mm", "mass_centre_y_mm",
+                                       "mass_centre_z_mm"};
 
 const SherdField* fieldNamed(const std::string& name) {
   for (const SherdField& field : catalogue::sherdFields())
@@ -207,14 +204,6 @@ Result<void> checkColumns(const CsvTable& table, const std::string& where) {
   return {};
 }
 
-// That an import is on its way, or that it came to its end.
-Result<void> remember(Catalogue& catalogue, const std::string& source, std::size_t entered,
-                      std::size_t of) {
-  return catalogue.setSetting(kUnfinished, entered == of ? std::string()
-                                                         : std::to_string(entered) + " " +
-                                                               std::to_string(of) + " " + source);
-}
-
 bool has(const CsvTable& table, const std::string& column) {
   return std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end();
 }
@@ -238,47 +227,12 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
                                   std::stop_token stop) {
   ImportReport report;
   Importing importing(catalogue, options, act, report);
-  const bool preview = options.mode == ImportMode::Preview;
-  std::size_t next = 0;
-  // Rows until others have waited long enough; of a preview all.
-  const auto portion = [&]() -> Result<void> {
-    const auto begin = std::chrono::steady_clock::now();
-    while (next < rows.size()) {
-      if (stop.stop_requested()) {
-        if (preview) return Error::cancelled();
-        break;  // what was entered stays, and is remembered as a part
-      }
-      if (next % 64 == 0)
-        progress.report(static_cast<std::int64_t>(next), static_cast<std::int64_t>(rows.size()));
-      if (Result<void> entered = importing.row(rows[next]); !entered) return entered;
-      ++next;
-      if (!preview && std::chrono::steady_clock::now() - begin > kTogether) break;
-    }
-    return preview || next == 0 ? Result<void>()
-                                : remember(catalogue, options.source, next, rows.size());
-  };
-  if (preview) {
-    if (const Result<void> done = previewOrEnter(catalogue, options.mode, portion); !done)
-      return done.error();
-    return report;
-  }
-  while (next < rows.size() && !stop.stop_requested()) {
-    if (const Result<void> done = catalogue.together(portion); !done) return done.error();
-    if (next < rows.size()) std::this_thread::sleep_for(kForOthers);
-  }
-  if (next == 0 && !rows.empty()) return Error::cancelled();
-  report.not_reached = static_cast<int>(rows.size() - next);
+  const Result<std::size_t> entered =
+      enterInPortions(catalogue, rows.size(), options, progress, stop,
+                      [&](std::size_t i) { return importing.row(rows[i]); });
+  if (!entered) return entered.error();
+  report.not_reached = static_cast<int>(rows.size() - *entered);
   return report;
-}
-
-std::optional<UnfinishedImport> unfinishedImport(const Catalogue& catalogue) {
-  const Result<std::string> kept = catalogue.setting(kUnfinished);
-  if (!kept || kept->empty()) return std::nullopt;
-  UnfinishedImport import;
-  std::istringstream text(*kept);
-  text >> import.entered >> import.of;
-  std::getline(text >> std::ws, import.source);
-  return import;
 }
 
 Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
@@ -293,7 +247,9 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
                  "The table needs a column 'number' (sherds), or the columns 'site' and 'context' "
                  "(contexts).",
                  where};
-  if (!sherds) return importContexts(catalogue, *table, options, act, progress, stop);
+  ImportOptions named = options;
+  if (named.source.empty()) named.source = where;
+  if (!sherds) return importContexts(catalogue, *table, named, act, progress, stop);
   std::vector<ImportRow> rows;
   std::vector<Refusal> broken;
   for (const CsvRow& read : table->rows) {
@@ -311,8 +267,6 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
         row.values[table->columns[i]] = catalogue::trimmed(unguarded(read.values[i]));
     rows.push_back(std::move(row));
   }
-  ImportOptions named = options;
-  if (named.source.empty()) named.source = where;
   Result<ImportReport> report = importSherds(catalogue, rows, named, act, progress, stop);
   if (!report) return report;
   report->refused += static_cast<int>(broken.size());

@@ -1,6 +1,6 @@
 #pragma once
+#include <functional>
 #include <map>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -19,7 +19,7 @@ enum class UnknownPlaces { Refuse, Make };
 struct ImportOptions {
   ImportMode mode = ImportMode::Preview;
   UnknownPlaces unknown_places = UnknownPlaces::Refuse;
-  std::string source = {};  ///< name of the table, for unfinishedImport()
+  std::string source = {};  ///< name of the table, for unfinishedImports()
 };
 
 /// One sherd to be entered: values by the names of sherdFields(); others go to the user's own
@@ -47,7 +47,7 @@ struct ImportReport {
 
 /// Refused rows stay out, the others enter, each of them whole, some at a time so that others can
 /// write between; within Catalogue::together all at once. When it is stopped or fails, the rows
-/// entered so far stay and unfinishedImport() tells of it: the same import goes on, for doing it
+/// entered so far stay and unfinishedImports() tells of it: the same import goes on, for doing it
 /// twice changes nothing. Errors: Cancelled of a preview, what keeps the catalogue from writing.
 Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
                                   const std::vector<ImportRow>& rows, const ImportOptions& options,
@@ -66,8 +66,9 @@ struct UnfinishedImport {
   std::string source;  ///< as ImportOptions said
   int entered = 0, of = 0;
 };
-/// The last one; nothing when it came to its end.
-std::optional<UnfinishedImport> unfinishedImport(const catalogue::Catalogue& catalogue);
+/// One for each source, the latest last, until it is imported to its end or forgotten.
+std::vector<UnfinishedImport> unfinishedImports(const catalogue::Catalogue& catalogue);
+Result<void> forgetUnfinishedImports(catalogue::Catalogue& catalogue);
 
 /// line, column, value, reason: to be mended in a spreadsheet.
 std::string refusalsCsv(const ImportReport& report);
@@ -77,7 +78,7 @@ Result<void> previewOrEnter(catalogue::Catalogue& catalogue, ImportMode mode,
                             const std::function<Result<void>()>& work);
 
 struct CsvTable;
-/// The second kind of importTable; see there.
+/// The second kind of importTable, stopped and gone on with as importSherds.
 Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTable& table,
                                     const ImportOptions& options, const catalogue::Act& act,
                                     Progress& progress, std::stop_token stop);

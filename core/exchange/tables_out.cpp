@@ -1,10 +1,13 @@
 // The tables of an export.
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "catalogue/values.h"
+#include "exchange/column_meanings.h"
 #include "exchange/csv.h"
 #include "exchange/export_folder.h"
+#include "exchange/ods.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -12,6 +15,8 @@ namespace {
 using namespace catalogue;
 
 constexpr const char* kMark = "\xEF\xBB\xBF";
+constexpr const char* kCentreColumns[] = {"mass_centre_x_mm", "mass_centre_y_mm",
+                                          "mass_centre_z_mm"};
 constexpr const char* kFileColumns[] = {"model_file", "image_file", "drawing_file"};
 constexpr std::size_t kPage = 1000;
 
@@ -31,11 +36,21 @@ Result<void> eachSherd(const Catalogue& catalogue, std::span<const SherdRow> row
   return {};
 }
 
-}  // namespace
+// Takes a table row by row.
+class TableWriter {
+ public:
+  virtual ~TableWriter() = default;
+  virtual void begin(const std::vector<OdsSheet::Column>& columns) = 0;
+  virtual void row(const std::vector<std::string>& values) = 0;
+};
 
-Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const SherdRow> rows,
-                              ByteOrderMark mark,
-                              const std::map<SherdRow, std::map<std::string, std::string>>& files) {
+void writeMeanings(TableWriter& table) {
+  table.begin({{"column"}, {"unit"}, {"meaning"}});
+  for (const ColumnMeaning& one : columnMeanings()) table.row({one.column, one.unit, one.meaning});
+}
+
+Result<void> writeSherds(const Catalogue& catalogue, std::span<const SherdRow> rows,
+                         const FilesOfSherds& files, TableWriter& table) {
   const Result<ProjectRecord> project = catalogue.project();
   if (!project) return project.error();
   std::set<std::string> own;  // fields of the user's own, of any of the sherds
@@ -45,40 +60,48 @@ Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const SherdR
     if (extra.is_object())
       for (const auto& [key, value] : extra.items()) own.insert(key);
   });
-  if (!read) return read.error();
-  std::vector<std::string> columns;
-  for (const SherdField& field : sherdFields()) columns.emplace_back(field.name);
-  for (const char* column : kFileColumns) columns.emplace_back(column);
-  columns.emplace_back("licence");
-  for (const std::string& key : own) columns.push_back(guarded("extra." + key));
-  std::string text = (mark == ByteOrderMark::With ? kMark : "") + csvLine(columns);
-  read = eachSherd(catalogue, rows, [&](const SherdRecord& sherd) {
-    std::vector<std::string> values;
-    for (const SherdField& field : sherdFields()) {
-      const std::string value = textOf(sherd, field.name);
-      values.push_back(isNumber(field) ? value : guarded(value));
-    }
+  if (!read) return read;
+  std::vector<OdsSheet::Column> columns;
+  for (const SherdField& field : sherdFields()) columns.push_back({field.name, isNumber(field)});
+  for (const char* column : kCentreColumns) columns.push_back({column, true});
+  for (const char* column : kFileColumns) columns.push_back({column});
+  columns.push_back({"licence"});
+  for (const std::string& key : own) columns.push_back({"extra." + key});
+  table.begin(columns);
+  return eachSherd(catalogue, rows, [&](const SherdRecord& sherd) {
+    static const std::map<std::string, std::string> kNone;
     const auto named = files.find(sherd.row);
-    for (const char* column : kFileColumns) {
-      const auto file = named == files.end() ? std::map<std::string, std::string>::const_iterator()
-                                             : named->second.find(column);
-      const bool there = named != files.end() && file != named->second.end();
-      values.push_back(there ? guarded(file->second) : std::string());
-    }
-    values.push_back(guarded(project->licence));
-    for (const std::string& key : own) values.push_back(guarded(textOf(sherd, "extra." + key)));
-    text += csvLine(values);
+    const auto& beside = named == files.end() ? kNone : named->second;
+    std::vector<std::string> values;
+    for (const SherdField& field : sherdFields()) values.push_back(textOf(sherd, field.name));
+    const auto add = [&](const char* column) {
+      const auto found = beside.find(column);
+      values.push_back(found == beside.end() ? std::string() : found->second);
+    };
+    for (const char* column : kCentreColumns) add(column);
+    for (const char* column : kFileColumns) add(column);
+    values.push_back(project->licence);
+    for (const std::string& key : own) values.push_back(textOf(sherd, "extra." + key));
+    table.row(values);
   });
-  if (!read) return read.error();
-  return text;
 }
 
-Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const ContextRow> rows,
-                                ByteOrderMark mark) {
-  std::string text =
-      (mark == ByteOrderMark::With ? kMark : "") +
-      csvLine({"site", "trench", "context", "kind", "excavated_on", "period", "date_edtf", "closed",
-               "note", "bag", "collected_on", "count_written", "weight_g", "storage"});
+Result<void> writeContexts(const Catalogue& catalogue, std::span<const ContextRow> rows,
+                           TableWriter& table) {
+  table.begin({{"site"},
+               {"trench"},
+               {"context"},
+               {"kind"},
+               {"excavated_on"},
+               {"period"},
+               {"date_edtf"},
+               {"closed"},
+               {"note"},
+               {"bag"},
+               {"collected_on"},
+               {"count_written", true},
+               {"weight_g", true},
+               {"storage"}});
   for (const ContextRow& row : rows) {
     const Result<ContextRecord> c = catalogue.context(row);
     if (!c) return c.error();
@@ -86,14 +109,78 @@ Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const Cont
     if (!bags) return bags.error();
     if (bags->empty()) bags->emplace_back();
     for (const BagRecord& bag : *bags)
-      text +=
-          csvLine({guarded(c->site_code), guarded(c->trench_code), guarded(c->number), c->kind,
-                   c->excavated_on, guarded(c->period), guarded(c->date_edtf),
-                   c->closed ? "yes" : "no", guarded(c->note), guarded(bag.number),
-                   bag.collected_on, bag.count_written ? std::to_string(*bag.count_written) : "",
-                   bag.weight_g ? numberText(*bag.weight_g) : "", guarded(bag.storage)});
+      table.row({c->site_code, c->trench_code, c->number, c->kind, c->excavated_on, c->period,
+                 c->date_edtf, c->closed ? "yes" : "no", c->note, bag.number, bag.collected_on,
+                 bag.count_written ? std::to_string(*bag.count_written) : "",
+                 bag.weight_g ? numberText(*bag.weight_g) : "", bag.storage});
   }
-  return text;
+  return {};
+}
+
+// Numbers stand as they are, texts with the guard against formulas.
+class CsvWriter final : public TableWriter {
+ public:
+  explicit CsvWriter(ByteOrderMark mark) : text(mark == ByteOrderMark::With ? kMark : "") {}
+  void begin(const std::vector<OdsSheet::Column>& columns) override {
+    columns_ = columns;
+    std::vector<std::string> names;
+    for (const auto& column : columns) names.push_back(guarded(column.name));
+    text += csvLine(names);
+  }
+  void row(const std::vector<std::string>& values) override {
+    std::vector<std::string> safe;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      safe.push_back(columns_[i].number ? values[i] : guarded(values[i]));
+    text += csvLine(safe);
+  }
+  std::string text;
+
+ private:
+  std::vector<OdsSheet::Column> columns_;
+};
+
+class OdsWriter final : public TableWriter {
+ public:
+  explicit OdsWriter(std::string name) : name_(std::move(name)) {}
+  void begin(const std::vector<OdsSheet::Column>& columns) override {
+    sheet.emplace(name_, columns);
+  }
+  void row(const std::vector<std::string>& values) override { sheet->row(values); }
+  std::optional<OdsSheet> sheet;
+
+ private:
+  std::string name_;
+};
+
+}  // namespace
+
+Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const SherdRow> rows,
+                              ByteOrderMark mark, const FilesOfSherds& files) {
+  CsvWriter table(mark);
+  if (Result<void> done = writeSherds(catalogue, rows, files, table); !done) return done.error();
+  return std::move(table.text);
+}
+
+Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const ContextRow> rows,
+                                ByteOrderMark mark) {
+  CsvWriter table(mark);
+  if (Result<void> done = writeContexts(catalogue, rows, table); !done) return done.error();
+  return std::move(table.text);
+}
+
+std::string columnsCsv(ByteOrderMark mark) {
+  CsvWriter table(mark);
+  writeMeanings(table);
+  return std::move(table.text);
+}
+
+Result<std::string> tablesOds(const Catalogue& catalogue, std::span<const SherdRow> sherds,
+                              std::span<const ContextRow> contexts, const FilesOfSherds& files) {
+  OdsWriter first("sherds"), second("contexts"), third("columns");
+  if (Result<void> done = writeSherds(catalogue, sherds, files, first); !done) return done.error();
+  if (Result<void> done = writeContexts(catalogue, contexts, second); !done) return done.error();
+  writeMeanings(third);
+  return formatOds({std::move(*first.sheet), std::move(*second.sheet), std::move(*third.sheet)});
 }
 
 }  // namespace ostraka::exchange

@@ -5,6 +5,7 @@
 
 #include "model/model.h"
 #include "model/ray_grid.h"
+#include "model/volume_moment.h"
 
 namespace ostraka::model {
 namespace {
@@ -116,15 +117,13 @@ std::vector<double> thicknesses(const TriangleMesh& mesh, const Vector3d& across
 Measures measure(const TriangleMesh& mesh) {
   Measures m;
   if (mesh.triangles.empty()) return m;
-  const Vector3d shift = mesh.vertices[0].cast<double>();  // near the mesh: less cancellation
   for (const auto& t : mesh.triangles) {
     const Corners p = cornersOf(mesh, t);
     m.area_mm2 += 0.5 * (p.b - p.a).cross(p.c - p.a).norm();
-    const double part = (p.a - shift).dot((p.b - shift).cross(p.c - shift)) / 6;
-    m.volume_mm3 += part;
-    m.centroid += part * (p.a + p.b + p.c - 3 * shift) / 4;
   }
-  m.centroid = std::abs(m.volume_mm3) > 1e-12 ? Vector3d(m.centroid / m.volume_mm3 + shift) : shift;
+  const VolumeMoment moment = volumeMoment(mesh);
+  m.volume_mm3 = moment.volume_mm3;
+  m.centroid = moment.centre;
   Vector3d mean;
   Eigen::Matrix3d covariance;
   surfaceMoments(mesh, mean, covariance);

@@ -106,6 +106,8 @@ void CatalogueStation::buildLayout() {
   problem_ = new QLabel(this);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
+  problem_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  connect(problem_, &QLabel::linkActivated, this, &CatalogueStation::forgetImports);
   problem_->hide();
   who_ = new QWidget(this);
   auto* who_row = new QHBoxLayout(who_);
@@ -136,7 +138,7 @@ void CatalogueStation::buildLayout() {
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
   const int height = std::max(targetSize(*this), 44);
-  table_->setIconSize({height - 6, height - 6});
+  table_->setIconSize({5 * height / 2, height - 6});  // front, back and side of the sherd
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(height);
@@ -146,8 +148,9 @@ void CatalogueStation::buildLayout() {
   const int letter = fontMetrics().averageCharWidth();
   for (int column = 0; column < model_->columnCount(); ++column) {
     const QString heading = model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    table_->setColumnWidth(column, std::max(fontMetrics().horizontalAdvance(heading) + 5 * letter,
-                                            column == 0 ? height + 30 * letter : 16 * letter));
+    table_->setColumnWidth(column,
+                           std::max(fontMetrics().horizontalAdvance(heading) + 5 * letter,
+                                    column == 0 ? 5 * height / 2 + 25 * letter : 12 * letter));
   }
   empty_ = new QLabel(this);
   empty_->setAlignment(Qt::AlignCenter);
@@ -260,12 +263,26 @@ void CatalogueStation::openProject(ProjectSession& session) {
   details_->setVocabularies(session.project().catalogue());
   model_->setCatalogue(&session.project().catalogue(), session.folder(), &session.jobs());
   setEnabled(true);
-  if (const auto left = exchange::unfinishedImport(session.project().catalogue()))
-    complain(tr("The import of %1 broke off after %2 of %3 rows; these are whole. Import it again "
+  tellOfImports();
+}
+
+void CatalogueStation::tellOfImports() {
+  QStringList lines;
+  for (const auto& left : exchange::unfinishedImports(session_->project().catalogue()))
+    lines << tr("The import of %1 broke off after %2 of %3 rows; these are whole. Import it again "
                 "for the rest.")
-                 .arg(QString::fromStdString(left->source))
-                 .arg(left->entered)
-                 .arg(left->of));
+                 .arg(QString::fromStdString(left.source))
+                 .arg(left.entered)
+                 .arg(left.of)
+                 .toHtmlEscaped();
+  if (lines.isEmpty()) return;
+  lines << QStringLiteral("<a href=\"forget\">%1</a>").arg(tr("Do not tell this again"));
+  complain(lines.join(QStringLiteral("<br>")));
+}
+
+void CatalogueStation::forgetImports() {
+  const auto done = exchange::forgetUnfinishedImports(session_->project().catalogue());
+  complain(done ? QString() : QString::fromStdString(done.error().sentence()));
 }
 
 void CatalogueStation::closeProject() {

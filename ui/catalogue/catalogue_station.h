@@ -58,6 +58,8 @@ class CatalogueStation final : public Station {
   void giveNumbers();
   void openImport();
   void sherdsChanged(const std::vector<catalogue::SherdRow>& sherds);
+  void tellOfImports();
+  void forgetImports();
   void complain(const QString& sentence);
 
   ProjectSession* session_ = nullptr;

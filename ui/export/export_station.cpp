@@ -66,13 +66,15 @@ QWidget* ExportStation::buildForms() {
   auto* column = new QVBoxLayout(box);
   const std::pair<exchange::Form, QString> all[] = {
       {exchange::Form::Csv, tr("Tables (CSV), for spreadsheets")},
+      {exchange::Form::Ods, tr("Tables (ODS): LibreOffice, Excel")},
       {exchange::Form::Json, tr("Records (JSON), to be read back whole")},
       {exchange::Form::Pictures, tr("A picture of each model (PNG)")},
       {exchange::Form::Ply, tr("Models as PLY, in mm")},
       {exchange::Form::Glb, tr("Models as GLB, for the web and for slides")},
       {exchange::Form::Obj, tr("Models as OBJ, in mm")},
       {exchange::Form::Drawings, tr("Drawings for print (SVG and PDF)")},
-      {exchange::Form::Photographs, tr("The photographs, unchanged")}};
+      {exchange::Form::Photographs, tr("The photographs, unchanged")},
+      {exchange::Form::Views, tr("Pictures, masks, poses for COLMAP and OpenMVS")}};
   for (const auto& [form, text] : all) {
     auto* check = new QCheckBox(text, box);
     check->setMinimumHeight(targetSize(*this) * 3 / 4);  // the row between them counts, too

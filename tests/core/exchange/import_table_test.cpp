@@ -19,9 +19,10 @@ using namespace catalogue;
 class Import : public SmallProject {
  protected:
   ImportReport import(const std::string& text, ImportMode mode = ImportMode::Enter,
-                      UnknownPlaces places = UnknownPlaces::Refuse) {
+                      UnknownPlaces places = UnknownPlaces::Refuse,
+                      const std::string& file = "t.csv") {
     const Result<ImportReport> report =
-        importTable(catalogue(), text, "t.csv", {mode, places}, anna, quiet, {});
+        importTable(catalogue(), text, file, {mode, places}, anna, quiet, {});
     EXPECT_TRUE(report) << (report ? "" : report.error().sentence());
     return report ? *report : ImportReport{};
   }
@@ -220,36 +221,90 @@ TEST_F(Import, ThatIsStoppedKeepsWholeRowsSaysSoAndGoesOn) {
   EXPECT_GE(part->fresh, 64);
   EXPECT_EQ(part->not_reached, 200 - part->fresh);
   EXPECT_EQ(catalogue().sherdRows({}, {})->size(), static_cast<std::size_t>(part->fresh));
-  const auto left = unfinishedImport(catalogue());
-  ASSERT_TRUE(left);
-  EXPECT_EQ(left->source, "bags.csv");
-  EXPECT_EQ(left->entered, part->fresh);
-  EXPECT_EQ(left->of, 200);
+  const auto left = unfinishedImports(catalogue());
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_EQ(left[0].source, "bags.csv");
+  EXPECT_EQ(left[0].entered, part->fresh);
+  EXPECT_EQ(left[0].of, 200);
 
-  const ImportReport rest = import(manyRows(200));
+  import(kTwo);
+  EXPECT_EQ(unfinishedImports(catalogue()).size(), 1u) << "of another table nothing is known";
+  const ImportReport rest =
+      import(manyRows(200), ImportMode::Enter, UnknownPlaces::Refuse, "bags.csv");
   EXPECT_EQ(rest.same, part->fresh);
   EXPECT_EQ(rest.fresh, part->not_reached);
-  EXPECT_FALSE(unfinishedImport(catalogue()));
+  EXPECT_TRUE(unfinishedImports(catalogue()).empty());
   EXPECT_TRUE(catalogue().checkIntegrity());
 }
 
-TEST_F(Import, LetsOthersWriteMeanwhile) {
+TEST_F(Import, OfTwoTablesThatBrokeOffKeepsBothInMind) {
+  for (const char* file : {"a.csv", "b.csv"}) {
+    std::stop_source stop;
+    At progress(64, [&] { stop.request_stop(); });
+    ASSERT_TRUE(importTable(catalogue(), manyRows(200), file,
+                            {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress,
+                            stop.get_token()));
+  }
+  ASSERT_EQ(unfinishedImports(catalogue()).size(), 2u);
+  import(manyRows(200), ImportMode::Enter, UnknownPlaces::Refuse, "b.csv");
+  ASSERT_EQ(unfinishedImports(catalogue()).size(), 1u);
+  EXPECT_EQ(unfinishedImports(catalogue())[0].source, "a.csv");
+  ASSERT_TRUE(forgetUnfinishedImports(catalogue()));
+  EXPECT_TRUE(unfinishedImports(catalogue()).empty());
+}
+
+std::string manyContexts(int count) {
+  std::string text = "site,trench,context,bag\r\n";
+  for (int i = 1; i <= count; ++i) text += "ARM1,T9," + std::to_string(i) + ",1\r\n";
+  return text;
+}
+
+TEST_F(Import, OfContextsThatIsStoppedKeepsWholeRowsSaysSoAndGoesOn) {
+  std::stop_source stop;
+  At progress(64, [&] { stop.request_stop(); });
+  const Result<ImportReport> part =
+      importTable(catalogue(), manyContexts(200), "contexts.csv",
+                  {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress, stop.get_token());
+  ASSERT_TRUE(part) << part.error().sentence();
+  EXPECT_GE(part->fresh, 64);
+  EXPECT_EQ(part->not_reached, 200 - part->fresh);
+  ASSERT_EQ(unfinishedImports(catalogue()).size(), 1u);
+  EXPECT_EQ(unfinishedImports(catalogue())[0].entered, part->fresh);
+
+  const ImportReport rest =
+      import(manyContexts(200), ImportMode::Enter, UnknownPlaces::Refuse, "contexts.csv");
+  EXPECT_EQ(rest.same, part->fresh);
+  EXPECT_EQ(rest.fresh, part->not_reached);
+  EXPECT_TRUE(unfinishedImports(catalogue()).empty());
+}
+
+// Somebody else's decision is written while the table is entered, not after it.
+bool othersWriteDuring(const std::filesystem::path& project,
+                       const std::function<void(Progress&)>& work) {
   std::atomic<bool> over = false, began = false, meanwhile = false;
   std::thread other([&] {
     while (!began) std::this_thread::yield();
-    Result<Catalogue> second = Project::connect(project_->folder());
+    Result<Catalogue> second = Project::connect(project);
     const bool written = second && second->setSetting("a.window", "decides");
     meanwhile = written && !over;
   });
   At progress(64, [&] { began = true; });
-  const auto report = importTable(catalogue(), manyRows(2000), "t.csv",
-                                  {ImportMode::Enter, UnknownPlaces::Refuse}, anna, progress, {});
+  work(progress);
   over = true;
   began = true;
   other.join();
-  ASSERT_TRUE(report);
-  EXPECT_EQ(report->fresh, 2000);
-  EXPECT_TRUE(meanwhile);
+  return meanwhile;
+}
+
+TEST_F(Import, LetsOthersWriteMeanwhile) {
+  for (const std::string& table : {manyRows(2000), manyContexts(1000)})
+    EXPECT_TRUE(othersWriteDuring(project_->folder(), [&](Progress& progress) {
+      const auto report =
+          importTable(catalogue(), table, "t.csv", {ImportMode::Enter, UnknownPlaces::Refuse}, anna,
+                      progress, {});
+      ASSERT_TRUE(report);
+      EXPECT_GE(report->fresh, 1000);
+    }));
 }
 
 }  // namespace

@@ -136,11 +136,19 @@ class ImportTest : public QObject {
     QCOMPARE(sample_->session().undo().count(), 0);
   }
 
-  void anImportThatBrokeOffIsToldWhenTheProjectIsOpened() {
-    QVERIFY(sample_->catalogue().setSetting("import.unfinished", "30 100 my bags.csv"));
+  void importsThatBrokeOffAreToldWhenTheProjectIsOpened() {
+    QVERIFY(sample_->catalogue().setSetting("import.unfinished",
+                                            R"([{"source":"my <bags>.csv","entered":30,"of":100},)"
+                                            R"({"source":"contexts.csv","entered":5,"of":7}])"));
     station_->openProject(sample_->session());
-    const QString told = child<QLabel>("problem")->text();
-    QVERIFY2(told.contains("my bags.csv") && told.contains("30 of 100"), qPrintable(told));
+    auto* problem = child<QLabel>("problem");
+    const QString told = problem->text();
+    QVERIFY2(told.contains("my &lt;bags&gt;.csv") && told.contains("30 of 100"), qPrintable(told));
+    QVERIFY2(told.contains("contexts.csv") && told.contains("5 of 7"), qPrintable(told));
+    emit problem->linkActivated("forget");
+    QVERIFY(problem->text().isEmpty());
+    station_->openProject(sample_->session());
+    QVERIFY(problem->text().isEmpty());
   }
 
   void contextsComeFromATableOfTheirOwn() {

@@ -6,15 +6,9 @@
 #include <QLocale>
 
 #include "catalogue/values.h"
+#include "ui/frame/free_tr.h"
 
 namespace ostraka::ui {
-namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("ostraka::ui", text);
-}
-
-}  // namespace
 
 QString fieldLabel(const std::string& field) {
   static const QHash<QString, const char*> labels = {

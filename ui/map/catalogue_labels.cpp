@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <utility>
 
 #include "catalogue/catalogue.h"
 
@@ -60,6 +61,28 @@ QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::Pl
     label.code = codeOf(QLatin1Char('S'), label.number, sherd->id);
   }
   return labels;
+}
+
+MapNumbers mapNumbers(const QVector<SherdLabel>& labels, const pipeline::PlateMap& map,
+                      const QString& batch_number) {
+  MapNumbers numbers;
+  qsizetype next = 0;
+  for (const pipeline::MapMark& mark : map.front.marks) {
+    if (mark.number.empty() || next >= labels.size()) continue;
+    const QString plate = QString::fromStdString(mark.number), number = labels[next++].number;
+    if (number != batch_number + QLatin1Char('-') + plate) numbers.endings.insert(plate, number);
+  }
+  if (numbers.endings.isEmpty()) return numbers;
+  // What all begin with ends with a mark between two parts: 0012-, never 001.
+  QString common = *numbers.endings.cbegin();
+  for (const QString& number : std::as_const(numbers.endings))
+    while (!number.startsWith(common)) common.chop(1);
+  while (!common.isEmpty() &&
+         (common.back().isLetterOrNumber() || numbers.endings.values().contains(common)))
+    common.chop(1);
+  numbers.common = common;
+  for (QString& number : numbers.endings) number.remove(0, common.size());
+  return numbers;
 }
 
 QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue) {

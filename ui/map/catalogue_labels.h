@@ -16,6 +16,10 @@ QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::Pl
                                   const catalogue::Catalogue& catalogue,
                                   const std::string& batch_number);
 
+/// What the map shows of final numbers, from those labels.
+MapNumbers mapNumbers(const QVector<SherdLabel>& labels, const pipeline::PlateMap& map,
+                      const QString& batch_number);
+
 /// A label for each bag of the project, by place. Read by the camera or a code reader it gives a
 /// batch its context.
 QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue);

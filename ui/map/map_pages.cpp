@@ -1,6 +1,5 @@
 #include "ui/map/map_pages.h"
 
-#include <QCoreApplication>
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
@@ -11,6 +10,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "ui/frame/free_tr.h"
 #include "ui/frame/state_colours.h"
 #include "ui/map/qr_code.h"
 
@@ -23,17 +23,13 @@ using pipeline::MapMark;
 constexpr double kLabelWide_mm = 85, kLabelHigh_mm = 32, kModule_mm = 0.5;
 constexpr int kQuietModules = 4;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("ostraka::ui", text);
-}
-
-QString wordsOf(const MapMark& mark) {
-  const QString number = QString::fromStdString(mark.number);
+QString wordsOf(const MapMark& mark, const MapNumbers& numbers) {
+  const QString number = numbers.shown(QString::fromStdString(mark.number));
   if (mark.state == CardState::Aside) return tr("aside");
   if (mark.state == CardState::Reshoot) return tr("again");
   if (number.isEmpty()) return QStringLiteral("?");
   if (!mark.other_number.empty())
-    return tr("%1 or %2").arg(number, QString::fromStdString(mark.other_number));
+    return tr("%1 or %2").arg(number, numbers.shown(QString::fromStdString(mark.other_number)));
   return mark.state == CardState::Ask || mark.state == CardState::Alone ? number + " ?" : number;
 }
 
@@ -59,6 +55,8 @@ double areaOf(const QRectF& r) {
   return r.width() * r.height();
 }
 
+}  // namespace
+
 void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label, double per_mm) {
   painter.setPen(QPen(Qt::gray, 0.1 * per_mm, Qt::DotLine));
   painter.setBrush(Qt::NoBrush);
@@ -83,16 +81,21 @@ void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label,
     font.setPixelSize(font.pixelSize() - std::max(1, static_cast<int>(0.2 * per_mm)));
   painter.setFont(font);
   painter.setPen(Qt::black);
-  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop, label.number);
+  QRectF written;
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop | Qt::TextWrapAnywhere, label.number,
+                   &written);
   font.setBold(false);
   font.setPixelSize(static_cast<int>(3.5 * per_mm));
   painter.setFont(font);
-  painter.drawText(words.adjusted(0, 8 * per_mm, 0, 0),
+  painter.drawText(words.adjusted(0, std::max(8 * per_mm, written.height() + per_mm), 0, 0),
                    Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, label.context);
   painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom, label.date);
 }
 
-}  // namespace
+QString MapNumbers::shown(const QString& plate_number) const {
+  if (endings.isEmpty() || plate_number.isEmpty()) return plate_number;
+  return endings.value(plate_number, QStringLiteral("(%1)").arg(plate_number));
+}
 
 QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side) {
   if (side.width <= 0 || side.height <= 0) return where;
@@ -155,7 +158,8 @@ std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, cons
 }
 
 void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSide& side,
-                  const QImage& photograph, const QString& highlighted) {
+                  const QImage& photograph, const MapNumbers& final_numbers,
+                  const QString& highlighted) {
   const QRectF place = mapPlace(where, side);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -186,7 +190,8 @@ void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSid
   const double height = std::max(place.width() / 26, 11.0);
   std::vector<NumberToPlace> numbers;
   for (const MapMark& mark : side.marks) {
-    const QRectF box = QFontMetricsF(numberFont(painter, height)).boundingRect(wordsOf(mark));
+    const QRectF box =
+        QFontMetricsF(numberFont(painter, height)).boundingRect(wordsOf(mark, final_numbers));
     NumberToPlace number{{box.width() + 0.5 * height, 1.2 * height},
                          place.topLeft() + scale * QPointF(mark.at.x(), mark.at.y()),
                          {}};
@@ -202,7 +207,7 @@ void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSid
       painter.setPen(QPen(lit ? Qt::yellow : Qt::white, height / 10));
       painter.drawLine(grounds[i].center(), numbers[i].at);
     }
-    paintNumber(painter, grounds[i], wordsOf(side.marks[i]), height, lit);
+    paintNumber(painter, grounds[i], wordsOf(side.marks[i], final_numbers), height, lit);
   }
   painter.restore();
 }
@@ -265,8 +270,8 @@ bool printMap(QPagedPaintDevice& device, const MapPicture& picture,
   const QRectF right = left.translated(sides.width() / 2 + 2 * per_mm, 0);
   painter.drawText(left.translated(0, -8 * per_mm), Qt::AlignHCenter | Qt::AlignTop, tr("front"));
   painter.drawText(right.translated(0, -8 * per_mm), Qt::AlignHCenter | Qt::AlignTop, tr("back"));
-  paintMapSide(painter, left, picture.map.front, picture.front, {});
-  paintMapSide(painter, right, picture.map.back, picture.back, {});
+  paintMapSide(painter, left, picture.map.front, picture.front, picture.numbers, {});
+  paintMapSide(painter, right, picture.map.back, picture.back, picture.numbers, {});
 
   return paintLabels(painter, device, labels, true, why) && finish(painter, why);
 }

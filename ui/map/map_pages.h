@@ -1,4 +1,5 @@
 #pragma once
+#include <QHash>
 #include <QImage>
 #include <QPolygonF>
 #include <QString>
@@ -20,10 +21,19 @@ struct SherdLabel {
   QString code;  ///< of the QR code
 };
 
+/// Final numbers of the sherds on a plate, as short as they tell each other apart.
+struct MapNumbers {
+  QString common;                   ///< what all begin with: "ARM1-T3-0012-"; may be empty
+  QHash<QString, QString> endings;  ///< by the plate's own number: "03" -> "0007"
+  /// On the picture: the ending; in brackets the plate's own where there is no final number yet.
+  QString shown(const QString& plate_number) const;
+};
+
 /// A plate with the photographs read, for screen and paper.
 struct MapPicture {
   pipeline::PlateMap map;
   QImage front, back;  ///< null: the photograph is gone
+  MapNumbers numbers = {};
 };
 
 /// A number on the map: how large it is written, where its sherd's middle lies, the sherd.
@@ -38,7 +48,7 @@ std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, cons
 
 /// Draws one side into a rectangle, marks and numbers on it; highlighted: the number in hand.
 void paintMapSide(QPainter& painter, const QRectF& where, const pipeline::MapSide& side,
-                  const QImage& photograph, const QString& highlighted);
+                  const QImage& photograph, const MapNumbers& numbers, const QString& highlighted);
 /// The scale and place at which paintMapSide draws the photograph.
 QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side);
 
@@ -46,6 +56,9 @@ QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side);
 /// with a sentence when the printer or file refuses.
 bool printMap(QPagedPaintDevice& device, const MapPicture& picture,
               const QVector<SherdLabel>& labels, const QString& title, QString* why);
+
+/// One label; per_mm: the painter's units in a millimetre.
+void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label, double per_mm);
 
 /// Labels alone, from the first page on.
 bool printLabels(QPagedPaintDevice& device, const QVector<SherdLabel>& labels, QString* why);

@@ -94,7 +94,8 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
   connect(batches_, &QComboBox::activated, this,
           [this](int index) { openBatch(batches_->itemText(index)); });
   connect(view_, &MapView::highlightedChanged, this, [this](const QString& number) {
-    if (!number.isEmpty()) say(tr("Sherd %1").arg(number));
+    const MapNumbers& numbers = view_->picture().numbers;
+    if (!number.isEmpty()) say(tr("Sherd %1").arg(numbers.common + numbers.shown(number)));
   });
   connect(view_, &MapView::activated, this,
           [this](const QString&) { emit wantsStation(QStringLiteral("review"), batch_); });
@@ -108,6 +109,7 @@ void MapStation::openProject(ProjectSession& session) {
     if (batches_->findText(batch) < 0) return;
     if (batch_.isEmpty() || batch == batch_) openBatch(batch);
   });
+  connect(&session, &ProjectSession::sherdsChanged, this, &MapStation::nameMarks);
   bags_->setEnabled(session.hasProject());
   listBatches();
   if (batches_->count() > 0) openBatch(batches_->itemText(0));
@@ -170,8 +172,13 @@ void MapStation::openBatch(const QString& batch) {
     date_ =
         file.exists() ? QLocale::c().toString(file.lastModified().date(), "yyyy-MM-dd") : QString();
     view_->setPicture(*picture);
+    nameMarks();
     view_->highlight(lit);
   });
+}
+
+void MapStation::nameMarks() {
+  view_->setNumbers(mapNumbers(labels(), view_->picture().map, batch_));
 }
 
 QVector<SherdLabel> MapStation::labels() const {
@@ -187,7 +194,9 @@ QVector<SherdLabel> MapStation::labels() const {
 }
 
 QString MapStation::pageTitle() const {
-  return date_.isEmpty() ? tr("Batch %1").arg(batch_) : tr("Batch %1, %2").arg(batch_, date_);
+  const QString common = view_->picture().numbers.common;
+  const QString batch = common.isEmpty() ? batch_ : QStringLiteral("%1: %2…").arg(batch_, common);
+  return date_.isEmpty() ? tr("Batch %1").arg(batch) : tr("Batch %1, %2").arg(batch, date_);
 }
 
 bool MapStation::writePdf(const QString& file) {

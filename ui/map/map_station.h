@@ -42,6 +42,7 @@ class MapStation final : public Station {
  private:
   void listBatches();
   void openBatch(const QString& batch);
+  void nameMarks();
   void say(const QString& sentence);
   QString pageTitle() const;
 

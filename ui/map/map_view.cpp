@@ -21,6 +21,11 @@ void MapView::setPicture(const MapPicture& picture) {
   update();
 }
 
+void MapView::setNumbers(const MapNumbers& numbers) {
+  picture_.numbers = numbers;
+  update();
+}
+
 void MapView::highlight(const QString& number) {
   if (number == highlighted_) return;
   highlighted_ = number;
@@ -44,7 +49,7 @@ void MapView::paintEvent(QPaintEvent*) {
                      front ? tr("front") : tr("back"));
     if (picture_.map.front.width > 0)
       paintMapSide(painter, where, front ? picture_.map.front : picture_.map.back,
-                   front ? picture_.front : picture_.back, highlighted_);
+                   front ? picture_.front : picture_.back, picture_.numbers, highlighted_);
   }
 }
 

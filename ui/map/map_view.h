@@ -13,6 +13,7 @@ class MapView final : public QWidget {
  public:
   explicit MapView(QWidget* parent = nullptr);
   void setPicture(const MapPicture& picture);
+  void setNumbers(const MapNumbers& numbers);
   const MapPicture& picture() const { return picture_; }
   const QString& highlighted() const { return highlighted_; }
 

@@ -1,16 +1,11 @@
 #pragma once
-#include <QCoreApplication>
 #include <QString>
 #include <vector>
 
 #include "pipeline/decisions.h"
+#include "ui/frame/free_tr.h"
 
 namespace ostraka::ui {
-
-/// Translates outside of a class.
-inline QString tr(const char* text) {
-  return QCoreApplication::translate("ostraka::ui", text);
-}
 
 /// The ID of scan i; empty for none.
 inline QString idOf(const std::vector<pipeline::ScanRef>& scans, int i) {

@@ -1019,6 +1019,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Der Schreibtisch hält eine Kamera fest, mit seinem Programm %2.</translation>
     </message>
+    <message>
+      <source>Type the sherds' numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummern der Scherben eingeben</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1440,6 +1445,11 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Einlesen von %1 brach nach %2 von %3 Zeilen ab; diese sind vollständig. Für den Rest noch einmal einlesen.</translation>
+    </message>
+    <message>
+      <source>Do not tell this again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das nicht wieder melden</translation>
     </message>
   </context>
   <context>
@@ -1878,6 +1888,16 @@
       <source>as fits A4</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>wie es auf A4 passt</translation>
+    </message>
+    <message>
+      <source>Tables (ODS): LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabellen (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bilder, Masken, Posen für COLMAP und OpenMVS</translation>
     </message>
   </context>
   <context>
@@ -3645,6 +3665,24 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abstand der Seiten am Rand entlang</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberEdit</name>
+    <message>
+      <source>7, a whole number, or scan its label</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7, eine ganze Nummer, oder das Etikett lesen</translation>
+    </message>
+    <message>
+      <source>&amp;Number of sherd %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Nummer der Scherbe %1</translation>
+    </message>
+    <message>
+      <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Falls sie schon Nummern haben: jede folgt ihrer Scherbe durch das Wenden. Taste N.</translation>
     </message>
   </context>
 </TS>

@@ -1019,6 +1019,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Η επιφάνεια εργασίας κρατά μια κάμερα, με το πρόγραμμά της %2.</translation>
     </message>
+    <message>
+      <source>Type the sherds' numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πληκτρολόγηση των αριθμών των οστράκων</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1440,6 +1445,11 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εισαγωγή του %1 διακόπηκε μετά από %2 από %3 γραμμές· αυτές είναι πλήρεις. Εισαγάγετε ξανά για τα υπόλοιπα.</translation>
+    </message>
+    <message>
+      <source>Do not tell this again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Να μην αναφερθεί ξανά</translation>
     </message>
   </context>
   <context>
@@ -1878,6 +1888,16 @@
       <source>as fits A4</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>όπως χωρά σε A4</translation>
+    </message>
+    <message>
+      <source>Tables (ODS): LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίνακες (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εικόνες, μάσκες, θέσεις για COLMAP και OpenMVS</translation>
     </message>
   </context>
   <context>
@@ -3645,6 +3665,24 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κενό μεταξύ των όψεων κατά μήκος της ακμής</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberEdit</name>
+    <message>
+      <source>7, a whole number, or scan its label</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7, ολόκληρος αριθμός ή σάρωση της ετικέτας</translation>
+    </message>
+    <message>
+      <source>&amp;Number of sherd %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Αριθμός του οστράκου %1</translation>
+    </message>
+    <message>
+      <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αν έχουν ήδη αριθμούς: ο καθένας ακολουθεί το όστρακό του στο γύρισμα. Πλήκτρο N.</translation>
     </message>
   </context>
 </TS>

@@ -1019,6 +1019,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 El escritorio retiene una cámara, con su programa %2.</translation>
     </message>
+    <message>
+      <source>Type the sherds' numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escribir los números de los fragmentos</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1440,6 +1445,11 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La importación de %1 se interrumpió tras %2 de %3 filas; estas están completas. Impórtela otra vez para el resto.</translation>
+    </message>
+    <message>
+      <source>Do not tell this again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No volver a avisar de esto</translation>
     </message>
   </context>
   <context>
@@ -1878,6 +1888,16 @@
       <source>as fits A4</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>según A4</translation>
+    </message>
+    <message>
+      <source>Tables (ODS): LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablas (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imágenes, máscaras y poses para COLMAP y OpenMVS</translation>
     </message>
   </context>
   <context>
@@ -3645,6 +3665,24 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>hueco entre los lados a lo largo del borde</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberEdit</name>
+    <message>
+      <source>7, a whole number, or scan its label</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7, un número entero o leer su etiqueta</translation>
+    </message>
+    <message>
+      <source>&amp;Number of sherd %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Número del fragmento %1</translation>
+    </message>
+    <message>
+      <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Si ya tienen números: cada uno sigue a su fragmento al darle la vuelta. Tecla N.</translation>
     </message>
   </context>
 </TS>

@@ -1019,6 +1019,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Le bureau retient un appareil, par son programme %2.</translation>
     </message>
+    <message>
+      <source>Type the sherds' numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Saisir les numéros des tessons</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1440,6 +1445,11 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L'importation de %1 s'est interrompue après %2 lignes sur %3 ; celles-ci sont complètes. Importez de nouveau pour le reste.</translation>
+    </message>
+    <message>
+      <source>Do not tell this again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne plus le signaler</translation>
     </message>
   </context>
   <context>
@@ -1878,6 +1888,16 @@
       <source>as fits A4</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>selon A4</translation>
+    </message>
+    <message>
+      <source>Tables (ODS): LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tableaux (ODS) : LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Images, masques, poses pour COLMAP et OpenMVS</translation>
     </message>
   </context>
   <context>
@@ -3645,6 +3665,24 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>écart entre les faces le long du bord</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberEdit</name>
+    <message>
+      <source>7, a whole number, or scan its label</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7, un numéro entier, ou lire son étiquette</translation>
+    </message>
+    <message>
+      <source>&amp;Number of sherd %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Numéro du tesson %1</translation>
+    </message>
+    <message>
+      <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>S’ils ont déjà des numéros : chacun suit son tesson au retournement. Touche N.</translation>
     </message>
   </context>
 </TS>

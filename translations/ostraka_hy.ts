@@ -1019,6 +1019,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Աշխատասեղանը պահում է տեսախցիկը իր %2 ծրագրով։</translation>
     </message>
+    <message>
+      <source>Type the sherds' numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մուտքագրել խեցաբեկորների համարները</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1440,6 +1445,11 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի ներմուծումն ընդհատվել է %3 տողից %2-ից հետո. դրանք ամբողջական են: Մնացածի համար կրկին ներմուծեք:</translation>
+    </message>
+    <message>
+      <source>Do not tell this again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլևս չհիշեցնել</translation>
     </message>
   </context>
   <context>
@@ -1878,6 +1888,16 @@
       <source>as fits A4</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ըստ A4-ի</translation>
+    </message>
+    <message>
+      <source>Tables (ODS): LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակներ (ODS)՝ LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերներ, դիմակներ, դիրքեր COLMAP-ի և OpenMVS-ի համար</translation>
     </message>
   </context>
   <context>
@@ -3645,6 +3665,24 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>երեսների միջև բացվածքը եզրի երկայնքով</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberEdit</name>
+    <message>
+      <source>7, a whole number, or scan its label</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7, ամբողջ համարը կամ կարդալ պիտակը</translation>
+    </message>
+    <message>
+      <source>&amp;Number of sherd %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Խեցաբեկոր %1-ի համարը</translation>
+    </message>
+    <message>
+      <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եթե արդեն համարներ ունեն՝ յուրաքանչյուրը հետևում է իր խեցաբեկորին շրջելիս։ N ստեղնը։</translation>
     </message>
   </context>
 </TS>

@@ -1009,6 +1009,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Masaüstü bir kamerayı %2 programıyla tutuyor.</translation>
     </message>
+    <message>
+      <source>Type the sherds' numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaların numaralarını yaz</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1423,6 +1428,11 @@
       <source>The import of %1 broke off after %2 of %3 rows; these are whole. Import it again for the rest.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alımı %3 satırdan %2 satır sonra kesildi; bunlar tamdır. Kalanı için yeniden alın.</translation>
+    </message>
+    <message>
+      <source>Do not tell this again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bunu bir daha bildirme</translation>
     </message>
   </context>
   <context>
@@ -1853,6 +1863,16 @@
       <source>as fits A4</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>A4'e sığdığı gibi</translation>
+    </message>
+    <message>
+      <source>Tables (ODS): LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablolar (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP ve OpenMVS için resimler, maskeler, duruşlar</translation>
     </message>
   </context>
   <context>
@@ -3612,6 +3632,24 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yüzler arasında kenar boyunca aralık</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberEdit</name>
+    <message>
+      <source>7, a whole number, or scan its label</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7, tam numara veya etiketini okut</translation>
+    </message>
+    <message>
+      <source>&amp;Number of sherd %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Parça %1 numarası</translation>
+    </message>
+    <message>
+      <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zaten numaraları varsa: her biri çevirmede parçasını izler. N tuşu.</translation>
     </message>
   </context>
 </TS>

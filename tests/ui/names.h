@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QTextEdit>
 
@@ -36,7 +37,8 @@ inline bool isPartOfAnother(const QWidget* widget) {
         qobject_cast<const QComboBox*>(up) != nullptr ||
         qobject_cast<const QLineEdit*>(up) != nullptr ||
         qobject_cast<const QAbstractItemView*>(up) != nullptr ||
-        qobject_cast<const QAbstractScrollArea*>(up) != nullptr)
+        (qobject_cast<const QAbstractScrollArea*>(up) != nullptr &&
+         qobject_cast<const QScrollArea*>(up) == nullptr))  // that holds whole pages
       return true;
   return false;
 }

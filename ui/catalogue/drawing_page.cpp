@@ -20,6 +20,7 @@
 #include "catalogue/values.h"
 #include "drawing/drawing_files.h"
 #include "ui/catalogue/sheet_view.h"
+#include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
@@ -51,6 +52,7 @@ QLayout* DrawingPage::buildChoices() {
     // Long words of some languages do not widen the window.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(12);
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return box;
   };
   scale_ = choice("drawingScale", tr("Scale of the drawing"));
@@ -72,6 +74,7 @@ QLayout* DrawingPage::buildChoices() {
     form->addRow(label, box);
     connect(box, &QComboBox::activated, this, &DrawingPage::choicesChanged);
   }
+  centreLabels(*form);
   return form;
 }
 

@@ -156,7 +156,8 @@ void ModelPane::fetch() {
 
 void ModelPane::showPicture() {
   const int size = std::max(1, std::min({label_->width(), label_->height(), kPicture}));
-  label_->setPixmap(picture_.isNull() ? icon("sherd").pixmap(size, size)
+  const int sign = std::min(size, 3 * fontMetrics().height());  // that there is none: no picture
+  label_->setPixmap(picture_.isNull() ? icon("sherd").pixmap(sign, sign)
                                       : picture_.scaled(size, size, Qt::KeepAspectRatio,
                                                         Qt::SmoothTransformation));
 }

@@ -10,7 +10,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr int kPictureSize = 96;
+constexpr int kPictureSize = 240;
 
 bool isNumber(const std::string& field) {
   for (const catalogue::SherdField& known : catalogue::sherdFields())
@@ -147,8 +147,13 @@ QVariant SherdTableModel::picture(int row, const catalogue::SherdRecord& sherd) 
 }
 
 void SherdTableModel::pictureArrived(const QString& path, const QImage& image) {
-  pictures_.insert(path,
-                   new QIcon(image.isNull() ? icon("sherd") : QIcon(QPixmap::fromImage(image))));
+  auto* shown = new QIcon(icon("sherd"));
+  if (!image.isNull()) {
+    const QPixmap picture = QPixmap::fromImage(image);
+    *shown = QIcon(picture);
+    shown->addPixmap(picture, QIcon::Selected);  // clay keeps its colour in a chosen row
+  }
+  pictures_.insert(path, shown);
   for (const int row : asked_.take(path))
     if (row < rowCount()) emit dataChanged(index(row, 0), index(row, 0), {Qt::DecorationRole});
 }

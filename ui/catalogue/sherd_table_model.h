@@ -68,7 +68,7 @@ class SherdTableModel final : public QAbstractTableModel {
   std::vector<catalogue::SherdRow> rows_;
   mutable QHash<qint64, int> row_of_;
   mutable QCache<int, std::vector<catalogue::SherdRecord>> pages_{40};
-  mutable QCache<QString, QIcon> pictures_{2000};
+  mutable QCache<QString, QIcon> pictures_{1000};
   mutable QHash<QString, std::vector<int>> asked_;  ///< path -> rows that wait for it
   mutable int pages_read_ = 0;
 };

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/frame/elided_label.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 
@@ -19,7 +20,7 @@ constexpr int kFewBatches = 5;
 constexpr int kSaidFor_ms = 12000;
 
 QLabel* label(QWidget* parent, const QString& name, const QString& object) {
-  auto* made = new QLabel(parent);
+  auto* made = new ElidedLabel(parent);
   made->setObjectName(object);
   made->setAccessibleName(name);
   made->setTextFormat(Qt::PlainText);
@@ -66,8 +67,10 @@ HeaderLine::HeaderLine(QWidget* parent)
   where_->setFont(bold);
   auto* row = new QHBoxLayout(this);
   row->addWidget(where_, 3);
-  row->addWidget(rig_, 2, Qt::AlignCenter);
-  row->addWidget(room_, 2, Qt::AlignRight);
+  row->addWidget(rig_, 2);
+  row->addWidget(room_, 2);
+  rig_->setAlignment(Qt::AlignCenter);
+  room_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }
 
 void HeaderLine::setWhere(const QString& words) {
@@ -97,8 +100,8 @@ FooterLine::FooterLine(QAction* pause, QAction* log, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->addWidget(work_);
   row->addWidget(bar_);
-  row->addStretch(1);
-  row->addWidget(said_, 2, Qt::AlignRight);
+  row->addWidget(said_, 1);
+  said_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(button(this, pause));
   row->addWidget(button(this, log));
   setWork({}, -1);

@@ -109,10 +109,9 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
   title->setFont(scaledFont(*this, 1.6));
   title->setAlignment(Qt::AlignCenter);
   title->setWordWrap(true);
-  auto* text = new QLabel(words, this);
-  text->setAlignment(Qt::AlignCenter);
-  text->setWordWrap(true);
-  text->setFixedWidth(fontMetrics().averageCharWidth() * 65);  // else it shrinks to a column
+  words_ = new QLabel(words, this);
+  words_->setAlignment(Qt::AlignCenter);
+  words_->setWordWrap(true);
   auto* acts = new FlowRow;
   acts->setCentred(true);
   acts_ = acts;
@@ -120,10 +119,22 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
   column->addStretch(2);
   column->addWidget(picture);
   column->addWidget(title);
-  column->addWidget(text, 0, Qt::AlignHCenter);
+  column->addWidget(words_, 0, Qt::AlignHCenter);
   column->addSpacing(fontMetrics().height());
   column->addLayout(acts);
   column->addStretch(3);
+  lay();
+}
+
+void EmptyState::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) lay();
+}
+
+// A layout would give the words a column's width or a line's height.
+void EmptyState::lay() {
+  const int width = fontMetrics().averageCharWidth() * 65;
+  words_->setFixedSize(width, words_->heightForWidth(width));
 }
 
 QPushButton* EmptyState::addAct(const QString& text, const QString& object_name) {

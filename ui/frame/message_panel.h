@@ -56,7 +56,13 @@ class EmptyState final : public QWidget {
   /// The first is the big one.
   QPushButton* addAct(const QString& text, const QString& object_name);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void lay();
+
+  QLabel* words_;
   QLayout* acts_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QPushButton>
 #include <QSet>
 #include <QTextBrowser>
@@ -15,8 +16,32 @@ static void initialiseManual() {
 }
 
 namespace ostraka::ui {
+namespace {
 
-HelpPage::HelpPage(QWidget* parent) : QWidget(parent), text_(new QTextBrowser(this)) {
+constexpr int kPictureWide = 800;  // as the pages ask for
+
+// A picture is made as small as it is shown with care; the browser itself would drop pixels, and
+// with them strokes of the letters in it.
+class ManualText final : public QTextBrowser {
+ public:
+  using QTextBrowser::QTextBrowser;
+
+ protected:
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QVariant found = QTextBrowser::loadResource(type, name);
+    if (type != QTextDocument::ImageResource) return found;
+    QImage image = QImage::fromData(found.toByteArray());
+    if (image.isNull()) return found;
+    const int wide = qRound(kPictureWide * devicePixelRatioF());
+    if (image.width() > wide) image = image.scaledToWidth(wide, Qt::SmoothTransformation);
+    image.setDevicePixelRatio(static_cast<double>(image.width()) / kPictureWide);
+    return image;
+  }
+};
+
+}  // namespace
+
+HelpPage::HelpPage(QWidget* parent) : QWidget(parent), text_(new ManualText(this)) {
   initialiseManual();
   setObjectName(QStringLiteral("help"));
   text_->setObjectName(QStringLiteral("helpText"));

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTimer>
 #include <QToolButton>
 #include <QUndoGroup>
@@ -17,6 +18,7 @@
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
+#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/rail.h"
 #include "ui/frame/thumbnails.h"
@@ -31,6 +33,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kRoomEvery_ms = 60000;
+constexpr int kFrame = 4;  // pixels that a desktop draws around a window, about
 
 }  // namespace
 
@@ -58,7 +61,10 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(room_timer_, &QTimer::timeout, this, &MainWindow::measureRoom);
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
-  if (!restoreGeometry(settings_.geometry)) resize(1280, 760);
+  if (!restoreGeometry(settings_.geometry)) {
+    const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 2 * kFrame;
+    resize(QSize(1280, 760).boundedTo(screen()->availableSize() - QSize(2 * kFrame, frame)));
+  }
   followLines();
 }
 
@@ -81,7 +87,7 @@ void MainWindow::buildLayout() {
   pages_ = new QStackedWidget(work);
   footer_ = new FooterLine(queue_station_->pauseAction(), queue_station_->logAction(), work);
   for (Station* station : stations_) {
-    pages_->addWidget(station);
+    pages_->addWidget(new PageArea(station, pages_));
     rail_->addStation(station);
     connect(station, &Station::said, footer_, &FooterLine::say);
     connect(station, &Station::wantsStation, this, &MainWindow::showStationNamed);
@@ -96,8 +102,10 @@ void MainWindow::buildLayout() {
   row->addLayout(right, 1);
   settings_page_ = new SettingsPage(all_);
   help_ = new HelpPage(all_);
-  for (QWidget* page : {static_cast<QWidget*>(start_), work, static_cast<QWidget*>(settings_page_),
-                        static_cast<QWidget*>(help_)})
+  start_area_ = new PageArea(start_, all_);
+  settings_area_ = new PageArea(settings_page_, all_);
+  for (QWidget* page : {static_cast<QWidget*>(start_area_), work,
+                        static_cast<QWidget*>(settings_area_), static_cast<QWidget*>(help_)})
     all_->addWidget(page);
   setCentralWidget(all_);
   connect(rail_, &Rail::selectedChanged, this, &MainWindow::showStation);
@@ -235,7 +243,7 @@ void MainWindow::closeProject() {
   lock_.reset();
   setWindowTitle(tr("Ostraka"));
   start_->setRecent(settings_.recent);
-  all_->setCurrentWidget(start_);
+  all_->setCurrentWidget(start_area_);
 }
 
 void MainWindow::tryVirtualRig() {
@@ -266,19 +274,19 @@ void MainWindow::showStationNamed(const QString& icon_name, const QString& what)
 
 void MainWindow::showSettings() {
   settings_page_->setSettings(settings_);
-  all_->setCurrentWidget(settings_page_);
+  all_->setCurrentWidget(settings_area_);
   settings_page_->setFocus();
 }
 
 void MainWindow::showManual() {
   const QWidget* shown = all_->currentWidget();
   QString page = QStringLiteral("index");
-  if (shown == start_)
+  if (shown == start_area_)
     page = QStringLiteral("start");
-  else if (shown == settings_page_)
+  else if (shown == settings_area_)
     page = QStringLiteral("settings");
   else if (shown != help_)
-    page = static_cast<const Station*>(pages_->currentWidget())->manualPage();
+    page = stations_[static_cast<std::size_t>(pages_->currentIndex())]->manualPage();
   help_->showManual(page);
   all_->setCurrentWidget(help_);
 }
@@ -293,7 +301,7 @@ void MainWindow::showShortcuts() {
 
 void MainWindow::leaveSidePage() {
   if (session_ == nullptr)
-    all_->setCurrentWidget(start_);
+    all_->setCurrentWidget(start_area_);
   else
     showStation(pages_->currentIndex());
 }

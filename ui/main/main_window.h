@@ -26,6 +26,7 @@ class HelpPage;
 class JobRunner;
 class ProjectSession;
 class QueueStation;
+class PageArea;
 class Rail;
 class SettingsPage;
 class StartScreen;
@@ -86,6 +87,7 @@ class MainWindow final : public QMainWindow {
   std::vector<Station*> stations_;
   Thumbnails* thumbnails_;
   QStackedWidget *all_ = nullptr, *pages_ = nullptr;
+  PageArea *start_area_ = nullptr, *settings_area_ = nullptr;
   StartScreen* start_ = nullptr;
   SettingsPage* settings_page_ = nullptr;
   HelpPage* help_ = nullptr;

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/big_button.h"
+#include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/thumbnails.h"
@@ -152,6 +153,7 @@ QWidget* StartScreen::buildNew() {
   folder_->setAccessibleName(tr("Folder"));
   form->addRow(tr("N&umbering"), numbering_);
   form->addRow(tr("A sherd will be"), example_);
+  centreLabels(*form);
   auto* column = new QVBoxLayout(box);
   column->addLayout(form);
   column->addStretch(1);

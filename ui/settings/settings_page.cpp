@@ -11,6 +11,8 @@
 #include <QThread>
 #include <QVBoxLayout>
 
+#include "ui/frame/form_rows.h"
+
 namespace ostraka::ui {
 
 SettingsPage::SettingsPage(QWidget* parent)
@@ -75,6 +77,7 @@ void SettingsPage::buildLayout() {
                          static_cast<QWidget*>(text_), static_cast<QWidget*>(language_),
                          static_cast<QWidget*>(threads_)})
     field->setMinimumHeight(targetSize(*this) * 3 / 4);
+  centreLabels(*form);
   auto* middle = new QWidget(this);
   middle->setLayout(form);
   middle->setMaximumWidth(fontMetrics().averageCharWidth() * 90);

@@ -316,10 +316,10 @@ class Exporting {
       return added ? Result<void>() : added.error();
     };
     if (options_.forms.contains(Form::Csv)) {
-      constexpr ByteOrderMark kBom = ByteOrderMark::With;
-      Result<void> done = put("sherds.csv", sherdsCsv(catalogue_, rows, kBom, named_));
-      if (done) done = put("contexts.csv", contextsCsv(catalogue_, list, kBom));
-      if (done) done = put("columns.csv", columnsCsv(kBom));
+      constexpr ByteOrderMark with_mark = ByteOrderMark::With;
+      Result<void> done = put("sherds.csv", sherdsCsv(catalogue_, rows, with_mark, named_));
+      if (done) done = put("contexts.csv", contextsCsv(catalogue_, list, with_mark));
+      if (done) done = put("columns.csv", columnsCsv(with_mark));
       if (!done) return done;
     }
     if (!options_.forms.contains(Form::Ods)) return {};

@@ -32,18 +32,18 @@ NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
   connect(edit_, &QLineEdit::returnPressed, this, &NumberEdit::keep);
   connect(numbers_, &SherdNumbers::changed, this, [this] {
     if (sherd_ >= numbers_->count()) sherd_ = 0;
-    if (!edit_->hasFocus()) show(sherd_);
+    if (!edit_->hasFocus()) showSherd(sherd_);
   });
-  show(0);
+  showSherd(0);
 }
 
 void NumberEdit::choose(int sherd) {
-  show(sherd);
+  showSherd(sherd);
   edit_->setFocus();
   edit_->selectAll();
 }
 
-void NumberEdit::show(int sherd) {
+void NumberEdit::showSherd(int sherd) {
   sherd_ = sherd;
   const QString words = tr("&Number of sherd %1").arg(sherd + 1);
   label_->setText(words);
@@ -62,7 +62,7 @@ void NumberEdit::keep() {
     return;
   }
   if (sherd_ + 1 < numbers_->count()) return choose(sherd_ + 1);
-  show(sherd_);
+  showSherd(sherd_);
   emit finished();
 }
 
@@ -73,7 +73,7 @@ bool NumberEdit::eventFilter(QObject* watched, QEvent* event) {
     if (by != 0 && sherd_ + by >= 0 && sherd_ + by < numbers_->count()) choose(sherd_ + by);
     if (by != 0) return true;
     if (key == Qt::Key_Escape) {
-      show(sherd_);
+      showSherd(sherd_);
       emit finished();
       return true;
     }

@@ -28,7 +28,7 @@ class NumberEdit final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void show(int sherd);
+  void showSherd(int sherd);
   void keep();
 
   SherdNumbers* numbers_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -73,6 +74,46 @@ std::vector<std::vector<int>> connectedPieces(const PointCloud& cloud, double ga
     pieces[static_cast<std::size_t>(piece)].push_back(static_cast<int>(i));
   }
   return pieces;
+}
+
+// Pieces that stereo left without a connection to their sherd's edge go to it.
+std::vector<std::vector<int>> withHoveringJoined(const PointCloud& cloud,
+                                                 std::vector<std::vector<int>> pieces,
+                                                 const SplitOptions& options) {
+  const auto largest =
+      std::max_element(pieces.begin(), pieces.end(),
+                       [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  const double most =
+      pieces.empty() ? 0 : options.hover_share * static_cast<double>(largest->size());
+  std::vector<std::optional<KdTree>> trees(pieces.size());
+  std::vector<std::size_t> home(pieces.size());
+  std::iota(home.begin(), home.end(), std::size_t{0});
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const PointCloud piece = subset(cloud, pieces[i]);
+    const bool hovers = std::all_of(piece.points.begin(), piece.points.end(),
+                                    [&](const auto& p) { return p.z() > options.hover_mm; });
+    if (!hovers || static_cast<double>(piece.size()) > most || piece.size() < kFewest) continue;
+    auto nearest = static_cast<float>(options.hover_reach_mm);
+    for (std::size_t j = 0; j < pieces.size(); ++j) {
+      if (static_cast<double>(piece.size()) >
+          options.hover_share * static_cast<double>(pieces[j].size()))
+        continue;
+      if (!trees[j]) trees[j].emplace(subset(cloud, pieces[j]).points);
+      for (const Eigen::Vector3f& p : piece.points) {
+        const Neighbour found = trees[j]->nearest(p, nearest);
+        if (found.index < 0) continue;
+        nearest = std::sqrt(found.squared_distance);
+        home[i] = j;
+      }
+    }
+  }
+  std::vector<std::vector<int>> joined;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (home[i] != i)
+      pieces[home[i]].insert(pieces[home[i]].end(), pieces[i].begin(), pieces[i].end());
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (home[i] == i) joined.push_back(std::move(pieces[i]));
+  return joined;
 }
 
 struct Extent {
@@ -145,7 +186,8 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
   SplitResult result;
   std::size_t flying = 0;
-  for (const std::vector<int>& indices : connectedPieces(above, options.gap_mm)) {
+  const auto pieces = withHoveringJoined(above, connectedPieces(above, options.gap_mm), options);
+  for (const std::vector<int>& indices : pieces) {
     if (indices.size() < kFewest) {
       flying += indices.size();
       continue;

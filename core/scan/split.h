@@ -10,9 +10,15 @@
 namespace ostraka::scan {
 
 struct SplitOptions {
-  double plate_mm = 0.25;       ///< points this low belong to the plate (stereo's height noise)
-  double plate_flat_mm = 0.6;   ///< so do points this low that look straight up
-  double gap_mm = 1.2;          ///< wider gaps separate sherds; 5 pixels at 0.24 mm per pixel
+  double plate_mm = 0.25;      ///< points this low belong to the plate (stereo's height noise)
+  double plate_flat_mm = 0.6;  ///< so do points this low that look straight up
+  double gap_mm = 1.2;         ///< wider gaps separate sherds; 5 pixels at 0.24 mm per pixel
+  /// A sherd stands on the plate: a piece that hovers by this much beside a far larger one is a
+  /// part of its edge. Sherds whose lower edge is not seen nearer to the plate are large
+  /// themselves.
+  double hover_mm = 2.0;
+  double hover_reach_mm = 3.0;  ///< from the larger piece's points: half of what sherds stay apart
+  double hover_share = 0.05;    ///< of the larger piece's points at most
   double min_extent_mm = 10.0;  ///< smaller pieces are crumbs: no sherd is sorted below 1 cm
   double min_area_mm2 = 50;     ///< so are slivers: a sherd of 1 cm covers more, seen from above
   double min_height_mm = 1.5;   ///< flatter pieces are markers or dirt: walls are 3 mm and more
@@ -26,10 +32,11 @@ struct SplitResult {
   std::vector<std::string> warnings;  ///< whole sentences with places on the plate in mm
 };
 
-/// One cloud per sherd: connected pieces above the plate. Crumbs, plate points, markers and flying
-/// points are dropped; touching sherds are cut at an evident neck; all of it is reported.
-/// plate_cloud: oriented points in the side's plate frame, mm. Errors: NotEnough when nothing is
-/// left, UnusableInput without normals. Deterministic; numbers follow the places on the plate.
+/// One cloud per sherd: connected pieces above the plate, with what hovers beside them. Crumbs,
+/// plate points, markers and flying points are dropped; touching sherds are cut at an evident neck;
+/// all of it is reported. plate_cloud: oriented points in the side's plate frame, mm. Errors:
+/// NotEnough when nothing is left, UnusableInput without normals. Deterministic; numbers follow the
+/// places on the plate.
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress);
 

@@ -106,7 +106,6 @@ void CatalogueStation::buildLayout() {
   problem_ = new QLabel(this);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
-  problem_->setTextInteractionFlags(Qt::TextBrowserInteraction);
   connect(problem_, &QLabel::linkActivated, this, &CatalogueStation::forgetImports);
   problem_->hide();
   who_ = new QWidget(this);
@@ -454,6 +453,9 @@ void CatalogueStation::sherdsChanged(const std::vector<catalogue::SherdRow>& she
 
 void CatalogueStation::complain(const QString& sentence) {
   problem_->setText(sentence);
+  // Only what says something can be reached by keyboard.
+  problem_->setTextInteractionFlags(sentence.isEmpty() ? Qt::NoTextInteraction
+                                                       : Qt::TextBrowserInteraction);
   problem_->setVisible(!sentence.isEmpty());
 }
 

@@ -74,7 +74,7 @@ void SherdDetails::buildLayout() {
   number_->setFont(scaledFont(*this, 1.4));
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   number_->setAccessibleName(tr("Number of the sherd"));
-  give_number_ = new QPushButton(icon("label"), {}, page);
+  give_number_ = new QPushButton(icon("label"), tr("Give the number %1").arg(QString()), page);
   give_number_->setObjectName("giveNumber");
   give_number_->setMinimumHeight(targetSize(*this));
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);

@@ -38,8 +38,9 @@ void putBatch(const fs::path& project) {
       images.push_back(image);
     }
   }
-  fs::create_directories(project / "results/B0001/work/rig");
-  ASSERT_TRUE(rig::writeCameras(project / "results/B0001/work/rig/cameras.json", images));
+  fs::create_directories(project / "results" / "B0001" / "work" / "rig");
+  ASSERT_TRUE(
+      rig::writeCameras(project / "results" / "B0001" / "work" / "rig" / "cameras.json", images));
 }
 
 TEST(ViewsOut, HoldWhatColmapAndOpenMvsLookForAndNameTheirPhotographs) {

@@ -158,22 +158,6 @@ TEST(DemoRig, SaysThatAMovedCameraNoLongerFitsAndRecovers) {
   EXPECT_LT(against(poses->images).worst_px, 0.05);
 }
 
-TEST(DemoRig, TellsAPlateThatIsSaidSmallerThanTheRigsOwn) {
-  batch::Batch batch = stopsBelow(demo(), 3);
-  const auto first = pose(batch);
-  ASSERT_TRUE(first.has_value());
-  for (batch::Marker& marker : batch.plate->markers)
-    for (Eigen::Vector3d& corner : marker.corners) corner *= 0.99;
-  const auto poses = pose(batch, first->rig);
-  ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
-  // The rig's cameras stand where they stood by the true plate: its distances are 1 / 0.99 as long.
-  ASSERT_EQ(poses->held_out.size(), 2U);
-  for (const HeldOutDistance& d : poses->held_out) {
-    EXPECT_NEAR(d.error(), 1 / 0.99 - 1, 1e-3);
-    EXPECT_TRUE(scaleDoubt(d).has_value());
-  }
-}
-
 TEST(DemoRig, ManagesWithoutCalibrationPicturesAndSaysSo) {
   batch::Batch batch = demo();
   batch.calibration.clear();

@@ -58,6 +58,37 @@ TEST(SplitScans, ASliverIsACrumbHoweverLong) {
       << found->warnings[0];
 }
 
+// A strip of a sherd's upper edge, 2 mm beside it: it cannot be a sherd, for it stands on nothing.
+TEST(SplitScans, WhatHoversBesideASherdBelongsToIt) {
+  PointCloud sherd = test::box(-60, 40, 60, 50, 9);
+  PointCloud strip;
+  for (float x = -55; x < -35; x += 0.5f)
+    for (const float z : {5.f, 5.5f, 6.f, 6.5f}) {
+      strip.points.emplace_back(x, 38.f, z);
+      strip.normals.push_back(-Eigen::Vector3f::UnitY());
+    }
+  PointCloud cloud = sherd;
+  test::append(cloud, test::box(30, -40, 30, 20, 5));
+  const auto without = split(cloud);
+  test::append(cloud, strip);
+  const auto found = split(cloud);
+  ASSERT_TRUE(without.has_value() && found.has_value());
+  ASSERT_EQ(found->scans.size(), 2u);
+  EXPECT_TRUE(found->warnings.empty());
+  EXPECT_EQ(found->scans[0].cloud.size(), without->scans[0].cloud.size() + strip.size());
+  EXPECT_EQ(found->scans[1].cloud.size(), without->scans[1].cloud.size());
+}
+
+// The same strip on the plate may be a sliver of its own.
+TEST(SplitScans, WhatLiesOnThePlateBesideASherdIsNotJoinedToIt) {
+  PointCloud cloud = test::box(-60, 40, 60, 50, 9);
+  const auto without = split(cloud);
+  test::append(cloud, test::box(-55, 34, 20, 3, 3));
+  const auto found = split(cloud);
+  ASSERT_TRUE(without.has_value() && found.has_value());
+  EXPECT_EQ(found->scans[0].cloud.size(), without->scans[0].cloud.size());
+}
+
 TEST(SplitScans, NumbersDoNotDependOnTheOrderOfThePoints) {
   PointCloud cloud = plate();
   const auto a = split(cloud);

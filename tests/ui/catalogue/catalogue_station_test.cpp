@@ -296,7 +296,7 @@ class CatalogueStationTest : public QObject {
                       .data(Qt::DecorationRole)
                       .value<QIcon>()
                       .availableSizes()
-                      .contains(QSize(96, 96)));
+                      .contains(QSize(240, 240)));
       if (!folder.isEmpty())
         station_->grab().save(folder + "/catalogue-" + themeName(theme) + ".png");
       table()->setFocus();

@@ -76,9 +76,9 @@ class SherdTableModelTest : public QObject {
     const auto sizes = [&] {
       return model.data(model.index(0, 0), Qt::DecorationRole).value<QIcon>().availableSizes();
     };
-    QVERIFY(!sizes().contains(QSize(96, 96)));
+    QVERIFY(!sizes().contains(QSize(240, 240)));
     QTRY_VERIFY(changed.count() > 0);
-    QVERIFY(sizes().contains(QSize(96, 96)));
+    QVERIFY(sizes().contains(QSize(240, 240)));
   }
 
   void readersHearTheFieldWithItsValue() {

@@ -156,7 +156,11 @@ class ScreensTest : public QObject {
       const QWidget* page = window_->stations()[i];
       const auto* area = qobject_cast<const PageArea*>(page->parentWidget()->parentWidget());
       QVERIFY(area != nullptr);
-      QTRY_COMPARE(page->size(), area->viewport()->size());
+      QTRY_VERIFY2(page->size() == area->viewport()->size(),
+                   qPrintable(QStringLiteral("%1: %2 in %3")
+                                  .arg(window_->stations()[i]->title())
+                                  .arg(page->height())
+                                  .arg(area->viewport()->height())));
     }
   }
 

@@ -1,0 +1,84 @@
+// Scans: one cloud for each sherd of a side, as found and as people joined and cut them.
+#include <nlohmann/json.hpp>
+
+#include "cloud/ply.h"
+#include "pipeline/chain.h"
+#include "pipeline/piece_edits.h"
+#include "scan/rim.h"
+#include "scan/split.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+using Scans = Staged<std::vector<scan::Scan>>;
+
+Result<ordered_json> writeScans(const fs::path& folder, const std::vector<scan::Scan>& scans,
+                                const std::string& frame) {
+  ordered_json points = ordered_json::object();
+  for (const scan::Scan& scan : scans) {
+    const Result<void> written = writePly(folder / (scan.id + ".ply"), scan.cloud, frame);
+    if (!written) return written.error();
+    points[scan.id] = scan.cloud.size();
+  }
+  return points;
+}
+
+Result<Scans> readScans(const fs::path& folder, const StageRecord& record) {
+  std::vector<scan::Scan> scans;
+  for (const auto& [id, points] : record.notes.figures.at("points").items()) {
+    Result<PointCloud> points_of = readPlyCloud(folder / (id + ".ply"));
+    if (!points_of) return points_of.error();
+    scan::Scan scan{id, std::move(*points_of), {}, Eigen::Vector3d::UnitZ()};
+    scan.rim = scan::findRim(scan.cloud, {.up = scan.up});
+    scans.push_back(std::move(scan));
+  }
+  return Scans{std::move(scans), record};
+}
+
+Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
+  const std::string frame = std::string("plate_") + batch::name(side);
+  Decisions edits;
+  for (const PairDecision& d : run.decisions)
+    if (hasEdits({d}, side)) edits.push_back(d);
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    const EditedPieces edited = editedPieces(found.value, side, edits);
+    const Result<ordered_json> points = writeScans(folder, edited.scans, frame);
+    if (!points) return points.error();
+    return StageNotes{{{"points", *points}}, edited.warnings};
+  };
+  const std::string name = scanFolder(run, side);
+  const Result<StageRecord> record =
+      runStage(run.work, name, {{"scans", found.record.outputs_hash}, {"edits", toJson(edits)}},
+               work, run.progress);
+  if (!record) return record.error();
+  return readScans(run.work / name, *record);
+}
+
+}  // namespace
+
+std::string scanFolder(const Run& run, batch::Side side) {
+  return (hasEdits(run.decisions, side) ? "pieces_" : "scans_") + std::string(batch::name(side));
+}
+
+Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<PointCloud>& cloud) {
+  const std::string name = std::string("scans_") + batch::name(side);
+  const std::string frame = std::string("plate_") + batch::name(side);
+  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+    const Result<scan::SplitResult> split = scan::splitScans(cloud.value, side, {}, run.progress);
+    if (!split) return split.error();
+    const Result<ordered_json> points = writeScans(folder, split->scans, frame);
+    if (!points) return points.error();
+    return StageNotes{{{"points", *points}}, split->warnings};
+  };
+  const Result<StageRecord> record =
+      runStage(run.work, name, {{"cloud", cloud.record.outputs_hash}}, work, run.progress);
+  if (!record) return record.error();
+  Result<Scans> found = readScans(run.work / name, *record);
+  if (!found || !hasEdits(run.decisions, side)) return found;
+  return editStage(run, side, *found);
+}
+
+}  // namespace ostraka::pipeline

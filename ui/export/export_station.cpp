@@ -64,6 +64,7 @@ QWidget* ExportStation::buildWhat() {
 QWidget* ExportStation::buildForms() {
   auto* box = new QGroupBox(tr("Forms"), this);
   auto* column = new QVBoxLayout(box);
+  column->setSpacing(2);  // the rows' own height keeps them apart
   const std::pair<exchange::Form, QString> all[] = {
       {exchange::Form::Csv, tr("Tables (CSV), for spreadsheets")},
       {exchange::Form::Ods, tr("Tables (ODS): LibreOffice, Excel")},

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QTextBrowser>
+#include <QTranslator>
 
 #include "../names.h"
 #include "catalogue/project.h"
@@ -168,6 +169,12 @@ class ScreensTest : public QObject {
     const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
     const QString given = qEnvironmentVariable("OSTRAKA_PROJECT");
     if (!given.isEmpty()) project_ = given;
+    QTranslator plurals;  // as the program has it: '1 sherd', '2 sherds'
+    QVERIFY(plurals.load(QStringLiteral("ostraka_en"), QStringLiteral(OSTRAKA_QM)));
+    QApplication::installTranslator(&plurals);
+    window_ = std::make_unique<MainWindow>(*jobs_);
+    window_->resize(1280, 720);
+    activate(*window_);
     openVirtual();
     QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
     QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
@@ -182,6 +189,8 @@ class ScreensTest : public QObject {
           window_->showStation(static_cast<int>(i));
           if (window_->stations()[i]->iconName() == QLatin1String("catalogue"))
             named<QTableView>(*window_, "sherds")->selectRow(0);
+          if (window_->stations()[i]->iconName() == QLatin1String("export"))
+            named<QLineEdit>(*window_, "target")->setText("/media/stick/season-3");
         });
       picture(folder, theme, "drawing", [this] {
         for (std::size_t i = 0; i < window_->stations().size(); ++i)

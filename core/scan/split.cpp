@@ -80,40 +80,37 @@ std::vector<std::vector<int>> connectedPieces(const PointCloud& cloud, double ga
 std::vector<std::vector<int>> withHoveringJoined(const PointCloud& cloud,
                                                  std::vector<std::vector<int>> pieces,
                                                  const SplitOptions& options) {
-  const auto largest =
-      std::max_element(pieces.begin(), pieces.end(),
-                       [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  const double most =
-      pieces.empty() ? 0 : options.hover_share * static_cast<double>(largest->size());
-  std::vector<std::optional<KdTree>> trees(pieces.size());
-  std::vector<std::size_t> home(pieces.size());
-  std::iota(home.begin(), home.end(), std::size_t{0});
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const PointCloud piece = subset(cloud, pieces[i]);
-    const bool hovers = std::all_of(piece.points.begin(), piece.points.end(),
-                                    [&](const auto& p) { return p.z() > options.hover_mm; });
-    if (!hovers || static_cast<double>(piece.size()) > most || piece.size() < kFewest) continue;
+  std::vector<std::vector<int>> standing, hovering;
+  for (std::vector<int>& piece : pieces) {
+    const bool hovers =
+        piece.size() >= kFewest && std::all_of(piece.begin(), piece.end(), [&](int i) {
+          return cloud.points[static_cast<std::size_t>(i)].z() > options.hover_mm;
+        });
+    (hovers ? hovering : standing).push_back(std::move(piece));
+  }
+  std::vector<KdTree> trees;
+  if (!hovering.empty())
+    for (const std::vector<int>& piece : standing) trees.emplace_back(subset(cloud, piece).points);
+  for (std::vector<int>& piece : hovering) {
     auto nearest = static_cast<float>(options.hover_reach_mm);
-    for (std::size_t j = 0; j < pieces.size(); ++j) {
-      if (static_cast<double>(piece.size()) >
-          options.hover_share * static_cast<double>(pieces[j].size()))
-        continue;
-      if (!trees[j]) trees[j].emplace(subset(cloud, pieces[j]).points);
-      for (const Eigen::Vector3f& p : piece.points) {
-        const Neighbour found = trees[j]->nearest(p, nearest);
+    std::optional<std::size_t> home;
+    for (std::size_t j = 0; j < trees.size(); ++j) {
+      const double most = options.hover_share * static_cast<double>(trees[j].size());
+      if (static_cast<double>(piece.size()) > most) continue;
+      for (const int i : piece) {
+        const Neighbour found =
+            trees[j].nearest(cloud.points[static_cast<std::size_t>(i)], nearest);
         if (found.index < 0) continue;
         nearest = std::sqrt(found.squared_distance);
-        home[i] = j;
+        home = j;
       }
     }
+    if (home)
+      standing[*home].insert(standing[*home].end(), piece.begin(), piece.end());
+    else
+      standing.push_back(std::move(piece));
   }
-  std::vector<std::vector<int>> joined;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (home[i] != i)
-      pieces[home[i]].insert(pieces[home[i]].end(), pieces[i].begin(), pieces[i].end());
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (home[i] == i) joined.push_back(std::move(pieces[i]));
-  return joined;
+  return standing;
 }
 
 struct Extent {

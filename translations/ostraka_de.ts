@@ -618,6 +618,11 @@
       </translation>
     </message>
     <message>
+      <source>the scale is not right: see the report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>der Maßstab stimmt nicht: siehe Bericht</translation>
+    </message>
+    <message>
       <source>%1; joined to %2 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; gefügt auf %2 mm</translation>

@@ -618,6 +618,11 @@
       </translation>
     </message>
     <message>
+      <source>the scale is not right: see the report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η κλίμακα δεν είναι σωστή: δείτε την αναφορά</translation>
+    </message>
+    <message>
       <source>%1; joined to %2 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1· ένωση στα %2 mm</translation>

@@ -618,6 +618,11 @@
       </translation>
     </message>
     <message>
+      <source>the scale is not right: see the report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la escala no es correcta: vea el informe</translation>
+    </message>
+    <message>
       <source>%1; joined to %2 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; unidos a %2 mm</translation>

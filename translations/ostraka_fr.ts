@@ -618,6 +618,11 @@
       </translation>
     </message>
     <message>
+      <source>the scale is not right: see the report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l’échelle n’est pas juste : voir le rapport</translation>
+    </message>
+    <message>
       <source>%1; joined to %2 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ; assemblés à %2 mm</translation>

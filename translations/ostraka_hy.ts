@@ -618,6 +618,11 @@
       </translation>
     </message>
     <message>
+      <source>the scale is not right: see the report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մասշտաբը ճիշտ չէ. տե՛ս զեկույցը</translation>
+    </message>
+    <message>
       <source>%1; joined to %2 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. միացված են %2 mm ճշտությամբ</translation>

@@ -614,6 +614,11 @@
       </translation>
     </message>
     <message>
+      <source>the scale is not right: see the report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ölçek doğru değil: rapora bakın</translation>
+    </message>
+    <message>
       <source>%1; joined to %2 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; %2 mm ile birleşti</translation>

@@ -26,6 +26,7 @@ std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& rows, const 
   figures.ask = kept[QStringLiteral("ask")].toInt();
   figures.uncertainty_mm = kept[QStringLiteral("uncertainty_mm")].toDouble();
   figures.seconds = kept[QStringLiteral("seconds")].toDouble();
+  figures.scale_doubtful = kept[QStringLiteral("scale_doubtful")].toBool();
   return figures;
 }
 
@@ -38,6 +39,7 @@ Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
   kept[QStringLiteral("ask")] = figures.ask;
   kept[QStringLiteral("uncertainty_mm")] = figures.uncertainty_mm;
   kept[QStringLiteral("seconds")] = figures.seconds;
+  kept[QStringLiteral("scale_doubtful")] = figures.scale_doubtful;
   return rows.setSetting(keyOf(number),
                          QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());
 }

@@ -70,6 +70,9 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
     row.cancelled = failure[QStringLiteral("cancelled")].toBool();
   }
   row.figures = keptFigures(project.catalogue(), row.number);
+  // A wrong scale spoils every measure: such a batch must not look finished.
+  if (row.state == QueueState::Done && row.figures && row.figures->scale_doubtful)
+    row.state = QueueState::Review;
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
 }
 
@@ -389,6 +392,8 @@ QString queueStateWords(QueueState state) {
 }
 
 QString stateWords(const QueueRow& row) {
+  if (row.state == QueueState::Review && row.figures && row.figures->scale_doubtful)
+    return BatchQueue::tr("the scale is not right: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
     return BatchQueue::tr("decided; to be computed");
   return queueStateWords(row.state);

@@ -59,6 +59,7 @@ Result<BatchFigures> fromPhotographs(const ComputeOptions& options, const fs::pa
     figures.decided += sherd.decided_by.empty() ? 0 : 1;
   figures.sure = figures.sherds - figures.ask - figures.decided;
   figures.seconds = done->seconds;
+  figures.scale_doubtful = !done->scale_doubts.empty();
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);
   return figures;
@@ -134,8 +135,9 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   if (!entered) return entered.error();
   for (const std::string& number : entered->numbers_left)
     progress.note(NoteLevel::Warning,
-                  number + ": this number was typed on the plate, but no sherd with a context lies "
-                           "there; give it in the catalogue.");
+                  number +
+                      ": this number was typed on the plate, but no sherd with a context lies "
+                      "there; give it in the catalogue.");
   if (const auto backup = project->backUp(); !backup)
     progress.note(NoteLevel::Warning, backup.error().sentence());
   return figures;

@@ -19,9 +19,10 @@ struct ComputeOptions {
 struct BatchFigures {
   int sherds = 0;
   int sure = 0, ask = 0;
-  double uncertainty_mm = 0;  ///< the largest of its sherds; 0: none has one
-  double seconds = 0;         ///< of this run
-  int decided = 0;            ///< by a person; besides sure and ask
+  double uncertainty_mm = 0;    ///< the largest of its sherds; 0: none has one
+  double seconds = 0;           ///< of this run
+  int decided = 0;              ///< by a person; besides sure and ask
+  bool scale_doubtful = false;  ///< a known length contradicts the plate: all measures are in doubt
 };
 
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the

@@ -95,6 +95,33 @@ class BatchQueueTest : public QObject {
     QTRY_COMPARE(bench.computed, QStringList{number});
   }
 
+  void aBatchWithADoubtfulScaleDoesNotLookDone() {
+    InlineJobRunner jobs;
+    QString number;
+    {
+      Bench bench(folder(), jobs);
+      number = addBatch(bench.session, BatchState::Queued);
+      bench.queue.setWork(
+          [&](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
+            catalogue::Catalogue& rows = bench.session.project().catalogue();
+            (void)rows.setBatchState(rows.batchByNumber(number.toStdString())->row,
+                                     BatchState::Done, {});
+            BatchFigures figures;
+            figures.sherds = figures.sure = 3;
+            figures.scale_doubtful = true;
+            return figures;
+          });
+      bench.queue.setSession(&bench.session);
+      QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
+      QVERIFY(stateWords(bench.queue.row(0)).contains(QLatin1String("scale")));
+    }
+    Bench again(folder(), jobs);
+    again.queue.setSession(&again.session);
+    QCOMPARE(again.queue.row(0).state, QueueState::Review);
+    QVERIFY(stateWords(again.queue.row(0)).contains(QLatin1String("scale")));
+    QVERIFY(again.computed.isEmpty());
+  }
+
   void aPausedQueueStaysPausedWhenTheProjectIsOpenedAgain() {
     InlineJobRunner jobs;
     QString number;

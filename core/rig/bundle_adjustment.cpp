@@ -61,9 +61,9 @@ struct PlateCornerCost {
   PlateCorner corner;
   template <class T>
   bool operator()(const T* intrinsics, const T* camera, const T* angle, const T* plate,
-                  const T* inset, const T* print_error, T* out) const {
-    const T point[3] = {corner.point.x() + print_error[0], corner.point.y() + print_error[1],
-                        corner.point.z() + print_error[2]};
+                  const T* inset, const T* print_error, const T* scale, T* out) const {
+    T point[3];
+    for (int k = 0; k < 3; ++k) point[k] = scale[0] * corner.point[k] + print_error[k];
     T on_table[3], in_camera[3], pixel[2];
     transform(plate, point, on_table);
     using std::cos;
@@ -139,6 +139,15 @@ struct PrintPrior {
   }
 };
 
+// Wide, so that a plate of another size is seen for what it is and not bent to fit.
+struct ScalePrior {
+  template <class T>
+  bool operator()(const T* scale, T* out) const {
+    out[0] = (scale[0] - T(1)) / T(0.05);
+    return true;
+  }
+};
+
 struct InsetPrior {
   template <class T>
   bool operator()(const T* inset, T* out) const {
@@ -151,6 +160,7 @@ class Adjustment {
  public:
   Adjustment(const RigState& start, const AdjustOptions& options)
       : state_(start), options_(options) {
+    if (options.cameras != Cameras::Known) state_.plate_scale = 1;
     for (const RigState::Camera& camera : start.cameras) {
       intrinsics_.push_back(toBlock(camera.intrinsics));
       cameras_.push_back(toBlock(camera.camera_from_turntable));
@@ -191,11 +201,12 @@ class Adjustment {
  private:
   void add(const PlateCorner& c) {
     side_seen_[c.side] = true;
-    using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1, 3>;
+    using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1, 3, 1>;
     problem_.AddResidualBlock(new Cost(new PlateCornerCost{c}), new ceres::CauchyLoss(kLossScale),
                               intrinsics_[c.camera].data(), cameras_[c.camera].data(),
                               &state_.angles_rad[c.side][c.stop], plates_[c.side].data(),
-                              &insets_[c.camera], state_.print_errors_mm[c.plate_point].data());
+                              &insets_[c.camera], state_.print_errors_mm[c.plate_point].data(),
+                              &state_.plate_scale);
   }
 
   void add(const BoardCorner& c) {
@@ -219,6 +230,8 @@ class Adjustment {
       problem_.AddResidualBlock(new Cost(new PrintPrior{options_.print_sd_mm}), nullptr,
                                 error.data());
     }
+    using Scale = ceres::AutoDiffCostFunction<ScalePrior, 1, 1>;
+    problem_.AddResidualBlock(new Scale(new ScalePrior), nullptr, &state_.plate_scale);
     for (PoseBlock& plate : plates_) {
       using Cost = ceres::AutoDiffCostFunction<PlatePrior, 5, 6>;
       problem_.AddResidualBlock(new Cost(new PlatePrior), nullptr, plate.data());
@@ -241,8 +254,10 @@ class Adjustment {
 
   void fixGauge() {
     problem_.SetParameterBlockConstant(&state_.angles_rad[0][0]);
-    if (options_.cameras != Cameras::Known)
+    if (options_.cameras != Cameras::Known) {
       problem_.SetManifold(plates_[0].data(), new ceres::SubsetManifold(6, {2, 5}));
+      problem_.SetParameterBlockConstant(&state_.plate_scale);
+    }
     for (int s = 0; s < 2; ++s)
       if (!side_seen_[s]) problem_.SetParameterBlockConstant(plates_[s].data());
     for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
@@ -319,8 +334,9 @@ Result<RigState> adjust(const RigState& start, const std::vector<PlateCorner>& p
 
 Eigen::Vector2d residual(const RigState& state, const PlateCorner& corner) {
   const RigState::Camera& camera = state.cameras[corner.camera];
-  const Eigen::Vector3d p = state.cameraFromPlate(corner.camera, corner.side, corner.stop) *
-                            (corner.point + state.print_errors_mm[corner.plate_point]);
+  const Eigen::Vector3d p =
+      state.cameraFromPlate(corner.camera, corner.side, corner.stop) *
+      (state.plate_scale * corner.point + state.print_errors_mm[corner.plate_point]);
   return corner.pixel + camera.inset_px * corner.outward - camera.intrinsics.project(p);
 }
 

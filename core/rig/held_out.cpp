@@ -105,7 +105,9 @@ std::string sentence(const HeldOutDistance& d) {
 std::optional<std::string> scaleDoubt(const HeldOutDistance& d) {
   if (std::abs(d.error()) <= kMostScaleError) return std::nullopt;
   return "The scale is not right: " + sentence(d) +
-         "; check that plate.json belongs to this plate and that it is printed and glued true.";
+         "; check that plate.json belongs to this plate, that it is printed and glued true, and "
+         "that a "
+         "known rig was calibrated with it.";
 }
 
 Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,

@@ -158,6 +158,26 @@ TEST(DemoRig, SaysThatAMovedCameraNoLongerFitsAndRecovers) {
   EXPECT_LT(against(poses->images).worst_px, 0.05);
 }
 
+// A known rig carries the scale: it must not be thrown away because a plate contradicts it.
+TEST(DemoRig, AKnownRigTellsAPlateSaidSmallerAtAnyNumberOfStops) {
+  const auto first = pose(stopsBelow(demo(), 4));
+  ASSERT_TRUE(first.has_value());
+  for (const int stops : {1, 3}) {
+    batch::Batch batch = stopsBelow(demo(), stops);
+    batch.calibration.clear();
+    for (batch::Marker& marker : batch.plate->markers)
+      for (Eigen::Vector3d& corner : marker.corners) corner *= 0.99;
+    const auto poses = pose(batch, first->rig);
+    ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
+    ASSERT_EQ(poses->held_out.size(), 2U);
+    for (const HeldOutDistance& distance : poses->held_out)
+      EXPECT_NEAR(distance.error(), 1 / 0.99 - 1, 3e-4) << stops;  // 0.09 of 287 mm
+    EXPECT_THAT(poses->warnings, testing::Contains(testing::HasSubstr("The scale is not right")));
+    EXPECT_THAT(poses->warnings,
+                testing::Not(testing::Contains(testing::HasSubstr("no longer fits"))));
+  }
+}
+
 TEST(DemoRig, ManagesWithoutCalibrationPicturesAndSaysSo) {
   batch::Batch batch = demo();
   batch.calibration.clear();

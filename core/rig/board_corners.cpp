@@ -72,9 +72,11 @@ Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& boar
   cv::aruco::interpolateCornersCharuco(found.corners, found.ids, grey, charuco, corners, ids);
   // OpenCV 4.6 gives these corners half a pixel too far right and down.
   for (cv::Point2f& corner : corners) corner -= cv::Point2f(0.5F, 0.5F);
+  // As far as the markers leave a corner its own: a fixed number of pixels would miss where the
+  // corner is in large pictures, whose start is a few pixels off, and in soft ones.
   const double gap_px =
       shortestSide(found) * (board.square_mm - board.marker_mm) / 2 / board.marker_mm;
-  refine(grey, corners, std::clamp(static_cast<int>(gap_px), 2, 10));
+  refine(grey, corners, std::max(2, static_cast<int>(gap_px)));
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const cv::Point3f p = charuco->chessboardCorners[ids[i]];
     view.points.emplace_back(p.x, p.y, p.z);

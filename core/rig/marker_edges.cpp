@@ -11,6 +11,11 @@
 namespace ostraka::rig {
 namespace {
 
+constexpr double kSharpReach_px = 4;  // of the band beside an edge: what a lens in focus blurs
+constexpr double kMostBlurShare =
+    0.35;                              // of the band: beyond, its ends are not yet black and white
+constexpr double kMostSamples = 8000;  // of an edge
+
 struct Line {
   Eigen::Vector2d point, normal;  // the normal points out of the marker
 };
@@ -19,7 +24,8 @@ struct Sample {
   double along, across, value;  // along in 0..1 of the edge, across in pixels, outwards
 };
 
-// Pixels beside the edge from a to b, away from both corners by `margin` and within `reach`.
+// Pixels beside the edge from a to b, away from both corners by `margin` and within `reach`; of
+// large pictures every second or third one in both directions, which is more than enough.
 std::vector<Sample> samplesBeside(const cv::Mat& grey, const Eigen::Vector2d& a,
                                   const Eigen::Vector2d& b, const Eigen::Vector2d& normal,
                                   double margin, double reach) {
@@ -29,8 +35,9 @@ std::vector<Sample> samplesBeside(const cv::Mat& grey, const Eigen::Vector2d& a,
   const Eigen::Vector2d low = a.cwiseMin(b).array() - reach, high = a.cwiseMax(b).array() + reach;
   std::vector<Sample> samples;
   if (low.minCoeff() < 0 || high.x() > grey.cols - 1 || high.y() > grey.rows - 1) return samples;
-  for (int y = static_cast<int>(low.y()); y <= static_cast<int>(high.y()); ++y)
-    for (int x = static_cast<int>(low.x()); x <= static_cast<int>(high.x()); ++x) {
+  const int stride = 1 + static_cast<int>(std::sqrt(2 * reach * length / kMostSamples));
+  for (int y = static_cast<int>(low.y()); y <= static_cast<int>(high.y()); y += stride)
+    for (int x = static_cast<int>(low.x()); x <= static_cast<int>(high.x()); x += stride) {
       const Eigen::Vector2d d = Eigen::Vector2d(x, y) - a;
       const double along = d.dot(direction), across = d.dot(normal);
       if (along < margin || along > length - margin || std::abs(across) > reach) continue;
@@ -95,6 +102,16 @@ StepFit fitStep(const std::vector<Sample>& samples, double reach) {
   return fit;
 }
 
+// The edge from a to b within `widest` of where it is expected. The band is as narrow as a sharp
+// edge allows, and wider where the picture is soft or enlarged.
+StepFit fitEdge(const cv::Mat& grey, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                const Eigen::Vector2d& normal, double margin, double widest) {
+  for (double reach = std::min(kSharpReach_px, widest);; reach = std::min(2 * reach, widest)) {
+    const StepFit fit = fitStep(samplesBeside(grey, a, b, normal, margin, reach), reach);
+    if (reach >= widest || (fit.good && fit.step[2] < kMostBlurShare * reach)) return fit;
+  }
+}
+
 Eigen::Vector2d intersection(const Line& a, const Line& b) {
   Eigen::Matrix2d normals;
   normals << a.normal.transpose(), b.normal.transpose();
@@ -126,19 +143,20 @@ std::optional<Quad> refineByEdges(const cv::Mat& grey, const Quad& start, int bi
       const Eigen::Vector2d normal = outwardNormal(a, b, centre);
       const Eigen::Vector2d far = (corners[(e + 2) % 4] + corners[(e + 3) % 4]) / 2;
       const double cell = normal.dot((a + b) / 2 - far) / (bits + 2);
-      // Inside the black border and inside the paper's margin, at most where a lens blurs to.
-      const double reach = std::min(4.0, 0.75 * cell);
-      if (!(reach > 1.5)) return std::nullopt;
+      const double widest = 0.75 * cell;  // inside the black border and inside the paper's margin
+      if (!(widest > 1.5)) return std::nullopt;
       const double margin = std::max(3.0, 0.1 * length);
-      const StepFit fit = fitStep(samplesBeside(grey, a, b, normal, margin, reach), reach);
+      const StepFit fit = fitEdge(grey, a, b, normal, margin, widest);
       if (!fit.good) return std::nullopt;
       const Eigen::Vector2d p = a + fit.step[0] * normal, q = b + fit.step[1] * normal;
       edges[e] = {p, outwardNormal(p, q, centre)};
     }
     for (int c = 0; c < 4; ++c) corners[c] = intersection(edges[(c + 3) % 4], edges[c]);
   }
+  // Contours follow whole pixels, of large soft markers less closely.
+  const double most_moved = std::max(3.0, 0.03 * (start[1] - start[0]).norm());
   for (int c = 0; c < 4; ++c)
-    if (!((corners[c] - start[c]).norm() < 3)) return std::nullopt;
+    if (!((corners[c] - start[c]).norm() < most_moved)) return std::nullopt;
   return corners;
 }
 

@@ -17,7 +17,7 @@ cv::Mat photographOf(const Quad& quad, double blur_px, double noise) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal(0, noise);
   const Eigen::Vector2d centre = (quad[0] + quad[1] + quad[2] + quad[3]) / 4;
-  cv::Mat image(160, 160, CV_8U);
+  cv::Mat image(static_cast<int>(centre.y() * 2), static_cast<int>(centre.x() * 2), CV_8U);
   for (int y = 0; y < image.rows; ++y)
     for (int x = 0; x < image.cols; ++x) {
       double inside = 1;
@@ -49,6 +49,22 @@ TEST(RefineByEdges, FindsBlurredCornersWithoutTheInsetOfStoredValues) {
     ASSERT_TRUE(found.has_value()) << blur;
     // Eight bits in the dark leave 0.02 px; in stored values the inset is 0.3 px.
     for (int c = 0; c < 4; ++c) EXPECT_LT(((*found)[c] - kQuad[c]).norm(), 0.04) << blur;
+  }
+}
+
+Quad enlarged(Quad quad, double factor) {
+  for (Eigen::Vector2d& corner : quad) corner *= factor;
+  return quad;
+}
+
+// Large photographs are softer in pixels; the band beside an edge follows the blur.
+TEST(RefineByEdges, FollowsTheBlurOfLargePictures) {
+  const Quad large = enlarged(kQuad, 4);
+  for (const double blur : {2.0, 4.0, 6.0}) {
+    const auto found = refineByEdges(photographOf(large, blur, 0.02), moved(large, 4), 4);
+    ASSERT_TRUE(found.has_value()) << blur;
+    // A tenth of the sharp picture's pixel; with the noise of a real one.
+    for (int c = 0; c < 4; ++c) EXPECT_LT(((*found)[c] - large[c]).norm(), 0.1) << blur;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "mask/plate_mask.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
@@ -57,21 +58,45 @@ Result<void> checkInput(std::span<const rig::PosedImage> images,
   return {};
 }
 
+// Sums of a correlation.
+struct Correlation {
+  double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
+  void add(double a, double b) {
+    n += 1, sx += a, sy += b, sxx += a * a, syy += b * b, sxy += a * b;
+  }
+  double value() const {
+    const double vx = n * sxx - sx * sx, vy = n * syy - sy * sy;
+    return vx > 0 && vy > 0 ? (n * sxy - sx * sy) / std::sqrt(vx * vy) : 0;
+  }
+};
+
 // Correlation of the empty photograph with the stop's own marker ring: tells whether the plate
 // stood at stop 0 when it was taken.
-double ringAgreement(const cv::Mat3f& empty, const PlateLook& look, const cv::Mat1b& paper) {
-  double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0, sxy = 0;
+struct RingAgreement {
+  double whole = 0;
+  double typical = 0;  ///< median over pieces of the ring: a cloth on some markers leaves it high
+};
+
+RingAgreement ringAgreement(const cv::Mat3f& empty, const PlateLook& look, const cv::Mat1b& paper) {
+  constexpr int kPieces = 16;
+  Correlation whole;
+  std::array<Correlation, kPieces> pieces;
+  const double middle_row = 0.5 * (paper.rows - 1), middle_column = 0.5 * (paper.cols - 1);
   for (int row = 0; row < paper.rows; row += 2)
     for (int column = 0; column < paper.cols; column += 2) {
       if (paper(row, column) == 0) continue;
       const cv::Vec2f p = look.pixel_of_cell(row, column);
       const cv::Point pixel(cvRound(p[0]), cvRound(p[1]));
       if (!cv::Rect({0, 0}, empty.size()).contains(pixel)) continue;
+      const double turn = std::atan2(row - middle_row, column - middle_column) / (2 * M_PI) + 0.5;
       const double a = empty(pixel)[1], b = look.log_colours(pixel)[1];
-      n += 1, sx += a, sy += b, sxx += a * a, syy += b * b, sxy += a * b;
+      whole.add(a, b);
+      pieces[static_cast<std::size_t>(kPieces * turn) % kPieces].add(a, b);
     }
-  const double vx = n * sxx - sx * sx, vy = n * syy - sy * sy;
-  return vx > 0 && vy > 0 ? (n * sxy - sx * sy) / std::sqrt(vx * vy) : 0;
+  std::vector<double> values;
+  for (const Correlation& piece : pieces)
+    if (piece.n > 0) values.push_back(piece.value());
+  return {whole.value(), values.empty() ? 0 : medianOf(std::move(values))};
 }
 
 cv::Mat1b insideMarkers(const PlateLook& look, const PlateGrid& grid) {
@@ -213,8 +238,14 @@ class PlateMasker {
       if (images_[members[k]].stop != 0) continue;
       const cv::Mat3f empty = logColours(photograph);
       // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
-      if (ringAgreement(empty, looks[k], paper) < 0.85)
+      constexpr double kFits = 0.85;
+      const RingAgreement agreement = ringAgreement(empty, looks[k], paper);
+      if (agreement.typical < kFits)
         return refuse("does not show the plate at the first stop; take it again there");
+      // Used all the same, it would make a sherd of what lies on the markers in every photograph.
+      if (agreement.whole < kFits)
+        return refuse("shows markers that something covers in " + images_[members[k]].file +
+                      "; take off what lies on them");
       return {empty, static_cast<int>(k)};
     }
     return refuse("has no photograph at the first stop beside it");

@@ -16,8 +16,9 @@ struct Scene {
   std::vector<rig::PosedImage> images;
   std::vector<cv::Mat> photographs, truth;
   Eigen::AlignedBox3d box{Eigen::Vector3d(-14, -9, 0), Eigen::Vector3d(12, 11, 7)};
+  int covered;  ///< that many markers lie under a cloth
 
-  explicit Scene(double plate_grey) {
+  explicit Scene(double plate_grey, int covered_markers = 0) : covered(covered_markers) {
     plate.diameter_mm = 120;
     for (int k = 0; k < 12; ++k) {
       const Eigen::Rotation2Dd turn(k * M_PI / 6);
@@ -39,6 +40,7 @@ struct Scene {
       const Eigen::Vector3d a = (marker.corners[0] - marker.corners[1]).normalized();
       const double u = std::abs((p - middle).dot(a));
       const double v = std::abs((p - middle).dot(a.cross(Eigen::Vector3d::UnitZ())));
+      if (marker.id < covered && std::max(u, v) < 6.6) return 30 * mottle(p);
       if (std::max(u, v) < 5) return 18;
       if (std::max(u, v) < 6.6) return 200;
     }
@@ -185,6 +187,44 @@ TEST(PlateMasks, AnEmptyPlateOfAnotherStopIsLeftAsideWithAWarning) {
   ASSERT_TRUE(result.has_value());
   ASSERT_EQ(result->warnings.size(), 1U);
   EXPECT_THAT(result->warnings[0], testing::HasSubstr("camera A"));
+}
+
+cv::Mat emptyPlateAtStop(int stop) {
+  Scene scene(45);
+  scene.box = Eigen::AlignedBox3d(Eigen::Vector3d(5000, 0, 0), Eigen::Vector3d(5001, 1, 1));
+  scene.addShot(stop, 45, 0, 0.75);
+  return scene.photographs.back();
+}
+
+TEST(PlateMasks, AClothOnAThirdOfTheMarkersIsNotTakenForATurnedPlate) {
+  const Scene scene(45, 4);
+  QuietProgress quiet;
+  const std::vector<cv::Mat> right{emptyPlateAtStop(0)}, turned{emptyPlateAtStop(1)};
+  const auto covered =
+      maskByPlate(scene.images, scene.photographs, scene.plate, right, {}, quiet, {});
+  ASSERT_TRUE(covered.has_value()) << covered.error().sentence();
+  ASSERT_EQ(covered->warnings.size(), 1U);
+  EXPECT_THAT(covered->warnings[0], testing::HasSubstr("something covers in cam0_pos00.jpg"));
+  for (std::size_t i = 0; i < 8; ++i)
+    EXPECT_GT(intersectionOverUnion(covered->masks[i], scene.truth[i]), 0.94) << "stop " << i;
+  const auto refused =
+      maskByPlate(scene.images, scene.photographs, scene.plate, turned, {}, quiet, {});
+  ASSERT_TRUE(refused.has_value());
+  ASSERT_EQ(refused->warnings.size(), 1U);
+  EXPECT_THAT(refused->warnings[0],
+              testing::HasSubstr("does not show the plate at the first stop"));
+}
+
+TEST(PlateMasks, AnEmptyPlateAtTheFirstStopIsUsedWithoutAWord) {
+  const Scene scene(45);
+  QuietProgress quiet;
+  const std::vector<cv::Mat> empties{emptyPlateAtStop(0)};
+  const auto result =
+      maskByPlate(scene.images, scene.photographs, scene.plate, empties, {}, quiet, {});
+  ASSERT_TRUE(result.has_value()) << result.error().sentence();
+  EXPECT_THAT(result->warnings, testing::IsEmpty());
+  for (std::size_t i = 0; i < 8; ++i)
+    EXPECT_GT(intersectionOverUnion(result->masks[i], scene.truth[i]), 0.94) << "stop " << i;
 }
 
 TEST(PlateMasks, APhotographOfAnotherSizeIsNamed) {

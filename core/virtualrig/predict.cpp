@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "cloud/ply.h"
 #include "evaluate/model.h"
 #include "evaluate/truth.h"
@@ -22,6 +24,12 @@ std::string words(const char* format, double a, double b = 0) {
   char text[200];
   std::snprintf(text, sizeof text, format, a, b);
   return text;
+}
+
+// What masks and stereo work on: large photographs are averaged down before.
+int workingWidth(const rig::Rig& rig) {
+  const rig::Intrinsics& own = rig.cameras.front().intrinsics;
+  return rig::reducedTo(own, pipeline::ProcessOptions{}.megapixels).width / 4 * 4;
 }
 
 SimulateOptions simulateOptions(const rig::Rig& rig, const PredictOptions& options) {
@@ -110,6 +118,32 @@ Result<std::vector<evaluate::NamedMesh>> modelsOf(const fs::path& output,
   return models;
 }
 
+double surface(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3f &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]],
+                          &c = mesh.vertices[t[2]];
+    area += 0.5 * (b - a).cross(c - a).norm();
+  }
+  return area;
+}
+
+struct Times {
+  double fixed_s = 0, sherds_s = 0;  // whatever lies on the plate; by the sherds' surface
+};
+
+Result<Times> timesOf(const fs::path& output) {
+  const Result<nlohmann::json> report = readJson(output / "report.json");
+  if (!report) return report.error();
+  Times times;
+  for (const nlohmann::json& stage : report->at("stages")) {
+    const auto name = stage.at("stage").get<std::string>();
+    const bool of_sherds = name.starts_with("stereo") || name.starts_with("model");
+    (of_sherds ? times.sherds_s : times.fixed_s) += stage.at("seconds").get<double>();
+  }
+  return times;
+}
+
 // The whole chain on the simulated batch, and its models against the truth.
 Result<void> tryTheChain(const rig::Rig& rig, const SimulateOptions& simulated,
                          const PredictOptions& options, Prediction& prediction, Progress& progress,
@@ -148,6 +182,14 @@ Result<void> tryTheChain(const rig::Rig& rig, const SimulateOptions& simulated,
   const Result<evaluate::BatchEvaluation> figures =
       evaluate::evaluateBatch(*models, true_meshes, model_options, progress, stop);
   if (!figures) return figures.error();
+  const Result<Times> times = timesOf(process.output);
+  if (!times) return times.error();
+  prediction.fixed_seconds = times->fixed_s;
+  double area = 0;
+  for (const evaluate::NamedMesh& one : true_meshes) area += surface(one.mesh);
+  for (std::size_t i = 0; i < figures->sherds.size(); ++i)
+    sizeOf(prediction, i, options.sherds_per_size).seconds +=
+        times->sherds_s * surface(true_meshes[i].mesh) / area / options.sherds_per_size;
   for (std::size_t i = 0; i < figures->sherds.size(); ++i) {
     SizePrediction& size = sizeOf(prediction, i, options.sherds_per_size);
     ++size.sherds;
@@ -170,9 +212,9 @@ Result<void> tryTheChain(const rig::Rig& rig, const SimulateOptions& simulated,
 }  // namespace
 
 Result<void> PredictOptions::check() const {
-  if (width < 400 || width > 8192 || width % 4 != 0)
+  if (width != 0 && (width < 400 || width > 8192 || width % 4 != 0))
     return Error{ErrorCode::UnusableInput,
-                 "width must lie between 400 and 8192 pixels and be divisible by 4.",
+                 "width must be 0, or lie between 400 and 8192 pixels and be divisible by 4.",
                  {}};
   if (sherds_per_size < 1 || sherds_per_size > 4)
     return Error{ErrorCode::UnusableInput, "sherds_per_size must lie between 1 and 4.", {}};
@@ -186,11 +228,11 @@ Result<Prediction> predict(const rig::Rig& rig, const PredictOptions& options, P
   if (rig.cameras.empty())
     return Error{ErrorCode::UnusableInput, "The rig has no camera; calibrate it again.", {}};
   PredictOptions fitting = options;
-  const int own = rig.cameras.front().intrinsics.width;
-  fitting.width = std::min(options.width, own / 4 * 4);
+  const int most = workingWidth(rig);
+  fitting.width = options.width == 0 ? most : std::min(options.width, most);
   Prediction prediction;
   for (std::size_t k = 0; k < 3; ++k) prediction.sizes[k].name = kNames[k];
-  prediction.width_share = static_cast<double>(fitting.width) / own;
+  prediction.width_share = static_cast<double>(fitting.width) / most;
   prediction.photographs = static_cast<int>(2 * rig.cameras.size() * rig.stops.size());
   const SimulateOptions simulated = simulateOptions(rig, fitting);
   if (const Result<void> valid = simulated.check(); !valid) return valid.error();

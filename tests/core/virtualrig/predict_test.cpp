@@ -98,9 +98,21 @@ TEST_F(Predict, CarriesFiguresToTheRigsOwnResolution) {
   EXPECT_EQ(designed_.photographs, 2 * 3 * 4);
   EXPECT_DOUBLE_EQ(designed_.width_share, 0.5);
   EXPECT_GT(designed_.seconds, 0);
-  EXPECT_DOUBLE_EQ(designed_.expectedSeconds(), 4 * designed_.seconds);
+  EXPECT_DOUBLE_EQ(designed_.expectedSeconds(designed_.seconds), 4 * designed_.seconds);
   EXPECT_DOUBLE_EQ(designed_.expectedAccuracy(designed_.sizes[2]),
                    designed_.sizes[2].accuracy_mm / 2);
+}
+
+// What each sherd adds and what any batch takes is what the simulated one took, but for what lies
+// between the stages.
+TEST_F(Predict, SharesTheSecondsOutAmongTheSherds) {
+  double together = designed_.fixed_seconds;
+  for (const SizePrediction& size : designed_.sizes) together += size.sherds * size.seconds;
+  EXPECT_LE(together, designed_.seconds);
+  EXPECT_GT(together, 0.7 * designed_.seconds);
+  // By surface: 82 mm across against 26.
+  EXPECT_GT(designed_.sizes[2].seconds, 4 * designed_.sizes[0].seconds);
+  EXPECT_GT(designed_.sizes[0].seconds, 0);
 }
 
 TEST_F(Predict, RanksARigThatOnlyLooksDownSteeplyAsWorse) {

@@ -175,8 +175,8 @@ nlohmann::ordered_json asJson(const SideResult& result, batch::Side side, int st
 }
 
 void print(const SideResult& result, batch::Side side) {
-  std::printf("%s: %d photographs, %d sherds.\n", batch::name(side), result.summary.kept,
-              result.summary.check.sherds);
+  std::printf("%s: %d photographs, %d sherd%s.\n", batch::name(side), result.summary.kept,
+              result.summary.check.sherds, result.summary.check.sherds == 1 ? "" : "s");
   for (const std::string& sentence : result.sentences) std::printf("  %s\n", sentence.c_str());
   if (result.sentences.empty())
     std::printf("  %s\n", side == batch::Side::Front ? "You may turn the sherds over now."

@@ -46,8 +46,8 @@ int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem
                {"exit_status", static_cast<int>(Whole)}});
     return Whole;
   }
-  std::printf("%s: the plate on %zu sheet(s), the board on the last page.\n", output.c_str(),
-              print->centres.size());
+  std::printf("%s: the plate on %zu sheet%s, the board on the last page.\n", output.c_str(),
+              print->centres.size(), print->centres.size() == 1 ? "" : "s");
   std::printf("plate.json and board.json beside it describe them%s.\n",
               options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
   if (print->markers_cut > 0)

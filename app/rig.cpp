@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "command.h"
 #include "rig_commands.h"
@@ -16,6 +17,15 @@ using virtualrig::PlateColor;
 using virtualrig::ScanNoise;
 using virtualrig::SimulateOptions;
 
+std::string nextStep(const SimulateOptions& options) {
+  const std::string folder = options.output.string();
+  const std::string chain = options.scans_only
+                                ? "register --front " + folder + "/front --back " + folder + "/back"
+                                : "process " + folder;
+  return "ostraka " + chain + " --output OUT, then ostraka evaluate OUT --truth " + folder +
+         (options.scans_only ? "" : "/truth");
+}
+
 int runSimulate(const SimulateOptions& options, Session& session) {
   if (const Result<void> checked = options.check(); !checked) return fail(session, checked.error());
   session.progress.begin(options.scans_only ? "scans" : "photographs", 1.0);
@@ -28,8 +38,10 @@ int runSimulate(const SimulateOptions& options, Session& session) {
                {"seed", options.seed},
                {"exit_status", static_cast<int>(Whole)}});
   else
-    std::printf("A batch of %d virtual sherds, with its truth: %s\n", options.sherds,
-                options.output.c_str());
+    std::printf(
+        "A batch of %d virtual sherds, with its truth: %s\n"
+        "Next: %s\n",
+        options.sherds, options.output.c_str(), nextStep(options).c_str());
   return Whole;
 }
 
@@ -61,7 +73,14 @@ void addSimulate(CLI::App& rig, Command& chosen) {
           {"scanner", ScanNoise::Scanner}, {"stereo", ScanNoise::Stereo}}))
       ->default_str("scanner");
   addThreads(*command, options->threads);
-  command->add_option("--fault", options->fault, "Something that goes wrong on purpose")
+  command->footer(
+      "Faults, to see what the program says of them: blur (one camera out of focus at three "
+      "stops),\n"
+      "missing (three photographs), moved (a sherd pushed by 4 mm half-way round), covered (a "
+      "cloth\n"
+      "on a third of the markers), shadow (of a hand, at one stop), truncated (two files cut "
+      "off).");
+  command->add_option("--fault", options->fault, "Something that goes wrong on purpose, see below")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Fault>{{"blur", Fault::Blur},
                                                                {"missing", Fault::Missing},

@@ -28,8 +28,8 @@ struct RigState {
   std::vector<Eigen::Isometry3d> camera_from_board;  ///< by board view
   /// By plate point: how far a printed corner lies from where plate.json says, mm.
   std::vector<Eigen::Vector3d> print_errors_mm;
-  /// Size of the plate over that in plate.json, as known cameras see it; 1 where the cameras' places
-  /// are estimated, since then the plate itself gives the scale.
+  /// Size of the plate over that in plate.json, as known cameras see it; 1 where the cameras'
+  /// places are estimated, since then the plate itself gives the scale.
   double plate_scale = 1;
 
   Eigen::Isometry3d cameraFromPlate(int camera, int side, int stop) const;

@@ -15,8 +15,8 @@ namespace ostraka::virtualrig {
 
 struct PredictOptions {
   /// Of the simulated pictures, pixels; 0, and at most: what processBatch works on of this rig's.
-  /// Narrower ones take less time, by their square, but what stereo and the breaks lose grows faster
-  /// than the pixel: at 5/8 of the width the error is 2.8 times as large.
+  /// Narrower ones take less time, by their square, but what stereo and the breaks lose grows
+  /// faster than the pixel: at 5/8 of the width the error is 2.8 times as large.
   int width = 0;
   int sherds_per_size = 2;
   std::uint64_t seed = 1;
@@ -40,8 +40,8 @@ struct SizePrediction {
 
 struct Prediction {
   std::array<SizePrediction, 3> sizes;
-  double width_share = 1;  ///< simulated width over what processBatch works on
-  double seconds = 0;      ///< of processing the simulated batch, on this machine
+  double width_share = 1;    ///< simulated width over what processBatch works on
+  double seconds = 0;        ///< of processing the simulated batch, on this machine
   double fixed_seconds = 0;  ///< of these, for any number of sherds: cameras, masks, pairs
   int photographs = 0;
   double outside = 0;  ///< share of looks at the sherds that fall outside of the pictures
@@ -62,9 +62,9 @@ struct Prediction {
 
 /// Simulates the rig: virtual sherds of 26, 48 and 82 mm are photographed by its cameras at its
 /// stops and go through the whole chain with this rig, the models are compared with the truth; rays
-/// tell what is seen and which camera to move. Six sherds take three to four minutes on two cores at
-/// 1600 pixels, up to ten at 2582, which is what is left of larger photographs.
-/// Errors: as simulateBatch and processBatch.
+/// tell what is seen and which camera to move. Six sherds take three to four minutes on two cores
+/// at 1600 pixels, up to ten at 2582, which is what is left of larger photographs. Errors: as
+/// simulateBatch and processBatch.
 Result<Prediction> predict(const rig::Rig& rig, const PredictOptions& options, Progress& progress,
                            std::stop_token stop);
 

@@ -212,6 +212,8 @@ Result<void> SimulateOptions::check() const {
     return bad("lookalikes are groups of two: at most half the number of sherds.");
   if (touching < 0 || 2 * touching > sherds)
     return bad("touching counts pairs: at most half the number of sherds.");
+  if (scans_only && fault)
+    return bad("fault is about photographs, and scans_only makes none; leave one of them out.");
   if (!radii_mm.empty() && static_cast<int>(radii_mm.size()) != sherds)
     return bad("radii_mm must hold one radius per sherd.");
   for (const double radius : radii_mm)

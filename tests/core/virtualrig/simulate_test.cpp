@@ -153,6 +153,10 @@ TEST(SimulateOptions, NameTheFieldThatCannotBe) {
   options = tiny("x");
   options.lookalikes = 2;
   EXPECT_NE(options.check().error().what.find("lookalikes"), std::string::npos);
+  options.lookalikes = 0;
+  options.scans_only = true;
+  options.fault = Fault::Blur;
+  EXPECT_NE(options.check().error().what.find("fault is about photographs"), std::string::npos);
 }
 
 TEST_F(SimulatedBatch, IsNotWrittenIntoAFolderThatHoldsFiles) {

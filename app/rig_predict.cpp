@@ -65,8 +65,8 @@ void print(const Prediction& p) {
   if (p.width_share < 1)
     std::printf(
         "Extrapolated from pictures of %.0f %% of the width, which took %.0f s for %d sherds: the "
-        "accuracy will be better than this, and so will the completeness. Leave out --width for "
-        "the exact way.\n",
+        "accuracy and the completeness will be better than this, and the seconds fewer. Leave out "
+        "--width for the exact way.\n",
         100 * p.width_share, p.seconds, sherds);
   for (const std::string& remark : p.remarks) std::printf("%s\n", remark.c_str());
 }

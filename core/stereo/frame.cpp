@@ -8,10 +8,11 @@
 namespace ostraka::stereo {
 namespace {
 
-/// A pixel serves for comparing colours only if the plate has no part in it.
-constexpr float kWholeCoverage = 0.9F;
+/// A pixel serves for comparing when the object has the greater part of it. Asking for whole pixels
+/// would cost a strip along every outline, and broken edges are seen there.
+constexpr float kMinCoverage = 0.5F;
 /// Takes off the single pixel's noise, and the interpolation's dependence on the sub-pixel phase.
-constexpr double kPresmoothing_px = 0.6;
+constexpr double kPresmoothing_px = 0.4;
 /// Before every second pixel is left out.
 constexpr double kHalvingBlur_px = 1.0;
 
@@ -27,12 +28,12 @@ cv::Mat1f blurInside(const cv::Mat1f& image, const cv::Mat1f& inside, double sig
   return result;
 }
 
-cv::Mat1f wholePixels(const cv::Mat1f& coverage) {
-  cv::Mat1f whole(coverage.size());
+cv::Mat1f mostlyCovered(const cv::Mat1f& coverage) {
+  cv::Mat1f covered(coverage.size());
   for (int y = 0; y < coverage.rows; ++y)
     for (int x = 0; x < coverage.cols; ++x)
-      whole(y, x) = coverage(y, x) >= kWholeCoverage ? 1.0F : 0.0F;
-  return whole;
+      covered(y, x) = coverage(y, x) >= kMinCoverage ? 1.0F : 0.0F;
+  return covered;
 }
 
 std::uint32_t toByte(float grey) {
@@ -53,12 +54,12 @@ void pack(Frame& frame) {
 }
 
 /// Sets grey outside the mask and on the border to 0, so that lookups clamped to it are outside.
-void blank(Frame& frame, const cv::Mat1f& whole) {
+void blank(Frame& frame, const cv::Mat1f& covered) {
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
       const bool border = x < 1 || y < 1 || x + 2 > frame.width || y + 2 > frame.height;
       float& grey = frame.grey(y, x);
-      grey = border || whole(y, x) == 0.0F ? 0.0F : std::clamp(grey, 1.0F, 255.0F);
+      grey = border || covered(y, x) == 0.0F ? 0.0F : std::clamp(grey, 1.0F, 255.0F);
     }
 }
 
@@ -122,13 +123,13 @@ std::vector<Frame> buildPyramid(const View& view, int levels) {
   frame.translation = view.camera.camera_from_plate.translation().cast<float>();
   frame.centre = view.camera.centre().cast<float>();
   frame.coverage = image.coverage;
-  frame.grey = blurInside(image.grey, wholePixels(image.coverage), kPresmoothing_px);
+  frame.grey = blurInside(image.grey, mostlyCovered(image.coverage), kPresmoothing_px);
   for (int level = 0; level < levels; ++level) {
-    const cv::Mat1f whole = wholePixels(frame.coverage);
+    const cv::Mat1f covered = mostlyCovered(frame.coverage);
     Frame next;
     if (level + 1 < levels)
-      next = halved(frame, blurInside(frame.grey, whole, kHalvingBlur_px / 2));
-    blank(frame, whole);
+      next = halved(frame, blurInside(frame.grey, covered, kHalvingBlur_px / 2));
+    blank(frame, covered);
     pack(frame);
     pyramid.push_back(std::move(frame));
     frame = std::move(next);

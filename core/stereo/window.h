@@ -23,7 +23,7 @@ struct Window {
 struct WindowShape {
   int radius_px = 3;
   int step_px = 1;
-  float sigma_px = 3.0F;    ///< fall-off with the distance
+  float sigma_px = 2.0F;    ///< fall-off with the distance
   float sigma_grey = 0.0F;  ///< fall-off with the difference of grey, relative; 0 = none
 };
 

@@ -60,14 +60,14 @@ void checkBatch(const BatchRecord& b) {
 
 constexpr const char* kBatches =
     "SELECT row, id, number, operator, counted, state, started_ms, ended_ms, reprojection_px, "
-    "scale_error_pct, rig_sha256, program, settings_sha256, note FROM batch ";
+    "scale_error_pct, scale_doubts, rig_sha256, program, settings_sha256, note FROM batch ";
 
 BatchRecord readBatchRow(Database& database, Statement& row) {
   BatchRecord b;
   std::string state;
   row >> b.row >> b.id >> b.number >> b.operator_ >> b.counted >> state >> b.started_ms >>
-      b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> b.rig_sha256 >> b.program >>
-      b.settings_sha256 >> b.note;
+      b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> b.scale_doubts >> b.rig_sha256 >>
+      b.program >> b.settings_sha256 >> b.note;
   b.state = fromWord<BatchState>(state);
   b.bags = bagsOf(database, b.row);
   return b;
@@ -98,11 +98,11 @@ Result<BatchRow> Catalogue::addBatch(const BatchRecord& wanted, const Act& act) 
         ->sql(
             "INSERT INTO batch (id, created_at, created_by, updated_at, updated_by, number, "
             "operator, counted, state, started_ms, ended_ms, reprojection_px, scale_error_pct, "
-            "rig_sha256, program, settings_sha256, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-            "?, ?, ?, ?, ?, ?, ?)")
+            "scale_doubts, rig_sha256, program, settings_sha256, note) VALUES (?, ?, ?, ?, ?, ?, "
+            "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .with(b.id.empty() ? newId(now()) : b.id, now(), act.person, now(), act.person, b.number,
               b.operator_, b.counted, wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
-              b.scale_error_pct, b.rig_sha256, b.program, b.settings_sha256, b.note)
+              b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, b.settings_sha256, b.note)
         .run();
     const BatchRow row{database_->lastRow()};
     setBags(*database_, row, b.bags);
@@ -124,6 +124,7 @@ Result<void> Catalogue::saveBatch(const BatchRecord& b, const Act& act) {
                              {"ended_ms", opt(b.ended_ms)},
                              {"reprojection_px", opt(b.reprojection_px)},
                              {"scale_error_pct", opt(b.scale_error_pct)},
+                             {"scale_doubts", b.scale_doubts},
                              {"rig_sha256", b.rig_sha256},
                              {"program", b.program},
                              {"settings_sha256", b.settings_sha256},
@@ -137,12 +138,13 @@ Result<void> Catalogue::saveBatch(const BatchRecord& b, const Act& act) {
     database_
         ->sql(
             "UPDATE batch SET operator = ?, counted = ?, state = ?, started_ms = ?, ended_ms = "
-            "?, reprojection_px = ?, scale_error_pct = ?, rig_sha256 = ?, program = ?, "
+            "?, reprojection_px = ?, scale_error_pct = ?, scale_doubts = ?, rig_sha256 = ?, "
+            "program = ?, "
             "settings_sha256 = ?, note = ?, updated_at = ?, updated_by = ?, revision = revision "
             "+ 1 WHERE row = ?")
         .with(b.operator_, b.counted, wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
-              b.scale_error_pct, b.rig_sha256, b.program, b.settings_sha256, b.note, now(),
-              act.person, b.row)
+              b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, b.settings_sha256, b.note,
+              now(), act.person, b.row)
         .run();
   });
 }

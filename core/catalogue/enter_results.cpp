@@ -63,7 +63,8 @@ struct ReadResults {
   std::vector<std::pair<std::string, std::string>> pair_names;
   std::vector<ReadSherd> sherds;
   std::vector<ReadFile> files;
-  std::optional<double> reprojection_px;
+  std::optional<double> reprojection_px, scale_error_pct;
+  std::string scale_doubts;
 };
 
 class Reading {
@@ -83,8 +84,10 @@ class Reading {
       scansOf("back");
       for (const json& sherd : report.at("sherds")) sherdOf(sherd, report.value("has_scale", true));
       for (const json& stage : report.at("stages"))
-        if (stage.at("stage") == "cameras")
-          results_.reprojection_px = numberIn(stage.at("figures"), "reprojection_rms_px");
+        if (stage.at("stage") == "cameras") camerasOf(stage.at("figures"));
+      for (const json& doubt : report.value("scale_doubts", json::array()))
+        results_.scale_doubts +=
+            (results_.scale_doubts.empty() ? "" : "\n") + doubt.get<std::string>();
     } catch (const json::exception&) {
       refuse("These are no whole results of 'ostraka process'; run it again.", out_.string());
     }
@@ -94,6 +97,17 @@ class Reading {
   }
 
  private:
+  // Of the lengths that took no part in the fit the one that is off most stands for the scale.
+  void camerasOf(const json& figures) {
+    results_.reprojection_px = numberIn(figures, "reprojection_rms_px");
+    for (const char* kind : {"held_out", "known_lengths"})
+      for (const json& length : figures.value(kind, json::array())) {
+        const std::optional<double> error = numberIn(length, "error_pct");
+        if (error && std::abs(*error) >= std::abs(results_.scale_error_pct.value_or(0)))
+          results_.scale_error_pct = error;
+      }
+  }
+
   void pairsOf(const json& pairs) {
     for (const json& p : pairs.at("pairs")) {
       PairDecision d;
@@ -231,8 +245,11 @@ class Entering {
     entered_.numbers_left = orRefuse(giveTypedNumbers(catalogue_, batch_, act_));
     countOpen();
     BatchRecord batch = orRefuse(catalogue_.batch(batch_));
-    batch.state = entered_.open > 0 ? BatchState::Review : BatchState::Done;
+    const bool wants_person = entered_.open > 0 || !read.scale_doubts.empty();
+    batch.state = wants_person ? BatchState::Review : BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
+    batch.scale_error_pct = read.scale_error_pct;
+    batch.scale_doubts = read.scale_doubts;
     orRefuse(catalogue_.saveBatch(batch, act_));
     return entered_;
   }

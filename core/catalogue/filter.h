@@ -9,7 +9,7 @@ namespace ostraka::catalogue {
 
 /// One condition of the filter line; all of a filter must hold.
 struct Condition {
-  enum class Is { Word, Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual, Empty, NotEmpty };
+  enum class Is { Word, Equal, Less, LessEqual, Greater, GreaterEqual, Empty, NotEmpty };
   Is is = Is::Word;
   std::string field;  ///< of sherdFields() or a place (site, trench, context, bag, batch, state)
   std::string value;

@@ -49,6 +49,9 @@ std::string wordSql(Query& query, const std::string& word) {
          " OR s.bag IN (SELECT row FROM bag WHERE number_key = " + key + "))";
 }
 
+constexpr const char* kDoubtfulSql =
+    "(s.batch IS NOT NULL AND s.batch IN (SELECT row FROM batch WHERE scale_doubts <> ''))";
+
 std::string emptySql(const SherdColumn& column) {
   const std::string name = column.field.name;
   if (column.measure)
@@ -61,6 +64,7 @@ std::string emptySql(const SherdColumn& column) {
   if (name == "bag") return "s.bag IS NULL";
   if (name == "batch") return "s.batch IS NULL";
   if (name == "number") return "s.number = ''";
+  if (name == "scale") return "NOT " + std::string(kDoubtfulSql);
   if (name == "joins") return "s.row NOT IN (SELECT sherd FROM sherd_join)";
   return std::string(column.sql) + " = ''";
 }
@@ -76,6 +80,7 @@ std::string equalSql(Query& query, const SherdColumn& column, const std::string&
   if (name == "batch")
     return "s.batch IN (SELECT row FROM batch WHERE number = " + query.mark(value) +
            " COLLATE NOCASE)";
+  if (name == "scale") return key == kDoubtfulScale ? kDoubtfulSql : "0";
   if (name == "number") return "s.number_sort = " + query.mark(sortKey(value));
   if (name == "joins")
     return "s.row IN (SELECT sherd FROM sherd_join WHERE other IN (SELECT sherd FROM given_number "

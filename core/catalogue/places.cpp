@@ -295,13 +295,15 @@ Result<std::vector<BagRecord>> Catalogue::bags(ContextRow context) const {
   return database_->door([&] {
     std::vector<BagRecord> all;
     Statement rows = database_->sql(
-        "SELECT row, context, id, number, collected_on, storage, count_written, weight_g FROM bag "
-        "WHERE ?1 IS NULL OR context = ?1 ORDER BY context, number_key");
+        "SELECT row, context, id, number, collected_on, storage, count_written, weight_g, (SELECT "
+        "count(*) FROM sherd WHERE sherd.bag = bag.row AND sherd.state <> 'void'), ifnull((SELECT "
+        "initials FROM person WHERE person.row = bag.created_by), '') FROM bag WHERE ?1 IS NULL OR "
+        "context = ?1 ORDER BY context, number_key");
     rows.with(context);
     while (rows.next()) {
       BagRecord b;
       rows >> b.row >> b.context >> b.id >> b.number >> b.collected_on >> b.storage >>
-          b.count_written >> b.weight_g;
+          b.count_written >> b.weight_g >> b.sherds >> b.entered_by;
       all.push_back(std::move(b));
     }
     return all;

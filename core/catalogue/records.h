@@ -81,6 +81,8 @@ struct BagRecord {
   std::string id, number, collected_on, storage;
   std::optional<int> count_written;
   std::optional<double> weight_g;
+  int sherds = 0;          ///< read only: of the catalogue that lie in it; void ones do not
+  std::string entered_by;  ///< read only: initials of who entered it; empty: the program
 };
 
 enum class BatchState { Placed, Front, Flipped, Back, Queued, Computed, Review, Done, Failed };
@@ -93,7 +95,9 @@ struct BatchRecord {
   int counted = 0;  ///< sherds counted by the person, 1..60; 0 = not counted
   BatchState state = BatchState::Placed;
   std::optional<std::int64_t> started_ms, ended_ms;
-  std::optional<double> reprojection_px, scale_error_pct;
+  std::optional<double> reprojection_px;
+  std::optional<double> scale_error_pct;  ///< the worst of the known lengths that took no part
+  std::string scale_doubts;  ///< why the scale is in doubt, a sentence a line; empty: it is not
   std::string rig_sha256, program, settings_sha256, note;
 };
 

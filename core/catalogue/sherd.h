@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,10 @@ struct SherdRecord {
   // read only, from the tables beside it
   std::vector<std::string> join_numbers;  ///< of joins; the id of a sherd without a number
   std::string site, trench, context_number, bag_number, batch_number;
+  bool scale_doubtful = false;             ///< of the batch; so are the measures in doubtful
   std::string preview_path, model_path;    ///< relative to the project; empty when there is none
   std::map<std::string, double> measures;  ///< kind -> the value that counts now
+  std::set<std::string> doubtful;  ///< kinds taken by the program from a model of doubtful scale
 };
 
 /// kinds: length width thickness_min thickness_mean thickness_max (mm), area (mm2), volume (mm3),

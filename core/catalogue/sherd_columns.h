@@ -25,6 +25,9 @@ const SherdColumn* sherdColumn(const std::string& name);
 /// Sorts drafts, which have no number, behind all numbers.
 inline constexpr const char* kBehindAllNumbers = "\xF4\x8F\xBF\xBF";
 
+/// In the column scale, of sherds whose batch has doubts about it.
+inline constexpr const char* kDoubtfulScale = "doubtful";
+
 /// The sherd that this number was ever given to; none when it is free. `slug_only`: the number
 /// differs, but its files would have the same name.
 struct Taken {

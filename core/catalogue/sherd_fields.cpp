@@ -65,6 +65,7 @@ const std::vector<SherdColumn>& sherdColumns() {
       measure("rim_pct", "rim_pct", "m.rim_pct", true),
       measure("weight_g", "weight", "m.weight", true),
       text("batch", K::Text, &S::batch_number, "batch.number", false),
+      {{"scale", K::Text, "", false}, nullptr, nullptr, nullptr, "batch.scale_doubts"},
       text("note", K::Text, &S::note, "s.note")};
   return all;
 }
@@ -100,6 +101,7 @@ std::string textOf(const SherdRecord& sherd, const std::string& field) {
     return value == sherd.measures.end() ? std::string() : numberText(value->second);
   }
   if (field == "state") return wordOf(sherd.state);
+  if (field == "scale") return sherd.scale_doubtful ? kDoubtfulScale : "";
   if (field == "joins") return joinTerms(sherd.join_numbers);
   return {};
 }

@@ -106,6 +106,9 @@ Values valuesOf(Database& database, const std::string& field) {
     return sweepThrough(database, "context", "SELECT row, number_key FROM context");
   if (name == "bag") return sweepThrough(database, "bag", "SELECT row, number_key FROM bag");
   if (name == "batch") return sweepThrough(database, "batch", "SELECT row, number FROM batch");
+  if (name == "scale")
+    return sweepThrough(database, "batch",
+                        "SELECT row, 'doubtful' FROM batch WHERE scale_doubts <> ''");
   // A text, or terms as JSON; the table's columns are called as the fields are.
   const std::string text = name == "uuid" ? "id" : name;
   const std::string nothing = column->terms ? "'[]'" : "''";

@@ -21,7 +21,8 @@ constexpr const char* kSherds =
     "s.back, s.part, s.decoration, s.condition, s.ware, s.fabric, s.inclusions, s.manufacture, "
     "s.firing, s.surface_out, s.surface_in, s.munsell_out, s.munsell_in, s.munsell_core, s.period, "
     "s.date_edtf, s.vessel, s.note, s.extra, s.created_at, s.updated_at, s.revision, site.code, "
-    "trench.code, context.number, bag.number, batch.number, s.preview_path, s.model_path, "
+    "trench.code, context.number, bag.number, batch.number, ifnull(batch.scale_doubts, '') <> '', "
+    "s.preview_path, s.model_path, "
     "m.length, m.width, m.thickness_min, m.thickness_mean, m.thickness_max, m.area, m.volume, "
     "m.filled_pct, m.rim_diameter, m.rim_pct, m.weight "
     "FROM sherd s JOIN sherd_measure m ON m.sherd = s.row "
@@ -38,7 +39,7 @@ SherdRecord readSherd(Statement& row) {
       s.manufacture >> s.firing >> s.surface_out >> s.surface_in >> s.munsell_out >> s.munsell_in >>
       s.munsell_core >> s.period >> s.date_edtf >> s.vessel >> s.note >> s.extra_json >>
       s.created_ms >> s.updated_ms >> s.revision >> s.site >> s.trench >> s.context_number >>
-      s.bag_number >> s.batch_number >> s.preview_path >> s.model_path;
+      s.bag_number >> s.batch_number >> s.scale_doubtful >> s.preview_path >> s.model_path;
   s.state = fromWord<SherdState>(state);
   s.part = termsFromJson(part);
   s.decoration = termsFromJson(decoration);
@@ -58,6 +59,22 @@ std::string rowsJson(std::span<const SherdRow> rows) {
     text += std::to_string(row.value);
   }
   return text + "]";
+}
+
+// Shares of the surface stay true whatever the scale is.
+void readDoubts(Database& database, const std::string& wanted,
+                std::unordered_map<std::int64_t, SherdRecord>& sherds) {
+  Statement rows = database.sql(
+      "SELECT m.sherd, m.kind FROM measurement m JOIN sherd s ON s.row = m.sherd JOIN batch b ON "
+      "b.row = s.batch WHERE m.current = 1 AND m.method = 'program' AND m.unit <> 'pct' AND "
+      "b.scale_doubts <> '' AND m.sherd IN (SELECT value FROM json_each(?))");
+  rows.with(wanted);
+  while (rows.next()) {
+    std::int64_t row = 0;
+    std::string kind;
+    rows >> row >> kind;
+    sherds[row].doubtful.insert(kind);
+  }
 }
 
 }  // namespace
@@ -82,14 +99,17 @@ Result<std::vector<SherdRecord>> Catalogue::sherds(std::span<const SherdRow> row
   return database_->door([&] {
     std::unordered_map<std::int64_t, SherdRecord> found;
     const std::string wanted = rowsJson(rows);
+    bool any_doubtful = false;
     {
       Statement statement = database_->sql(kSherds);
       statement.with(wanted);
       while (statement.next()) {
         SherdRecord sherd = readSherd(statement);
+        any_doubtful = any_doubtful || sherd.scale_doubtful;
         found.emplace(sherd.row.value, std::move(sherd));
       }
     }
+    if (any_doubtful) readDoubts(*database_, wanted, found);
     Statement joins = database_->sql(
         "SELECT j.sherd, j.other, o.number, o.id FROM sherd_join j JOIN sherd o ON o.row = j.other "
         "WHERE j.sherd IN (SELECT value FROM json_each(?)) ORDER BY o.number_sort, o.row");

@@ -61,6 +61,7 @@ class Writing {
     put(one, "ended_ms", b->ended_ms);
     put(one, "reprojection_px", b->reprojection_px);
     put(one, "scale_error_pct", b->scale_error_pct);
+    put(one, "scale_doubts", b->scale_doubts);
     put(one, "rig_sha256", b->rig_sha256);
     put(one, "program", b->program);
     put(one, "settings_sha256", b->settings_sha256);
@@ -202,6 +203,7 @@ class Entering {
     take(b, "ended_ms", batch.ended_ms);
     take(b, "reprojection_px", batch.reprojection_px);
     take(b, "scale_error_pct", batch.scale_error_pct);
+    batch.scale_doubts = text(b, "scale_doubts");
     batch.rig_sha256 = text(b, "rig_sha256");
     batch.program = text(b, "program");
     batch.settings_sha256 = text(b, "settings_sha256");

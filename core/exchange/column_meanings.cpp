@@ -41,6 +41,9 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"rim_pct", "%", "share of the mouth's circle that is kept"},
       {"weight_g", "g", "weight, typed in"},
       {"batch", "", "batch of photographs that the sherd was measured in"},
+      {"scale", "",
+       "doubtful: lengths known besides the plate contradict it, so that all measures by the "
+       "program may be wrong by the same factor"},
       {"note", "", "note"},
       {"mass_centre_x_mm", "mm", "centre of mass of the model, in the coordinates of its PLY file"},
       {"mass_centre_y_mm", "mm", "the same, second coordinate"},

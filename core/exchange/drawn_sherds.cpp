@@ -42,15 +42,21 @@ Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
+  const auto withDoubt = [&](Result<drawing::SherdDrawing> drawing) {
+    if (drawing && sherd.scale_doubtful)
+      drawing->remarks.push_back(
+          "The scale of its batch is in doubt: the drawing may be too large or too small.");
+    return drawing;
+  };
   Result<drawing::SherdDrawing> drawn = drawing::drawSherd(model->mesh, id, how);
-  if (drawn || how.rim != RimChoice::Yes) return drawn;
+  if (drawn || how.rim != RimChoice::Yes) return withDoubt(std::move(drawn));
   // No stretch of the edge can be a lip, or the model itself is at fault: then this fails, too.
   how.rim = RimChoice::No;
   drawn = drawing::drawSherd(model->mesh, id, how);
   if (drawn)
     drawn->remarks.push_back(
         "It is said to be a rim, but no stretch of its edge can be one; drawn without.");
-  return drawn;
+  return withDoubt(std::move(drawn));
 }
 
 Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,

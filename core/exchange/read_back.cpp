@@ -52,7 +52,8 @@ std::vector<FieldChange> otherVersion(const SherdRecord& sherd, const ImportRow&
 bool sameAs(const SherdRecord& sherd, const ImportRow& row, const Catalogue& catalogue) {
   for (const SherdField& field : sherdFields()) {
     const std::string name = field.name;
-    if (name == "state" || name == "batch" || field.kind == FieldKind::Number) continue;
+    if (name == "state" || name == "batch" || name == "scale" || field.kind == FieldKind::Number)
+      continue;
     const auto value = row.values.find(name);
     if ((value == row.values.end() ? std::string() : value->second) != textOf(sherd, name))
       return false;

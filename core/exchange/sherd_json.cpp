@@ -25,13 +25,14 @@ std::string initialsOf(const Catalogue& catalogue, catalogue::PersonRow row) {
   return {};
 }
 
-ordered_json measurementsOf(const Catalogue& catalogue,
+ordered_json measurementsOf(const Catalogue& catalogue, const SherdRecord& sherd,
                             const std::vector<catalogue::Measurement>& all) {
   ordered_json list = ordered_json::array();
   for (const catalogue::Measurement& m : all) {
     ordered_json one = {
         {"kind", m.kind}, {"value", m.value}, {"unit", m.unit}, {"method", m.method}};
     if (m.uncertainty) one["uncertainty"] = *m.uncertainty;
+    if (sherd.doubtful.contains(m.kind)) one["doubtful"] = true;
     put(one, "by", initialsOf(catalogue, m.by));
     put(one, "model_sha256", m.model_sha256);
     list.push_back(std::move(one));
@@ -141,7 +142,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
   put(out, "number", sherd.number);
   out["state"] = catalogue::wordOf(sherd.state);
   putTexts(out, sherd);
-  out["measurements"] = measurementsOf(catalogue, *measured);
+  out["measurements"] = measurementsOf(catalogue, sherd, *measured);
   ordered_json digitisation = ordered_json::object();
   std::string used_program = program;
   if (sherd.batch) {
@@ -151,6 +152,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
     if (batch->started_ms) digitisation["shot_on"] = utcDay(*batch->started_ms);
     put(digitisation, "operator", initialsOf(catalogue, batch->operator_));
     if (batch->scale_error_pct) digitisation["scale_error_pct"] = *batch->scale_error_pct;
+    put(digitisation, "scale_doubts", batch->scale_doubts);
     if (!batch->program.empty()) used_program = batch->program;
   }
   put(out, "digitisation", std::move(digitisation));

@@ -69,7 +69,7 @@ QString CatalogueStation::title() const {
   return tr("Catalogue");
 }
 
-void CatalogueStation::buildLayout() {
+QLayout* CatalogueStation::buildFilterLine() {
   filter_ = new QLineEdit(this);
   filter_->setObjectName("filter");
   filter_->setAccessibleName(tr("Filter of the catalogue"));
@@ -85,45 +85,49 @@ void CatalogueStation::buildLayout() {
   connect(filter_, &QLineEdit::textChanged, this, [this] { typing_->start(); });
   connect(filter_, &QLineEdit::returnPressed, this, &CatalogueStation::applyFilter);
   connect(typing_, &QTimer::timeout, this, &CatalogueStation::applyFilter);
+  auto* to_import = new QPushButton(icon("import"), tr("Import …"), this);
+  to_import->setObjectName("import");
+  to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
+                            .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
+  connect(to_import, &QPushButton::clicked, this, &CatalogueStation::openImport);
   auto* to_export = new QPushButton(icon("export"), tr("Export these"), this);
   to_export->setObjectName("exportThese");
-  to_export->setMinimumHeight(targetSize(*this));
   connect(to_export, &QPushButton::clicked, this, [this] {
     QStringList rows;
     for (const catalogue::SherdRow row : selected()) rows << QString::number(row.value);
     emit wantsStation("export",
                       rows.size() > 1 ? "rows:" + rows.join(',') : "filter:" + filter_->text());
   });
-  auto* to_import = new QPushButton(icon("import"), tr("Import …"), this);
-  to_import->setObjectName("import");
-  to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
-                            .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
-  to_import->setMinimumHeight(targetSize(*this));
-  connect(to_import, &QPushButton::clicked, this, &CatalogueStation::openImport);
-  chips_ = new QHBoxLayout;
-  count_ = new QLabel(this);
-  count_->setObjectName("count");
-  problem_ = new QLabel(this);
-  problem_->setObjectName("problem");
-  problem_->setWordWrap(true);
-  connect(problem_, &QLabel::linkActivated, this, &CatalogueStation::forgetImports);
-  problem_->hide();
+  for (QPushButton* button : {to_import, to_export}) button->setMinimumHeight(targetSize(*this));
+  auto* line = new QHBoxLayout;
+  line->addWidget(filter_, 1);
+  line->addWidget(to_import);
+  line->addWidget(to_export);
+  return line;
+}
+
+QWidget* CatalogueStation::buildWho() {
   who_ = new QWidget(this);
-  auto* who_row = new QHBoxLayout(who_);
-  who_row->setContentsMargins(0, 0, 0, 0);
   auto* initials = new QLineEdit(who_);
   initials->setObjectName("initials");
   initials->setAccessibleName(tr("Your initials"));
   initials->setMaximumWidth(initials->fontMetrics().averageCharWidth() * 12);
-  auto* who_text = new QLabel(tr("Who is working? Your initials go into the history:"), who_);
-  who_text->setBuddy(initials);
-  who_row->addWidget(who_text);
-  who_row->addWidget(initials);
-  who_row->addStretch();
+  auto* words = new QLabel(tr("Who is working? Your initials go into the history:"), who_);
+  words->setBuddy(initials);
+  auto* row = new QHBoxLayout(who_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(words);
+  row->addWidget(initials);
+  row->addStretch();
   connect(initials, &QLineEdit::editingFinished, this, [this, initials] {
     if (session_ && !initials->text().trimmed().isEmpty())
       session_->setInitials(initials->text().trimmed());
   });
+  return who_;
+}
+
+// The table, or why there is none.
+QWidget* CatalogueStation::buildLeft() {
   table_ = new QTableView(this);
   table_->setObjectName("sherds");
   table_->setAccessibleName(tr("Sherds"));
@@ -158,26 +162,34 @@ void CatalogueStation::buildLayout() {
   left_ = new QStackedWidget(this);
   left_->addWidget(table_);
   left_->addWidget(empty_);
+  return left_;
+}
+
+void CatalogueStation::buildLayout() {
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(buildFilterLine());
+  chips_ = new QHBoxLayout;
+  count_ = new QLabel(this);
+  count_->setObjectName("count");
+  problem_ = new QLabel(this);
+  problem_->setObjectName("problem");
+  problem_->setWordWrap(true);
+  connect(problem_, &QLabel::linkActivated, this, &CatalogueStation::forgetImports);
+  problem_->hide();
+  auto* chips_row = new QHBoxLayout;
+  chips_row->addLayout(chips_);
+  chips_row->addStretch();
+  chips_row->addWidget(count_);
+  column->addLayout(chips_row);
+  column->addWidget(problem_);
+  column->addWidget(buildWho());
   auto* split = new QSplitter(Qt::Horizontal, this);
-  split->addWidget(left_);
+  split->addWidget(buildLeft());
   split->addWidget(buildRight());
   split->setStretchFactor(0, 3);
   split->setStretchFactor(1, 1);
   split->setSizes({760, 420});
   split->setChildrenCollapsible(false);
-  auto* line = new QHBoxLayout;
-  line->addWidget(filter_, 1);
-  line->addWidget(to_import);
-  line->addWidget(to_export);
-  auto* chips_row = new QHBoxLayout;
-  chips_row->addLayout(chips_);
-  chips_row->addStretch();
-  chips_row->addWidget(count_);
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(line);
-  column->addLayout(chips_row);
-  column->addWidget(problem_);
-  column->addWidget(who_);
   column->addWidget(split, 1);
 }
 
@@ -258,6 +270,10 @@ void CatalogueStation::openProject(ProjectSession& session) {
   });
   connect(&session, &ProjectSession::initialsChanged, this,
           [this](const QString& initials) { who_->setVisible(initials.isEmpty()); });
+  connect(&session, &ProjectSession::vocabulariesChanged, this, [this] {
+    details_->setVocabularies(session_->project().catalogue());
+    showSelection();
+  });
   who_->setVisible(session.initials().isEmpty());
   details_->setVocabularies(session.project().catalogue());
   model_->setCatalogue(&session.project().catalogue(), session.folder(), &session.jobs());

@@ -51,6 +51,9 @@ class CatalogueStation final : public Station {
   void showSelection();
   void showCount();
   void showModelOf(catalogue::SherdRow sherd);
+  QLayout* buildFilterLine();
+  QWidget* buildWho();
+  QWidget* buildLeft();
   QWidget* buildRight();
   std::vector<catalogue::SherdRow> selected() const;
   void saveField(const QString& field, const QString& value);

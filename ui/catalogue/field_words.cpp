@@ -49,6 +49,7 @@ QString fieldLabel(const std::string& field) {
       {"rim_pct", QT_TRANSLATE_NOOP("Fields", "rim kept, %")},
       {"weight_g", QT_TRANSLATE_NOOP("Fields", "weight, g")},
       {"batch", QT_TRANSLATE_NOOP("Fields", "batch")},
+      {"scale", QT_TRANSLATE_NOOP("Fields", "scale")},
       {"note", QT_TRANSLATE_NOOP("Fields", "note")}};
   const char* label = labels.value(QString::fromStdString(field), nullptr);
   return label ? QCoreApplication::translate("Fields", label) : QString::fromStdString(field);
@@ -73,8 +74,15 @@ QString methodLabel(const std::string& method) {
   return tr("by the program");
 }
 
+bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field) {
+  for (const std::string& kind : sherd.doubtful)
+    if (field == kind + "_" + catalogue::unitOf(kind)) return true;
+  return false;
+}
+
 QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field) {
   if (field == "state") return stateLabel(sherd.state);
+  if (field == "scale") return sherd.scale_doubtful ? tr("in doubt") : QString();
   const std::string text = catalogue::textOf(sherd, field);
   if (text.empty()) return {};
   for (const catalogue::SherdField& known : catalogue::sherdFields())
@@ -82,7 +90,8 @@ QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field)
       // Not std::stod: it obeys the language that Qt set.
       const auto value = catalogue::parsedNumber(text);
       if (!value) return {};
-      return QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
+      const QString number = QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
+      return isDoubtful(sherd, field) ? tr("%1 ?").arg(number) : number;
     }
   return QString::fromStdString(text);
 }

@@ -9,6 +9,8 @@ namespace ostraka::ui {
 QString fieldLabel(const std::string& field);
 /// A value as people read it: numbers in the language's form with a sensible number of digits.
 QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field);
+/// A measure of the program whose batch has a doubtful scale; its text ends with a question mark.
+bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field);
 QString stateLabel(catalogue::SherdState state);
 /// How a value was measured: "by the program", "on a scale".
 QString methodLabel(const std::string& method);

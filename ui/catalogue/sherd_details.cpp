@@ -78,17 +78,7 @@ void SherdDetails::buildLayout() {
   give_number_->setObjectName("giveNumber");
   give_number_->setMinimumHeight(targetSize(*this));
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
-  refusal_ = new QWidget(page);
-  refusal_->setObjectName("refusal");
-  auto* refused = new QHBoxLayout(refusal_);
-  refused->setContentsMargins(0, 0, 0, 0);
-  refusal_picture_ = new QLabel(refusal_);
-  refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
-  refusal_text_ = new QLabel(refusal_);
-  refusal_text_->setWordWrap(true);
-  refusal_text_->setObjectName("refusalText");
-  refused->addWidget(refusal_picture_);
-  refused->addWidget(refusal_text_, 1);
+  buildRefusal(page);
   form_ = new QFormLayout;
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -128,6 +118,20 @@ void SherdDetails::buildLayout() {
   column->addWidget(files_);
   column->addStretch();
   setWidget(page);
+}
+
+void SherdDetails::buildRefusal(QWidget* page) {
+  refusal_ = new QWidget(page);
+  refusal_->setObjectName("refusal");
+  auto* row = new QHBoxLayout(refusal_);
+  row->setContentsMargins(0, 0, 0, 0);
+  refusal_picture_ = new QLabel(refusal_);
+  refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
+  refusal_text_ = new QLabel(refusal_);
+  refusal_text_->setWordWrap(true);
+  refusal_text_->setObjectName("refusalText");
+  row->addWidget(refusal_picture_);
+  row->addWidget(refusal_text_, 1);
 }
 
 void SherdDetails::addPlace() {
@@ -234,21 +238,24 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
       if (context.row == sherd->context) place_->setCurrentIndex(place_->count() - 1);
     }
   if (!sherd->context) place_->setCurrentIndex(-1);
-  showMeasures(catalogue);
+  showMeasures(catalogue, *sherd);
   showHistory(catalogue);
   showFiles(catalogue, project);
 }
 
-void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue) {
+void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
+                                const catalogue::SherdRecord& sherd) {
   measures_->clear();
   if (const auto all = catalogue.measurements(sherd_))
     for (const catalogue::Measurement& m : *all) {
       QString label = fieldLabel(m.kind);
       for (const catalogue::SherdField& field : catalogue::sherdFields())
         if (std::string(field.name).starts_with(m.kind)) label = fieldLabel(field.name);
+      const bool doubtful = sherd.doubtful.contains(m.kind);
       auto* item = new QTreeWidgetItem(
-          measures_, {label, QLocale().toString(m.value, 'f', m.value >= 1000 ? 0 : 2),
-                      methodLabel(m.method)});
+          measures_,
+          {label, QLocale().toString(m.value, 'f', m.value >= 1000 ? 0 : 2),
+           doubtful ? tr("%1; scale in doubt").arg(methodLabel(m.method)) : methodLabel(m.method)});
       item->setFont(1, tabularFont(font()));
       item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }

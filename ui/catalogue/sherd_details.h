@@ -40,10 +40,11 @@ class SherdDetails final : public QScrollArea {
 
  private:
   void buildLayout();
+  void buildRefusal(QWidget* page);
   void addPlace();
   QWidget* editorFor(const catalogue::SherdField& field);
   void setText(const std::string& field, const QString& text);
-  void showMeasures(const catalogue::Catalogue& catalogue);
+  void showMeasures(const catalogue::Catalogue& catalogue, const catalogue::SherdRecord& sherd);
   void showHistory(const catalogue::Catalogue& catalogue);
   void showFiles(const catalogue::Catalogue& catalogue, const std::filesystem::path& project);
 

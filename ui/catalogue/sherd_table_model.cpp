@@ -181,6 +181,12 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
   }
   if (role == Qt::DecorationRole) return picture(index.row(), *sherd);
   const QString text = fieldText(*sherd, field);
+  const bool doubtful = isDoubtful(*sherd, field);
+  if (role == Qt::ToolTipRole && doubtful)
+    return tr("%1: the scale of batch %2 is in doubt; its report says why and what to do.")
+        .arg(text, QString::fromStdString(sherd->batch_number));
+  if (role == Qt::AccessibleTextRole && doubtful)
+    return tr("%1: %2, in doubt").arg(fieldLabel(field), text);
   if (role == Qt::AccessibleTextRole)
     return tr("%1: %2").arg(fieldLabel(field), text.isEmpty() ? tr("not recorded") : text);
   if (field == "number" && text.isEmpty()) return tr("no number yet");

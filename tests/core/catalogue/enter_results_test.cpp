@@ -76,6 +76,38 @@ TEST_F(Entering, TwiceChangesNothing) {
   EXPECT_EQ(sherds().size(), 3u);
 }
 
+TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
+  out.scale_doubts = {"The scale is not right: 50.00 mm measure 49.51 mm."};
+  out.write();
+  enter();
+  const BatchRecord held = *catalogue().batch(batch);
+  EXPECT_EQ(held.state, BatchState::Review) << "no pair is open, but the scale wants a person";
+  EXPECT_EQ(held.scale_doubts, out.scale_doubts.front());
+  EXPECT_EQ(held.scale_error_pct, -0.98) << "the length that is off most";
+  const SherdRow row = sherds().front().row;
+  ASSERT_TRUE(catalogue().measure({row, "length", {}, 52.1, {}, "calliper", {}, {}}, anna));
+  const SherdRecord sherd = *catalogue().sherd(row);
+  EXPECT_TRUE(sherd.doubtful.contains("width"));
+  EXPECT_TRUE(sherd.doubtful.contains("volume"));
+  EXPECT_FALSE(sherd.doubtful.contains("length")) << "a calliper knows nothing of the plate";
+  EXPECT_FALSE(sherd.doubtful.contains("filled_pct")) << "a share has no scale";
+  EXPECT_EQ(textOf(sherd, "scale"), "doubtful");
+  const SherdRow elsewhere = numbered(context12);
+  EXPECT_EQ(found("scale:doubtful").size(), 3u);
+  EXPECT_EQ(found("-scale:doubtful").size(), 1u);
+  EXPECT_EQ(found("scale:*").size(), 3u);
+  EXPECT_EQ(found("scale:\"\"").size(), 1u);
+  EXPECT_TRUE(catalogue().sherd(elsewhere)->doubtful.empty());
+
+  out.scale_doubts.clear();
+  out.write();
+  enter();
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  EXPECT_EQ(catalogue().batch(batch)->scale_error_pct, -0.05);
+  EXPECT_TRUE(catalogue().sherd(row)->doubtful.empty());
+  EXPECT_EQ(valueOf(row, "scale"), "");
+}
+
 TEST_F(Entering, KeepsWhatAPersonDecided) {
   enter();
   PairDecision swap;

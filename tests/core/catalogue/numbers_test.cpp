@@ -82,6 +82,29 @@ TEST_F(Numbers, NeedThePlaceThatTheSchemeNames) {
               ElementsAre("P2026.00001"));
 }
 
+TEST_F(Numbers, FollowAChangedSchemeAndNeverDouble) {
+  const SherdRow first = numbered(context12), second = numbered(context12);
+  ProjectRecord record = *catalogue().project();
+  record.numbering = "{site}-{trench}-{context}-{n:02}";
+  ASSERT_TRUE(catalogue().setProject(record, anna));
+  const SherdRow narrow = numbered(context12);
+  EXPECT_EQ(valueOf(narrow, "number"), "ARM1-T3-0012-03") << "the same count, another width";
+  record.numbering = "{context}/{n}";
+  ASSERT_TRUE(catalogue().setProject(record, anna));
+  // Typed by hand before in what is now the scheme's form, and once more by its file's name.
+  const SherdRow typed = draft(context13), other = draft(context13);
+  ASSERT_TRUE(set(typed, "number", "0012/1"));
+  ASSERT_TRUE(set(other, "number", "0012_2"));
+  const SherdRow third = numbered(context12);
+  EXPECT_EQ(valueOf(third, "number"), "0012/3");
+  EXPECT_EQ(valueOf(first, "number"), "ARM1-T3-0012-0001") << "what was numbered stays";
+  EXPECT_EQ(valueOf(second, "number"), "ARM1-T3-0012-0002");
+  record.numbering = "{site}-{trench}-{context}-{n:04}";
+  ASSERT_TRUE(catalogue().setProject(record, anna));
+  EXPECT_EQ(valueOf(numbered(context12), "number"), "ARM1-T3-0012-0004") << "back again";
+  EXPECT_TRUE(catalogue().checkIntegrity());
+}
+
 TEST_F(Numbers, GivenByTwoConnectionsAtOnceAreStillDifferent) {
   Catalogue other = *project_->connect();
   const SherdRow a = draft(context12), b = draft(context12);

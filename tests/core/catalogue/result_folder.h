@@ -25,6 +25,7 @@ class ResultFolder {
   std::vector<Pair>& pairs() { return pairs_; }
   double length_mm = 50;
   bool has_scale = true;
+  std::vector<std::string> scale_doubts;
 
   void write() const {
     using nlohmann::ordered_json;
@@ -72,7 +73,13 @@ class ResultFolder {
         ordered_json(
             {{"format", "ostraka-report/1"},
              {"has_scale", has_scale},
-             {"stages", {{{"stage", "cameras"}, {"figures", {{"reprojection_rms_px", 0.31}}}}}},
+             {"scale_doubts", scale_doubts},
+             {"stages",
+              {{{"stage", "cameras"},
+                {"figures",
+                 {{"reprojection_rms_px", 0.31},
+                  {"held_out", {{{"error_pct", 0.02}}, {{"error_pct", -0.05}}}},
+                  {"known_lengths", {{{"error_pct", scale_doubts.empty() ? 0.01 : -0.98}}}}}}}}},
              {"sherds", sherds}})
             .dump());
     put(out_ / "report.html", "<html></html>");

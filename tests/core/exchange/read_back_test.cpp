@@ -124,8 +124,8 @@ const std::map<std::string, std::string> kWholeTables = {
      "b.storage) FROM bag b JOIN context c ON c.row = b.context"},
     {"batch",
      "SELECT json_array(b.id, b.number, p.id, b.counted, b.state, b.started_ms, b.ended_ms, "
-     "b.reprojection_px, b.scale_error_pct, b.rig_sha256, b.program, b.settings_sha256, b.note) "
-     "FROM batch b LEFT JOIN person p ON p.row = b.operator"},
+     "b.reprojection_px, b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, "
+     "b.settings_sha256, b.note) FROM batch b LEFT JOIN person p ON p.row = b.operator"},
     {"batch_bag",
      "SELECT json_array(b.id, k.position, g.id) FROM batch_bag k JOIN batch b ON b.row = k.batch "
      "JOIN bag g ON g.row = k.bag"},
@@ -218,7 +218,8 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   BatchRecord record = *catalogue().batch(batch);
   record.operator_ = anna.person;
   record.counted = 3;
-  record.scale_error_pct = 0.12;
+  record.scale_error_pct = 0.62;
+  record.scale_doubts = "The scale is not right: a length of 50 mm measures 49.69 mm.";
   ASSERT_TRUE(catalogue().saveBatch(record, anna));
   ASSERT_TRUE(exportTo("out", all));
   Project other = empty("other");

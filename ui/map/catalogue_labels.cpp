@@ -23,6 +23,21 @@ QString placeOf(const std::string& site, const std::string& trench, const std::s
   return place;
 }
 
+// Those that the catalogue knows; before it knows any, those that were counted by hand.
+QString contentsOf(const catalogue::BagRecord& bag, const QString& initials) {
+  const int written = bag.count_written.value_or(0);
+  const QString who = bag.entered_by.empty() ? initials : QString::fromStdString(bag.entered_by);
+  QString sherds;
+  if (bag.sherds > 0 && written > 0 && written != bag.sherds)
+    sherds = QCoreApplication::translate("ostraka::ui", "%1 of %n sherd(s)", nullptr, written)
+                 .arg(bag.sherds);
+  else if (bag.sherds + written > 0)
+    sherds = QCoreApplication::translate("ostraka::ui", "%n sherd(s)", nullptr,
+                                         bag.sherds > 0 ? bag.sherds : written);
+  if (sherds.isEmpty() || who.isEmpty()) return sherds + who;
+  return QCoreApplication::translate("ostraka::ui", "%1, %2").arg(sherds, who);
+}
+
 // kind: S of a sherd, B of a bag.
 QString codeOf(QLatin1Char kind, const QString& number, const std::string& id) {
   constexpr int kTail = 8;  // tells two of one number apart, and keeps the code small
@@ -85,7 +100,7 @@ MapNumbers mapNumbers(const QVector<SherdLabel>& labels, const pipeline::PlateMa
   return numbers;
 }
 
-QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue) {
+QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue, const QString& initials) {
   QVector<SherdLabel> labels;
   const auto bags = catalogue.bags();
   const auto contexts = catalogue.contexts();
@@ -101,7 +116,7 @@ QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue) {
     const QString number = parts.join('-');
     labels.append({number, placeOf(place->site_code, place->trench_code, place->number, bag.number),
                    QString::fromStdString(bag.collected_on),
-                   codeOf(QLatin1Char('B'), number, bag.id)});
+                   codeOf(QLatin1Char('B'), number, bag.id), contentsOf(bag, initials)});
   }
   std::stable_sort(labels.begin(), labels.end(),
                    [](const SherdLabel& a, const SherdLabel& b) { return a.number < b.number; });

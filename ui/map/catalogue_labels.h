@@ -20,8 +20,9 @@ QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::Pl
 MapNumbers mapNumbers(const QVector<SherdLabel>& labels, const pipeline::PlateMap& map,
                       const QString& batch_number);
 
-/// A label for each bag of the project, by place. Read by the camera or a code reader it gives a
-/// batch its context.
-QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue);
+/// A label for each bag of the project, by place, with the number of its sherds and who bagged
+/// them: who entered the bag, else `initials`, of who prints. Read by the camera or a code reader
+/// it gives a batch its context.
+QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue, const QString& initials);
 
 }  // namespace ostraka::ui

@@ -89,7 +89,14 @@ void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label,
   painter.setFont(font);
   painter.drawText(words.adjusted(0, std::max(8 * per_mm, written.height() + per_mm), 0, 0),
                    Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, label.context);
-  painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom, label.date);
+  const QString foot = label.date.isEmpty() || label.contents.isEmpty()
+                           ? label.date + label.contents
+                           : tr("%1, %2").arg(label.date, label.contents);
+  while (QFontMetricsF(font).horizontalAdvance(foot) > words.width() &&
+         font.pixelSize() > 2.5 * per_mm)
+    font.setPixelSize(font.pixelSize() - std::max(1, static_cast<int>(0.2 * per_mm)));
+  painter.setFont(font);
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignBottom, foot);
 }
 
 QString MapNumbers::shown(const QString& plate_number) const {

@@ -18,7 +18,8 @@ struct SherdLabel {
   QString number;   ///< "ARM1-T3-0012-0007", or "B0031-03" before it has its own
   QString context;  ///< "ARM1 / T3 / 0012, bag 4"; may be empty
   QString date;
-  QString code;  ///< of the QR code
+  QString code;           ///< of the QR code
+  QString contents = {};  ///< of a bag: "8 sherds, AP"; beside the date
 };
 
 /// Final numbers of the sherds on a plate, as short as they tell each other apart.

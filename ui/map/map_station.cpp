@@ -230,14 +230,16 @@ bool MapStation::writeBagLabels(const QString& file) {
   pdf.setPageSize(QPageSize(QPageSize::A4));
   pdf.setTitle(tr("Bag labels"));
   QString why;
-  if (printLabels(pdf, bagLabels(session_->project().catalogue()), &why)) return true;
+  if (printLabels(pdf, bagLabels(session_->project().catalogue(), session_->initials()), &why))
+    return true;
   say(why);
   return false;
 }
 
 void MapStation::printBags() {
   if (!bags_->isEnabled()) return;
-  const QVector<SherdLabel> labels = bagLabels(session_->project().catalogue());
+  const QVector<SherdLabel> labels =
+      bagLabels(session_->project().catalogue(), session_->initials());
   if (labels.isEmpty())
     return say(tr("There is no bag yet: type one at the capture, or import a table of contexts."));
   auto* dialog = new QPrintDialog(this);

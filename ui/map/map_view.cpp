@@ -45,11 +45,14 @@ void MapView::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(QPalette::Text));
   for (const bool front : {true, false}) {
     const QRectF where = half(front);
-    painter.drawText(QRectF(where.left(), 0, where.width(), where.top()), Qt::AlignCenter,
-                     front ? tr("front") : tr("back"));
+    // The word stands right above its picture.
+    const pipeline::MapSide& side = front ? picture_.map.front : picture_.map.back;
+    const double line = half(front).top();
+    const QRectF word(where.left(), mapPlace(where, side).top() - line, where.width(), line);
+    painter.drawText(word, Qt::AlignCenter, front ? tr("front") : tr("back"));
     if (picture_.map.front.width > 0)
-      paintMapSide(painter, where, front ? picture_.map.front : picture_.map.back,
-                   front ? picture_.front : picture_.back, picture_.numbers, highlighted_);
+      paintMapSide(painter, where, side, front ? picture_.front : picture_.back, picture_.numbers,
+                   highlighted_);
   }
 }
 

@@ -20,6 +20,7 @@ class CatalogueLabelsTest : public QObject {
  private slots:
   void aNumberedSherdHasItsNumberAndAnotherTheBatchs();
   void aBagsLabelIsReadBackAsItsPlace();
+  void aBagsLabelSaysHowManySherdsAndWhoBaggedThem();
   void theMapShowsTheEndsOfNumbersThatTellThemApart();
   void aPrintedLabelIsReadByTheCameraAndKeepsItsMargins();
 };
@@ -29,7 +30,8 @@ void CatalogueLabelsTest::aPrintedLabelIsReadByTheCameraAndKeepsItsMargins() {
   constexpr double kPerMm = 300 / 25.4;
   const SherdLabel labels[] = {
       {"ARM1-T3-0012-0007", "ARM1 / T3 / 0012", "2026-07-14", "OST1:S:ARM1-T3-0012-0007:7F3K9Q2M"},
-      {"ARM1-T3-0012-4", "ARM1 / T3 / 0012, bag 4", "2026-07-14", "OST1:B:ARM1-T3-0012-4:7F3K9Q2M"},
+      {"ARM1-T3-0012-4", "ARM1 / T3 / 0012, bag 4", "2026-07-14", "OST1:B:ARM1-T3-0012-4:7F3K9Q2M",
+       "8 of 12 sherds, AP"},
       {"ARAGATS/TSAGHKAHOVIT.WEST-SLOPE.HILL.02.C-000012345", "Ար / T3 / 0012", "2026-07-14",
        "OST1:S:ARAGATS/TSAGHKAHOVIT.WEST-SLOPE.HILL.02.C-000012345:7F3K9Q2M"}};
   for (const SherdLabel& label : labels) {
@@ -85,10 +87,10 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackAsItsPlace() {
   auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
   QVERIFY(project.has_value());
   catalogue::Catalogue& rows = project->catalogue();
-  QVERIFY(bagLabels(rows).isEmpty());
+  QVERIFY(bagLabels(rows, {}).isEmpty());
   const PlaceText second{"ARM1", "T3", "0012", "4"}, first{"ARM1", {}, "0007", "12"};
   for (const PlaceText& place : {second, first}) QVERIFY(bagRowOf(rows, place, {}).has_value());
-  const QVector<SherdLabel> labels = bagLabels(rows);
+  const QVector<SherdLabel> labels = bagLabels(rows, {});
   QCOMPARE(labels.size(), 2);
   QCOMPARE(labels[0].number, QStringLiteral("ARM1-0007-12"));
   QCOMPARE(labels[1].context, QStringLiteral("ARM1 / T3 / 0012, bag 4"));
@@ -99,6 +101,40 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackAsItsPlace() {
   QString why;
   QVERIFY2(printLabels(pdf, labels, &why), qPrintable(why));
   QVERIFY(QFileInfo(folder.filePath("bags.pdf")).size() > 1000);
+}
+
+void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
+  QTemporaryDir folder;
+  catalogue::ProjectRecord record;
+  record.code = "ARM";
+  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  QVERIFY(project.has_value());
+  catalogue::Catalogue& rows = project->catalogue();
+  const auto anna = rows.save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
+  const auto row = bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {*anna, "window", {}});
+  QVERIFY(row.has_value());
+  QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "5"}, {}).has_value());
+  const auto contents = [&](const QString& prints) {
+    return bagLabels(rows, prints)[0].contents + " | " + bagLabels(rows, prints)[1].contents;
+  };
+  QCOMPARE(contents({}), QStringLiteral("AP | "));
+  QCOMPARE(contents("BK"), QStringLiteral("AP | BK"));
+  catalogue::BagRecord bag = rows.bags()->front();
+  bag.count_written = 3;
+  QVERIFY(rows.save(bag, {}).has_value());
+  QCOMPARE(contents({}), QStringLiteral("3 sherd(s), AP | "));
+  std::vector<catalogue::SherdRow> sherds;
+  for (int i = 0; i < 4; ++i) {
+    catalogue::SherdRecord sherd;
+    sherd.context = bag.context;
+    sherd.bag = bag.row;
+    const auto added = rows.addSherd(sherd, {});
+    QVERIFY(added.has_value());
+    sherds.push_back(*added);
+  }
+  QCOMPARE(contents({}), QStringLiteral("4 of 3 sherd(s), AP | "));
+  QVERIFY(rows.voidSherd(sherds.back(), "a stone", {}).has_value());
+  QCOMPARE(contents({}), QStringLiteral("3 sherd(s), AP | "));
 }
 
 void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {

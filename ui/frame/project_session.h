@@ -45,10 +45,12 @@ class ProjectSession final : public QObject {
   /// To be called by who changed a batch or sherds; they emit the signals below.
   void tellBatchChanged(const QString& number) { emit batchChanged(number); }
   void tellSherdsChanged() { emit sherdsChanged(); }
+  void tellVocabulariesChanged() { emit vocabulariesChanged(); }
 
  signals:
   void batchChanged(const QString& number);  ///< "B0031": new, or its state or pairs changed
   void sherdsChanged();                      ///< rows of the catalogue are new or changed
+  void vocabulariesChanged();                ///< the words that sherds are described with
   void initialsChanged(const QString& initials);
 
  private:

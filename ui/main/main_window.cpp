@@ -218,6 +218,7 @@ void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   undo_->addStack(&session_->undo());
   undo_->setActiveStack(&session_->undo());
   for (Station* station : stations_) station->openProject(*session_);
+  settings_page_->setSession(session_.get());
   settings_.remember(path);
   writeSettings(settings_);
   setWindowTitle(tr("%1 - Ostraka").arg(QDir(path).dirName()));
@@ -237,6 +238,7 @@ void MainWindow::closeProject() {
     station->setInFront(false);
     station->closeProject();
   }
+  settings_page_->setSession(nullptr);
   undo_->removeStack(&session_->undo());
   session_.reset();
   if (queue_->isLeaving()) leaving_lock_ = std::move(lock_);

@@ -12,6 +12,8 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/form_rows.h"
+#include "ui/settings/numbering_edit.h"
+#include "ui/settings/vocabulary_edit.h"
 
 namespace ostraka::ui {
 
@@ -22,7 +24,9 @@ SettingsPage::SettingsPage(QWidget* parent)
       text_(new QSlider(Qt::Horizontal, this)),
       text_words_(new QLabel(this)),
       initials_(new QLineEdit(this)),
-      threads_(new QSpinBox(this)) {
+      threads_(new QSpinBox(this)),
+      numbering_(new NumberingEdit(this)),
+      vocabulary_(new VocabularyEdit(this)) {
   setObjectName(QStringLiteral("settings"));
   theme_->setObjectName(QStringLiteral("settingsTheme"));
   for (const auto& [theme, words] :
@@ -79,7 +83,12 @@ void SettingsPage::buildLayout() {
     field->setMinimumHeight(targetSize(*this) * 3 / 4);
   centreLabels(*form);
   auto* middle = new QWidget(this);
-  middle->setLayout(form);
+  auto* parts = new QVBoxLayout(middle);
+  parts->addLayout(form);
+  parts->addSpacing(fontMetrics().height());
+  parts->addWidget(numbering_);
+  parts->addSpacing(fontMetrics().height());
+  parts->addWidget(vocabulary_);
   middle->setMaximumWidth(fontMetrics().averageCharWidth() * 90);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(24, 24, 24, 24);
@@ -94,6 +103,11 @@ void SettingsPage::buildLayout() {
   column->addLayout(head);
   column->addWidget(middle);
   column->addStretch(1);
+}
+
+void SettingsPage::setSession(ProjectSession* session) {
+  numbering_->setSession(session);
+  vocabulary_->setSession(session);
 }
 
 void SettingsPage::setSettings(const WindowSettings& settings) {

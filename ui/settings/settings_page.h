@@ -11,6 +11,10 @@ class QSpinBox;
 
 namespace ostraka::ui {
 
+class NumberingEdit;
+class VocabularyEdit;
+class ProjectSession;
+
 /// The settings as a page of the window; each change holds at once.
 class SettingsPage final : public QWidget {
   Q_OBJECT
@@ -18,6 +22,8 @@ class SettingsPage final : public QWidget {
  public:
   explicit SettingsPage(QWidget* parent = nullptr);
   void setSettings(const WindowSettings& settings);
+  /// The open project, whose numbering and words stand here too; null when none is open.
+  void setSession(ProjectSession* session);
 
  signals:
   void changed(const ostraka::ui::WindowSettings& settings);
@@ -33,6 +39,8 @@ class SettingsPage final : public QWidget {
   QLabel* text_words_;
   QLineEdit* initials_;
   QSpinBox* threads_;
+  NumberingEdit* numbering_;
+  VocabularyEdit* vocabulary_;
   bool filling_ = false;
 };
 

@@ -1,0 +1,187 @@
+// The numbering of an open project is changed, its words too, and both are taken back.
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "../names.h"
+#include "catalogue/project.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+#include "ui/settings/numbering_edit.h"
+#include "ui/settings/numbering_model.h"
+#include "ui/settings/vocabulary_edit.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class NumberingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    auto made = catalogue::Project::create(folder_->path().toStdString() + "/project", record);
+    QVERIFY(made.has_value());
+    project_ = std::make_shared<catalogue::Project>(std::move(*made));
+    session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);
+    session_->setInitials("AP");
+    catalogue::SiteRecord site;
+    site.code = "ARM1";
+    site.name = "Hill";
+    catalogue::TrenchRecord trench;
+    trench.site = *rows().save(site, {});
+    trench.code = "T3";
+    catalogue::ContextRecord context;
+    context.site = trench.site;
+    context.trench = *rows().save(trench, {});
+    context.number = "0012";
+    context_ = *rows().save(context, {});
+  }
+
+  void anotherNumberingHoldsForTheNextSherdsOnlyAndIsUndone() {
+    const catalogue::SherdRow first = numbered();
+    NumberingEdit edit;
+    edit.setSession(session_.get());
+    edit.show();
+    auto* scheme = edit.findChild<QLineEdit*>("numberingScheme");
+    auto* apply = edit.findChild<QPushButton*>("numberingApply");
+    auto* example = edit.findChild<QLabel*>("numberingExample");
+    QCOMPARE(scheme->text(), QStringLiteral("{site}-{trench}-{context}-{n:04}"));
+    QVERIFY(!apply->isEnabled());
+    scheme->selectAll();
+    QTest::keyClicks(scheme, "{site}/{context}.{n:03}");
+    QCOMPARE(example->text(), QStringLiteral("ARM1/0012.001"));
+    QVERIFY(apply->isEnabled());
+    QTest::mouseClick(apply, Qt::LeftButton);
+    QVERIFY(!apply->isEnabled());
+    QCOMPARE(numberOf(numbered()), QStringLiteral("ARM1/0012.001"));
+    QCOMPARE(numberOf(first), QStringLiteral("ARM1-T3-0012-0001"));
+    session_->undo().undo();
+    QCOMPARE(scheme->text(), QStringLiteral("{site}-{trench}-{context}-{n:04}"));
+    QCOMPARE(numberOf(numbered()), QStringLiteral("ARM1-T3-0012-0002"));
+    session_->undo().redo();
+    QCOMPARE(numberOf(numbered()), QStringLiteral("ARM1/0012.002"));
+    QCOMPARE(rows().project()->numbering, std::string("{site}/{context}.{n:03}"));
+  }
+
+  void whatCannotBeIsRefusedInASentence() {
+    NumberingEdit edit;
+    edit.setSession(session_.get());
+    auto* scheme = edit.findChild<QLineEdit*>("numberingScheme");
+    auto* told = edit.findChild<QLabel*>("numberingTold");
+    const QString before = told->text();
+    scheme->selectAll();
+    QTest::keyClicks(scheme, "{site}");
+    QVERIFY(!edit.findChild<QPushButton*>("numberingApply")->isEnabled());
+    QVERIFY(told->text() != before);
+    QTest::keyClick(scheme, Qt::Key_Return);
+    QCOMPARE(rows().project()->numbering, std::string("{site}-{trench}-{context}-{n:04}"));
+    // A context straight in the site has no trench to be named.
+    catalogue::ContextRecord lone;
+    lone.site = rows().sites()->front().row;
+    lone.number = "0099";
+    QVERIFY(rows().save(lone, {}).has_value());
+    scheme->selectAll();
+    QTest::keyClicks(scheme, "{trench}.{n}");
+    QVERIFY2(told->text().contains("ARM1 0099"), qPrintable(told->text()));
+    QVERIFY(edit.findChild<QPushButton*>("numberingApply")->isEnabled());
+  }
+
+  void aBlockOfNumbersKeepsTwoComputersApart() {
+    NumberingEdit edit;
+    edit.setSession(session_.get());
+    edit.findChild<QSpinBox*>("numberingFirst")->setValue(5001);
+    edit.findChild<QSpinBox*>("numberingLast")->setValue(5000);
+    QVERIFY(!edit.findChild<QPushButton*>("numberingApply")->isEnabled());
+    edit.findChild<QSpinBox*>("numberingLast")->setValue(6000);
+    edit.findChild<QPushButton*>("numberingApply")->click();
+    QCOMPARE(numberOf(numbered()), QStringLiteral("ARM1-T3-0012-5001"));
+    QCOMPARE(*rows().setting("numbering.last"), std::string("6000"));
+  }
+
+  void numbersLeftOutAreTold() {
+    const catalogue::SherdRow sherd = draft();
+    const catalogue::FieldChange typed{sherd, "number", "ARM1-T3-0012-0005"};
+    QVERIFY(rows().change(std::span(&typed, 1), {}).has_value());
+    numbered();
+    NumberingEdit edit;
+    edit.setSession(session_.get());
+    auto* gaps = edit.findChild<QLabel*>("numberingGaps");
+    QTRY_COMPARE(gaps->text(), QStringLiteral("ARM1 T3 0012: 1–4"));
+    QCOMPARE(numberRanges({3, 5, 6, 8, 9, 10}, 9), QStringLiteral("3, 5, 6, 8–10"));
+    QCOMPARE(numberRanges({1, 3, 5, 7}, 2), QStringLiteral("1, 3, …"));
+  }
+
+  void wordsAreAddedAndThoseInUseStay() {
+    const catalogue::SherdRow sherd = draft();
+    const catalogue::FieldChange unknown{sherd, "firing", "smoked"};
+    QVERIFY(!rows().change(std::span(&unknown, 1), {}).has_value());
+    VocabularyEdit edit;
+    edit.setSession(session_.get());
+    const QSignalSpy told(session_.get(), &ProjectSession::vocabulariesChanged);
+    auto* which = edit.findChild<QComboBox*>("vocabularyWhich");
+    which->setCurrentIndex(which->findData("firing"));
+    auto* terms = edit.findChild<QPlainTextEdit*>("vocabularyTerms");
+    QCOMPARE(terms->toPlainText(), QStringLiteral("oxidised\nreduced\nmixed"));
+    terms->setPlainText("oxidised\nreduced\nmixed\n smoked \n");
+    edit.findChild<QPushButton*>("vocabularySave")->click();
+    QCOMPARE(told.count(), 1);
+    QVERIFY(rows().change(std::span(&unknown, 1), {}).has_value());
+    terms->setPlainText("oxidised\nreduced\nmixed");
+    edit.findChild<QPushButton*>("vocabularySave")->click();
+    QVERIFY(edit.findChild<QLabel*>("vocabularyTold")->text().contains("smoked"));
+    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{4});
+    const catalogue::FieldChange none{sherd, "firing", ""};
+    QVERIFY(rows().change(std::span(&none, 1), {}).has_value());
+    session_->undo().undo();
+    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{3});
+    QCOMPARE(terms->toPlainText(), QStringLiteral("oxidised\nreduced\nmixed"));
+  }
+
+  void withoutAProjectThereIsNothingToChange() {
+    NumberingEdit numbering;
+    VocabularyEdit vocabulary;
+    QWidget* const parts[] = {&numbering, &vocabulary};
+    for (QWidget* part : parts) {
+      const QStringList nameless = namelessIn(*part);
+      QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join('\n')));
+    }
+    numbering.setSession(session_.get());
+    vocabulary.setSession(session_.get());
+    QVERIFY(!numbering.isHidden() && !vocabulary.isHidden());
+    numbering.setSession(nullptr);
+    vocabulary.setSession(nullptr);
+    QVERIFY(numbering.isHidden() && vocabulary.isHidden());
+  }
+
+ private:
+  catalogue::Catalogue& rows() { return project_->catalogue(); }
+  catalogue::SherdRow draft() {
+    catalogue::SherdRecord sherd;
+    sherd.context = context_;
+    return *rows().addSherd(sherd, {});
+  }
+  catalogue::SherdRow numbered() {
+    const catalogue::SherdRow row = draft();
+    if (!rows().assignNumbers(std::span(&row, 1), {})) qFatal("no number");
+    return row;
+  }
+  QString numberOf(catalogue::SherdRow row) {
+    return QString::fromStdString(rows().sherd(row)->number);
+  }
+
+  ThreadedJobRunner jobs_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::shared_ptr<catalogue::Project> project_;
+  std::unique_ptr<ProjectSession> session_;
+  catalogue::ContextRow context_;
+};
+
+QTEST_MAIN(NumberingTest)
+#include "numbering_test.moc"

@@ -1,0 +1,121 @@
+#include "ui/settings/numbering_edit.h"
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "ui/frame/form_rows.h"
+#include "ui/frame/look.h"
+#include "ui/settings/numbering_model.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr qsizetype kGapLines = 8;
+
+}  // namespace
+
+NumberingEdit::NumberingEdit(QWidget* parent)
+    : QWidget(parent),
+      model_(new NumberingModel(this)),
+      scheme_(new QLineEdit(this)),
+      first_(new QSpinBox(this)),
+      last_(new QSpinBox(this)),
+      example_(new QLabel(this)),
+      told_(new QLabel(this)),
+      gaps_(new QLabel(this)),
+      apply_(new QPushButton(tr("Number so from &now on"), this)) {
+  setObjectName(QStringLiteral("numbering"));
+  scheme_->setObjectName(QStringLiteral("numberingScheme"));
+  scheme_->setToolTip(
+      tr("{site} {trench} {context} {bag} {batch} {yyyy} {yy}, and {n} once; "
+         "{n:04} has four digits at least"));
+  first_->setObjectName(QStringLiteral("numberingFirst"));
+  first_->setAccessibleName(tr("First number of this computer"));
+  last_->setObjectName(QStringLiteral("numberingLast"));
+  last_->setAccessibleName(tr("Last number of this computer"));
+  for (QSpinBox* box : {first_, last_}) box->setRange(1, NumberingModel::kLastNumber);
+  example_->setObjectName(QStringLiteral("numberingExample"));
+  example_->setFont(scaledFont(*this, 1.3));
+  told_->setObjectName(QStringLiteral("numberingTold"));
+  gaps_->setObjectName(QStringLiteral("numberingGaps"));
+  for (QLabel* label : {told_, gaps_}) label->setWordWrap(true);
+  apply_->setObjectName(QStringLiteral("numberingApply"));
+  buildLayout();
+  connect(model_, &NumberingModel::changed, this, &NumberingEdit::showModel);
+  connect(model_, &NumberingModel::gapsChanged, this, &NumberingEdit::showGaps);
+  connect(model_, &NumberingModel::failed, told_, &QLabel::setText);
+  connect(scheme_, &QLineEdit::textEdited, model_, &NumberingModel::setScheme);
+  for (QSpinBox* box : {first_, last_})
+    connect(box, &QSpinBox::valueChanged, this,
+            [this] { model_->setBlock(first_->value(), last_->value()); });
+  connect(apply_, &QPushButton::clicked, this, &NumberingEdit::apply);
+  connect(scheme_, &QLineEdit::returnPressed, this, &NumberingEdit::apply);
+  setVisible(false);
+}
+
+void NumberingEdit::buildLayout() {
+  auto* title = new QLabel(tr("Numbers of the open project"), this);
+  title->setFont(scaledFont(*this, 1.3));
+  auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  form->setVerticalSpacing(fontMetrics().height() / 2);
+  form->addRow(tr("N&umbering"), scheme_);
+  form->addRow(tr("A sherd will be"), example_);
+  auto* block = new QHBoxLayout;
+  block->addWidget(first_, 1);
+  auto* to = new QLabel(tr("to"), this);
+  block->addWidget(to);
+  block->addWidget(last_, 1);
+  form->addRow(tr("Num&bers of this computer"), block);
+  if (auto* label = qobject_cast<QLabel*>(form->labelForField(block))) label->setBuddy(first_);
+  form->addRow(QString(), told_);
+  form->addRow(QString(), apply_);
+  form->addRow(tr("Left out so far"), gaps_);
+  for (QWidget* field : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(first_),
+                         static_cast<QWidget*>(last_), static_cast<QWidget*>(apply_)})
+    field->setMinimumHeight(targetSize(*this) * 3 / 4);
+  centreLabels(*form);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(title);
+  column->addLayout(form);
+}
+
+void NumberingEdit::setSession(ProjectSession* session) {
+  model_->setSession(session);
+  setVisible(session != nullptr);
+}
+
+void NumberingEdit::showModel() {
+  const NumberingModel::Numbering& numbering = model_->numbering();
+  if (scheme_->text().trimmed() != numbering.scheme) scheme_->setText(numbering.scheme);
+  const QSignalBlocker first(first_), last(last_);
+  first_->setValue(numbering.first);
+  last_->setValue(numbering.last);
+  example_->setText(model_->example());
+  const QString keeps =
+      tr("What has a number keeps it; the next sherds follow. No number is ever given twice.");
+  told_->setText(!model_->refusal().isEmpty()   ? model_->refusal()
+                 : !model_->warning().isEmpty() ? model_->warning()
+                                                : keeps);
+  apply_->setEnabled(model_->canApply());
+}
+
+void NumberingEdit::showGaps() {
+  QStringList lines = model_->gaps().mid(0, kGapLines);
+  if (const auto more = model_->gaps().size() - lines.size(); more > 0)
+    lines << tr("and in %n more context(s)", nullptr, static_cast<int>(more));
+  gaps_->setText(lines.isEmpty() ? tr("no number") : lines.join(QLatin1Char('\n')));
+}
+
+void NumberingEdit::apply() {
+  if (!model_->canApply()) return;
+  if (const QString why = model_->apply(); !why.isEmpty()) told_->setText(why);
+}
+
+}  // namespace ostraka::ui

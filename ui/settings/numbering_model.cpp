@@ -1,0 +1,239 @@
+#include "ui/settings/numbering_model.h"
+
+#include <QDate>
+#include <QUndoCommand>
+#include <QUndoStack>
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "catalogue/numbering.h"
+#include "catalogue/project.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+#include "ui/jobs/sentence.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kRangesInALine = 12;
+constexpr const char* kFirst = "numbering.first";
+constexpr const char* kLast = "numbering.last";
+
+using Tokens = std::map<std::string, std::string>;
+
+Tokens tokensOf(const std::string& site, const std::string& trench, const std::string& context) {
+  const std::string year = QString::number(QDate::currentDate().year()).toStdString();
+  return {{"site", site},
+          {"trench", trench},
+          {"context", context},
+          {"bag", "4"},
+          {"batch", "B0031"},
+          {"yyyy", year},
+          {"yy", year.substr(year.size() - 2)}};
+}
+
+int settingIn(const catalogue::Catalogue& rows, const char* key, int otherwise) {
+  const Result<std::string> text = rows.setting(key);
+  if (!text || text->empty()) return otherwise;
+  bool good = false;
+  const int value = QString::fromStdString(*text).toInt(&good);
+  return good ? value : otherwise;
+}
+
+QString placeWords(const catalogue::ContextRecord& context) {
+  QStringList parts;
+  for (const std::string* part : {&context.site_code, &context.trench_code, &context.number})
+    if (!part->empty()) parts << QString::fromStdString(*part);
+  return parts.join(QLatin1Char(' '));
+}
+
+using Gaps = std::vector<std::pair<QString, std::vector<int>>>;
+
+Result<Gaps> gapsIn(const std::filesystem::path& project, const std::stop_token& stop) {
+  const Result<catalogue::Catalogue> rows = catalogue::Project::connect(project);
+  if (!rows) return rows.error();
+  const auto contexts = rows->contexts();
+  if (!contexts) return contexts.error();
+  Gaps gaps;
+  for (const catalogue::ContextRecord& context : *contexts) {
+    if (stop.stop_requested()) return Error::cancelled();
+    Result<std::vector<int>> numbers = rows->numberGaps(context.row);
+    if (!numbers) return numbers.error();
+    if (!numbers->empty()) gaps.emplace_back(placeWords(context), std::move(*numbers));
+  }
+  return gaps;
+}
+
+}  // namespace
+
+QString numberRanges(const std::vector<int>& numbers, int most) {
+  QStringList ranges;
+  for (std::size_t i = 0; i < numbers.size();) {
+    if (ranges.size() == most) {
+      ranges << QStringLiteral("…");
+      break;
+    }
+    std::size_t end = i + 1;
+    while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
+    QString range = QString::number(numbers[i]);
+    if (end - i == 2)
+      range += QStringLiteral(", %1").arg(numbers[end - 1]);
+    else if (end - i > 2)
+      range += QStringLiteral("–%1").arg(numbers[end - 1]);
+    ranges << range;
+    i = end;
+  }
+  return ranges.join(QStringLiteral(", "));
+}
+
+/// Values only; the project's own rows are never touched by it.
+class NumberingCommand final : public QUndoCommand {
+ public:
+  NumberingCommand(NumberingModel& model, NumberingModel::Numbering before,
+                   NumberingModel::Numbering after)
+      : QUndoCommand(NumberingModel::tr("change the numbering")),
+        model_(model),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
+  void redo() override {
+    if (first_)
+      first_ = false;  // it was saved before the command was made
+    else
+      hold(after_);
+  }
+  void undo() override { hold(before_); }
+
+ private:
+  void hold(const NumberingModel::Numbering& numbering) {
+    const Result<void> done = model_.hold(numbering);
+    if (done) return;
+    setObsolete(true);
+    emit model_.failed(sentenceOf(done.error()));
+  }
+
+  NumberingModel& model_;
+  NumberingModel::Numbering before_, after_;
+  bool first_ = true;
+};
+
+NumberingModel::NumberingModel(QObject* parent) : QObject(parent) {}
+NumberingModel::~NumberingModel() = default;
+
+void NumberingModel::setSession(ProjectSession* session) {
+  if (looking_) {
+    looking_->disconnect(this);
+    looking_->deleteLater();
+    looking_.clear();
+  }
+  session_ = session;
+  gaps_.clear();
+  read();
+  emit gapsChanged();
+  if (session_ != nullptr) lookForGaps();
+}
+
+void NumberingModel::read() {
+  held_ = {};
+  if (session_ != nullptr) {
+    const catalogue::Catalogue& rows = session_->project().catalogue();
+    if (const auto project = rows.project())
+      held_.scheme = QString::fromStdString(project->numbering);
+    held_.first = settingIn(rows, kFirst, 1);
+    held_.last = settingIn(rows, kLast, kLastNumber);
+  }
+  wanted_ = held_;
+  follow();
+}
+
+void NumberingModel::setScheme(const QString& scheme) {
+  wanted_.scheme = scheme.trimmed();
+  follow();
+}
+
+void NumberingModel::setBlock(int first, int last) {
+  wanted_.first = first;
+  wanted_.last = last;
+  follow();
+}
+
+void NumberingModel::follow() {
+  example_.clear();
+  refusal_.clear();
+  warning_.clear();
+  const auto scheme = catalogue::Numbering::parse(wanted_.scheme.toStdString());
+  if (session_ == nullptr) return emit changed();
+  if (!scheme) {
+    refusal_ = sentenceOf(scheme.error());
+    return emit changed();
+  }
+  if (wanted_.first > wanted_.last)
+    refusal_ = tr("The first number of a block is not above its last.");
+  const auto contexts = session_->project().catalogue().contexts();
+  Tokens shown = tokensOf("ARM1", "T3", "0012");
+  if (contexts)
+    for (const catalogue::ContextRecord& context : *contexts) {
+      const Tokens tokens = tokensOf(context.site_code, context.trench_code, context.number);
+      if (!scheme->number(tokens, wanted_.first)) {
+        warning_ = tr("Sherds of %1 get no number so: it lacks a part that the numbering names.")
+                       .arg(placeWords(context));
+        continue;
+      }
+      shown = tokens;
+      if (warning_.isEmpty()) warning_ = QString::fromStdString(scheme->warning(tokens));
+    }
+  const auto number = scheme->number(shown, std::max(wanted_.first, 1));
+  if (number)
+    example_ = QString::fromStdString(*number);
+  else if (refusal_.isEmpty())
+    refusal_ = sentenceOf(number.error());
+  emit changed();
+}
+
+Result<void> NumberingModel::hold(const Numbering& numbering) {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  const catalogue::Act act = session_->act();
+  const Result<void> done = rows.together([&]() -> Result<void> {
+    Result<catalogue::ProjectRecord> project = rows.project();
+    if (!project) return project.error();
+    project->numbering = numbering.scheme.toStdString();
+    if (Result<void> set = rows.setProject(*project, act); !set) return set;
+    for (const auto& [key, value] :
+         {std::pair(kFirst, numbering.first), std::pair(kLast, numbering.last)})
+      if (Result<void> set = rows.setSetting(key, std::to_string(value)); !set) return set;
+    return {};
+  });
+  if (!done) return done;
+  read();
+  session_->tellSherdsChanged();  // the next numbers are others now
+  return {};
+}
+
+QString NumberingModel::apply() {
+  if (!canApply()) return refusal_;
+  const Numbering before = held_, after = wanted_;
+  if (const Result<void> done = hold(after); !done) return sentenceOf(done.error());
+  session_->undo().push(new NumberingCommand(*this, before, after));
+  return {};
+}
+
+void NumberingModel::lookForGaps() {
+  looking_ = session_->jobs().start(
+      makeJob(tr("Numbers left out"),
+              [folder = session_->folder()](Progress&, std::stop_token stop) {
+                return gapsIn(folder, stop);
+              }),
+      this);
+  connect(looking_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    looking_->deleteLater();
+    looking_.clear();
+    gaps_.clear();
+    if (const auto gaps = outcomeAs<Gaps>(outcome))
+      for (const auto& [place, numbers] : *gaps)
+        gaps_ << tr("%1: %2").arg(place, numberRanges(numbers, kRangesInALine));
+    emit gapsChanged();
+  });
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,157 @@
+#include "ui/settings/vocabulary_edit.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QUndoCommand>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "catalogue/project.h"
+#include "ui/frame/form_rows.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/sentence.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kLines = 7;
+
+}  // namespace
+
+/// Values only; the vocabulary is read anew each time.
+class VocabularyCommand final : public QUndoCommand {
+ public:
+  VocabularyCommand(VocabularyEdit& edit, const QString& vocabulary,
+                    std::vector<catalogue::Term> before, std::vector<catalogue::Term> after)
+      : QUndoCommand(VocabularyEdit::tr("change the words")),
+        edit_(edit),
+        vocabulary_(vocabulary),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
+  void redo() override {
+    if (first_)
+      first_ = false;  // it was saved before the command was made
+    else
+      hold(after_);
+  }
+  void undo() override { hold(before_); }
+
+ private:
+  void hold(const std::vector<catalogue::Term>& terms) {
+    const Result<void> done = edit_.hold(vocabulary_, terms);
+    if (done) return;
+    setObsolete(true);
+    edit_.told_->setText(sentenceOf(done.error()));
+  }
+
+  VocabularyEdit& edit_;
+  QString vocabulary_;
+  std::vector<catalogue::Term> before_, after_;
+  bool first_ = true;
+};
+
+VocabularyEdit::VocabularyEdit(QWidget* parent)
+    : QWidget(parent),
+      which_(new QComboBox(this)),
+      terms_(new QPlainTextEdit(this)),
+      told_(new QLabel(this)),
+      save_(new QPushButton(tr("&Save the words"), this)) {
+  setObjectName(QStringLiteral("vocabulary"));
+  for (const auto& [words, name] :
+       {std::pair(tr("part"), "part"), std::pair(tr("surface"), "surface"),
+        std::pair(tr("decoration"), "decoration"), std::pair(tr("manufacture"), "manufacture"),
+        std::pair(tr("firing"), "firing"), std::pair(tr("condition"), "condition")})
+    which_->addItem(words, QString::fromLatin1(name));
+  which_->setObjectName(QStringLiteral("vocabularyWhich"));
+  terms_->setObjectName(QStringLiteral("vocabularyTerms"));
+  terms_->setAccessibleName(tr("Words, one a line"));
+  terms_->setTabChangesFocus(true);
+  told_->setObjectName(QStringLiteral("vocabularyTold"));
+  told_->setWordWrap(true);
+  save_->setObjectName(QStringLiteral("vocabularySave"));
+  buildLayout();
+  connect(which_, &QComboBox::currentIndexChanged, this, &VocabularyEdit::showTerms);
+  connect(save_, &QPushButton::clicked, this, &VocabularyEdit::save);
+  setVisible(false);
+}
+
+void VocabularyEdit::buildLayout() {
+  auto* title = new QLabel(tr("Words of the open project"), this);
+  title->setFont(scaledFont(*this, 1.3));
+  auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  form->setVerticalSpacing(fontMetrics().height() / 2);
+  form->addRow(tr("&Words for"), which_);
+  form->addRow(tr("&One a line"), terms_);
+  form->addRow(QString(), told_);
+  form->addRow(QString(), save_);
+  terms_->setFixedHeight(fontMetrics().lineSpacing() * kLines);
+  for (QWidget* field : {static_cast<QWidget*>(which_), static_cast<QWidget*>(save_)})
+    field->setMinimumHeight(targetSize(*this) * 3 / 4);
+  centreLabels(*form);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(title);
+  column->addLayout(form);
+}
+
+void VocabularyEdit::setSession(ProjectSession* session) {
+  session_ = session;
+  setVisible(session != nullptr);
+  showTerms();
+}
+
+void VocabularyEdit::showTerms() {
+  held_.clear();
+  told_->setText(tr("A word that sherds use already stays; change those first."));
+  if (session_)
+    if (auto terms = session_->project().catalogue().vocabulary(
+            which_->currentData().toString().toStdString()))
+      held_ = std::move(*terms);
+  QStringList lines;
+  for (const catalogue::Term& term : held_) lines << QString::fromStdString(term.term);
+  terms_->setPlainText(lines.join(QLatin1Char('\n')));
+}
+
+// A word that was there before keeps what it is called in other languages.
+std::vector<catalogue::Term> VocabularyEdit::written() const {
+  std::vector<catalogue::Term> terms;
+  for (const QString& line : terms_->toPlainText().split(QLatin1Char('\n'))) {
+    const std::string word = line.simplified().toStdString();
+    if (word.empty()) continue;
+    const auto known = std::find_if(held_.begin(), held_.end(),
+                                    [&](const catalogue::Term& term) { return term.term == word; });
+    terms.push_back(known == held_.end() ? catalogue::Term{word, {}, {}} : *known);
+  }
+  return terms;
+}
+
+Result<void> VocabularyEdit::hold(const QString& vocabulary,
+                                  const std::vector<catalogue::Term>& terms) {
+  if (Result<void> done = session_->project().catalogue().setVocabulary(vocabulary.toStdString(),
+                                                                        terms, session_->act());
+      !done)
+    return done;
+  session_->tellVocabulariesChanged();
+  showTerms();
+  return {};
+}
+
+void VocabularyEdit::save() {
+  if (!session_) return;
+  const QString vocabulary = which_->currentData().toString();
+  const std::vector<catalogue::Term> before = held_, after = written();
+  const bool same = std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                               [](const auto& a, const auto& b) { return a.term == b.term; });
+  if (same) return;
+  if (const Result<void> done = hold(vocabulary, after); !done)
+    return told_->setText(sentenceOf(done.error()));
+  session_->undo().push(new VocabularyCommand(*this, vocabulary, before, after));
+  told_->setText(tr("Saved."));
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,43 @@
+#pragma once
+#include <QPointer>
+#include <QWidget>
+#include <vector>
+
+#include "catalogue/sherd.h"
+
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+/// Part of the settings: the words that the open project describes its sherds with, a vocabulary at
+/// a time, one word a line.
+class VocabularyEdit final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit VocabularyEdit(QWidget* parent = nullptr);
+  /// Hidden without a project.
+  void setSession(ProjectSession* session);
+
+ private:
+  friend class VocabularyCommand;
+  void buildLayout();
+  void showTerms();
+  void save();
+  Result<void> hold(const QString& vocabulary, const std::vector<catalogue::Term>& terms);
+  std::vector<catalogue::Term> written() const;
+
+  QPointer<ProjectSession> session_;
+  std::vector<catalogue::Term> held_;  ///< of the vocabulary that is shown
+  QComboBox* which_;
+  QPlainTextEdit* terms_;
+  QLabel* told_;
+  QPushButton* save_;
+};
+
+}  // namespace ostraka::ui

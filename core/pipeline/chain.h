@@ -66,6 +66,10 @@ struct Pairs {
 /// The chain, one call per step. Each runs its stage or finds it whole.
 Result<Staged<Poses>> poseStage(const Run& run);
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses);
+/// The masks as people mended them (mask_strokes.h); without strokes on this side as they were
+/// found. The program's own stay where they are.
+Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
+                                Staged<Masks> found);
 Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
                                       const Staged<Masks>& masks);
 /// Pieces as people joined and split them; without such decisions as the program found them.

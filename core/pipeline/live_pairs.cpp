@@ -12,6 +12,7 @@
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
 #include "pipeline/chain.h"
+#include "pipeline/mask_strokes.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/review.h"
 #include "rig/camera.h"
@@ -192,7 +193,7 @@ struct LivePairs::State {
     Result<cv::Mat> picture = batch::readPhotograph(image->file);
     if (!picture) return picture.error();
     Photograph photograph{std::move(*picture), {}, *image};
-    const fs::path masks = output / "work" / (std::string("masks_") + batch::name(side));
+    const fs::path masks = output / "work" / maskFolder(output, side);
     if (Result<cv::Mat> mask = batch::readMask(masks / maskName(*image)))
       photograph.mask = std::move(*mask);
     return photograph;

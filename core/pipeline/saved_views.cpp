@@ -4,6 +4,7 @@
 
 #include "batch/photograph.h"
 #include "pipeline/chain.h"
+#include "pipeline/mask_strokes.h"
 #include "rig/camera.h"
 
 namespace ostraka::pipeline {
@@ -14,12 +15,12 @@ Result<std::vector<stereo::View>> savedViews(const std::filesystem::path& out,
   const Result<std::vector<rig::PosedImage>> images =
       rig::readCameras(out / "work" / "rig" / "cameras.json");
   if (!images) return images.error();
+  const std::string masks = maskFolder(out, side);
   std::vector<stereo::View> views;
   for (const rig::PosedImage& image : *images) {
     if (image.side != side) continue;
     if (stop.stop_requested()) return Error::cancelled();
-    Result<cv::Mat> mask = batch::readMask(
-        out / "work" / (std::string("masks_") + batch::name(side)) / maskName(image));
+    Result<cv::Mat> mask = batch::readMask(out / "work" / masks / maskName(image));
     if (!mask) return mask.error();
     if (cv::countNonZero(*mask) == 0) continue;
     // The project may have moved since: only the last two names count.

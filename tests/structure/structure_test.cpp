@@ -19,7 +19,7 @@ const std::vector<std::string> kOrder = {
     "evaluate", "capture", "virtualrig",   "catalogue", "exchange"};
 // The window's folders likewise; all of them may use core.
 const std::vector<std::string> kUiOrder = {"jobs",   "frame",    "viewport", "capture",
-                                           "queue",  "review",   "map",      "catalogue",
+                                           "masks", "queue",  "review",   "map",      "catalogue",
                                            "export", "settings", "main"};
 constexpr int kMostLines = 500, kMostHeaderLines = 150;
 

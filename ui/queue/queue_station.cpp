@@ -16,6 +16,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
+#include "ui/masks/mask_page.h"
 #include "ui/queue/batch_delegate.h"
 #include "ui/queue/batch_queue.h"
 
@@ -34,7 +35,8 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
       delegate_(new BatchDelegate(*queue, this)),
       log_(new QPlainTextEdit(this)),
       message_(new MessagePanel(this)),
-      pages_(new QStackedWidget(this)) {
+      pages_(new QStackedWidget(this)),
+      masks_page_(new MaskPage(this)) {
   setObjectName(QStringLiteral("queue"));
   pause_ = addAct(QStringLiteral("queuePause"), QStringLiteral("pause"), tr("Pause"),
                   QKeySequence(Qt::Key_Space));
@@ -46,6 +48,8 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
                    QKeySequence(Qt::Key_Return));
   review_ = addAct(QStringLiteral("queueReview"), QStringLiteral("review"), tr("Review it"),
                    QKeySequence(Qt::Key_V));
+  masks_ = addAct(QStringLiteral("queueMasks"), QStringLiteral("edit"), tr("Mend the masks"),
+                  QKeySequence(Qt::Key_M));
   log_action_ =
       addAct(QStringLiteral("queueLog"), QStringLiteral("log"), tr("Log"), QKeySequence(Qt::Key_L));
   log_action_->setCheckable(true);
@@ -57,6 +61,12 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
   connect(report_, &QAction::triggered, this, &QueueStation::openReport);
   connect(review_, &QAction::triggered, this,
           [this] { emit wantsStation(QStringLiteral("review"), selected()); });
+  connect(masks_, &QAction::triggered, this, &QueueStation::showMasks);
+  connect(masks_page_, &MaskPage::closed, this, &QueueStation::leaveMasks);
+  connect(masks_page_, &MaskPage::computeWanted, this, [this](const QString& batch) {
+    leaveMasks();
+    queue_->retry(batch);
+  });
   connect(log_action_, &QAction::toggled, log_, &QWidget::setVisible);
   connect(queue_, &BatchQueue::logged, log_, &QPlainTextEdit::appendPlainText);
   connect(queue_, &BatchQueue::workChanged, this, &QueueStation::follow);
@@ -102,7 +112,7 @@ void QueueStation::buildLayout() {
           [this] { emit wantsStation(QStringLiteral("capture"), {}); });
 
   auto* bar = new FlowRow;
-  for (QAction* action : {pause_, again_, cancel_, report_, review_, log_action_}) {
+  for (QAction* action : {pause_, again_, cancel_, report_, review_, masks_, log_action_}) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setObjectName(action->objectName() + QStringLiteral("Button"));
@@ -125,6 +135,7 @@ void QueueStation::buildLayout() {
   column->addLayout(bar);
   pages_->addWidget(page);
   pages_->addWidget(empty);
+  pages_->addWidget(masks_page_);
   auto* all = new QVBoxLayout(this);
   all->addWidget(pages_);
   connect(message_, &MessagePanel::acted, this, [this] {
@@ -157,6 +168,7 @@ void QueueStation::openProject(ProjectSession& session) {
 }
 
 void QueueStation::closeProject() {
+  leaveMasks();
   queue_->setSession(nullptr);
   delegate_->setThumbnails(nullptr);
   if (thumbnails_ != nullptr) thumbnails_->deleteLater();
@@ -165,7 +177,9 @@ void QueueStation::closeProject() {
 }
 
 void QueueStation::setInFront(bool in_front) {
-  if (in_front) list_->setFocus();
+  if (in_front)
+    (pages_->currentWidget() == masks_page_ ? static_cast<QWidget*>(masks_page_) : list_)
+        ->setFocus();
 }
 
 int QueueStation::waiting() const {
@@ -188,7 +202,8 @@ QString QueueStation::selected() const {
 }
 
 void QueueStation::follow() {
-  pages_->setCurrentIndex(queue_->rowCount() == 0 ? 1 : 0);
+  const bool mending = pages_->currentWidget() == masks_page_ && queue_->rowCount() > 0;
+  if (!mending) pages_->setCurrentIndex(queue_->rowCount() == 0 ? 1 : 0);
   if (!list_->currentIndex().isValid() && queue_->rowCount() > 0)
     list_->setCurrentIndex(queue_->index(0));
   followPause();
@@ -201,6 +216,11 @@ void QueueStation::follow() {
   report_->setEnabled(state == QueueState::Done || state == QueueState::Review ||
                       state == QueueState::Failed);
   review_->setEnabled(state == QueueState::Review || state == QueueState::Done);
+  masks_->setEnabled(state == QueueState::Review || state == QueueState::Done ||
+                     state == QueueState::Failed);
+  // Where a brush is in hand, keys of the list must do nothing to the batch.
+  if (mending)
+    for (QAction* action : {cancel_, again_, report_, review_, masks_}) action->setEnabled(false);
   if (!queue_->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}}, tr("Go on"));
   else if (trouble_shown_)
@@ -218,6 +238,22 @@ void QueueStation::followPause() {
     pause_->setIcon(icon(queue_->isPaused() ? QStringLiteral("play") : QStringLiteral("pause")));
   }
   pause_->setEnabled(queue_->isPaused() || queue_->waitingToCompute() > 0);
+}
+
+void QueueStation::showMasks() {
+  if (session_ == nullptr || selected().isEmpty()) return;
+  masks_page_->openBatch(*session_, selected());
+  pages_->setCurrentWidget(masks_page_);
+  masks_page_->setFocus();
+  follow();
+}
+
+void QueueStation::leaveMasks() {
+  if (pages_->currentWidget() != masks_page_) return;
+  masks_page_->closeBatch();
+  pages_->setCurrentIndex(0);
+  follow();
+  list_->setFocus();
 }
 
 void QueueStation::openReport() {

@@ -12,6 +12,7 @@ namespace ostraka::ui {
 
 class BatchDelegate;
 class BatchQueue;
+class MaskPage;
 class MessagePanel;
 class Thumbnails;
 
@@ -44,6 +45,8 @@ class QueueStation final : public Station {
   void followPause();
   void openReport();
   void askOrCancel();
+  void showMasks();
+  void leaveMasks();
 
   BatchQueue* queue_;
   int waiting_said_ = -1;
@@ -55,7 +58,8 @@ class QueueStation final : public Station {
   QPlainTextEdit* log_;
   MessagePanel* message_;
   QStackedWidget* pages_;
-  QAction *pause_, *cancel_, *again_, *report_, *review_, *log_action_;
+  MaskPage* masks_page_;
+  QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_;
 };
 
 }  // namespace ostraka::ui

@@ -14,7 +14,9 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "batch/photograph.h"
+#include "cloud/ply.h"
 #include "pipeline/candidate_table.h"
+#include "pipeline/mask_strokes.h"
 #include "rig/camera.h"
 #include "virtualrig/simulate.h"
 
@@ -239,6 +241,56 @@ TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {
   ASSERT_TRUE(appendDecision(folder_ / "decided", undo).has_value());
   ASSERT_TRUE(process(folder_ / "decided", 1, quiet).has_value());
   EXPECT_EQ(results(folder_ / "decided"), before) << "withdrawn, all is as it was";
+}
+
+TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
+  QuietProgress quiet;
+  copyOfWhole("painted");
+  const fs::path out = folder_ / "painted";
+  const auto before = results(out);
+  const auto table = readCandidates(out / "work" / "pairs" / "candidates.json");
+  ASSERT_TRUE(table.has_value()) << table.error().sentence();
+  const ScanRef& first = table->fronts.at(0);
+  const auto images = rig::readCameras(out / "work" / "rig" / "cameras.json");
+  ASSERT_TRUE(images.has_value()) << images.error().sentence();
+  std::vector<MaskStroke> strokes;  // the middle of the first sherd is said to be plate
+  for (const rig::PosedImage& image : *images) {
+    if (image.side != batch::Side::Front) continue;
+    MaskStroke stroke;
+    stroke.camera = image.camera;
+    stroke.stop = image.stop;
+    stroke.paint = MaskPaint::Plate;
+    stroke.radius_px = 14;
+    stroke.path_px = {image.project({first.place_mm.x(), first.place_mm.y(), 5.0})};
+    strokes.push_back(stroke);
+  }
+  ASSERT_TRUE(writeMaskStrokes(out, strokes).has_value());
+  EXPECT_EQ(maskFolder(out, batch::Side::Front), "masks_front") << "nothing is mended yet";
+  const auto points = [&](const std::string& number) {
+    const auto scan = readPlyCloud(out / "sherds" / number / "front.ply");
+    return scan ? static_cast<double>(scan->size()) : 0.0;
+  };
+  const double first_before = points("01"), second_before = points("02");
+  ASSERT_TRUE(process(out, 1, quiet).has_value());
+  EXPECT_EQ(maskFolder(out, batch::Side::Front), "mended_front");
+  EXPECT_EQ(maskFolder(out, batch::Side::Back), "masks_back");
+  const std::string log = *readFile(out / "log.txt");
+  const std::string last = log.substr(log.rfind("rig: whole from an earlier run"));
+  for (const char* kept : {"masks_front", "masks_back", "dense_back", "scans_back"})
+    EXPECT_NE(last.find(std::string(kept) + ": whole from an earlier run"), std::string::npos)
+        << kept;
+  EXPECT_EQ(last.find("dense_front: whole from an earlier run"), std::string::npos);
+  // 14 of its pixels around the middle are gone from the first sherd, nothing from the second.
+  EXPECT_LT(points("01"), 0.95 * first_before);
+  EXPECT_NEAR(points("02"), second_before, 0.02 * second_before);
+  const auto masked = maskedPhotographs(out, folder_ / "batch");
+  ASSERT_TRUE(masked.has_value()) << masked.error().sentence();
+  EXPECT_EQ(masked->size(), images->size());
+  EXPECT_TRUE(fs::exists(masked->front().photograph));
+
+  ASSERT_TRUE(writeMaskStrokes(out, {}).has_value());
+  ASSERT_TRUE(process(out, 1, quiet).has_value());
+  EXPECT_EQ(results(out), before) << "taken back, all is as it was";
 }
 
 TEST_F(ProcessBatch, SetAsideASherdIsNeitherMadeNorMissed) {

@@ -1,0 +1,52 @@
+#pragma once
+#include <Eigen/Core>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "batch/batch.h"
+
+namespace ostraka::pipeline {
+
+enum class MaskPaint { Sherd, Plate };
+
+/// One stroke of a person's brush over the mask of one photograph.
+struct MaskStroke {
+  batch::Side side = batch::Side::Front;
+  int camera = 0, stop = 0;
+  MaskPaint paint = MaskPaint::Sherd;
+  double radius_px = 0;
+  std::vector<Eigen::Vector2d> path_px;  ///< one point or more, in the photograph's own pixels
+  std::string by, at;                    ///< initials; UTC, 2026-07-14T09:30:12Z
+};
+
+/// OUT/mask_strokes.json, in the order painted; none when there is no such file. What the program
+/// computes never changes it. Errors: UnusableInput names the file.
+Result<std::vector<MaskStroke>> readMaskStrokes(const std::filesystem::path& output);
+/// All of them; an empty list takes the masks back to those of the program.
+Result<void> writeMaskStrokes(const std::filesystem::path& output,
+                              const std::vector<MaskStroke>& strokes);
+
+nlohmann::ordered_json toJson(const std::vector<MaskStroke>& strokes);
+
+/// mask: 0..255 as in mask/masks.h, of the photograph's size.
+void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke);
+
+/// A photograph whose mask a run left, wherever the batch lies now.
+struct MaskedPhotograph {
+  batch::Side side = batch::Side::Front;
+  int camera = 0, stop = 0;
+  std::filesystem::path photograph, mask;  ///< mask: the program's own, without strokes
+};
+/// In the order of sides, stops and cameras. Errors: UnusableInput when there are no whole masks.
+Result<std::vector<MaskedPhotograph>> maskedPhotographs(const std::filesystem::path& output,
+                                                        const std::filesystem::path& batch);
+
+/// The folder under OUT/work with the masks that count: mended_front when people painted on it and
+/// a run has followed, else masks_front.
+std::string maskFolder(const std::filesystem::path& output, batch::Side side);
+
+}  // namespace ostraka::pipeline

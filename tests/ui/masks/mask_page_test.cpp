@@ -1,0 +1,169 @@
+// What is sherd on a photograph is shown and mended with a brush, by mouse and by keys.
+#include "ui/masks/mask_page.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QtTest>
+#include <filesystem>
+
+#include "../names.h"
+#include "pipeline/mask_strokes.h"
+#include "synthetic_out.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+#include "ui/masks/mask_model.h"
+#include "ui/masks/mask_view.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+namespace fs = std::filesystem;
+
+class MaskPageTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    const fs::path project = folder_->path().toStdString();
+    out_ = project / "results" / "B0001";
+    const pipeline::SyntheticOut made = pipeline::writeSyntheticOut(out_, {});
+    // As in a project the photographs lie in the batch's own folder.
+    fs::create_directories(project / "batches" / "B0001");
+    fs::copy(out_ / "photographs", project / "batches" / "B0001" / "photographs");
+    session_ = std::make_unique<ProjectSession>(nullptr, project, jobs_);
+    session_->setInitials("AP");
+    page_ = std::make_unique<MaskPage>();
+    page_->resize(1000, 700);
+    page_->show();
+    page_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(page_.get()));
+    page_->openBatch(*session_, "B0001");
+    model_ = page_->findChild<MaskModel*>();
+    view_ = page_->findChild<MaskView*>("maskView");
+    QTRY_VERIFY_WITH_TIMEOUT(!model_->veil().isNull(), 20000);
+  }
+  void cleanup() {
+    page_.reset();
+    session_.reset();
+  }
+
+  void eachControlHasANameForScreenReaders() {
+    const QStringList nameless = namelessIn(*page_);
+    QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join('\n')));
+  }
+
+  void aStrokeOfTheMouseIsSavedAtOnceAndUndone() {
+    const QPoint plate = outsideOfSherds();
+    QCOMPARE(qAlpha(model_->veil().pixel(plate)), 0);
+    const QPoint at = view_->placeOf(plate).toPoint();
+    QTest::mousePress(view_, Qt::LeftButton, {}, at);
+    QTest::mouseMove(view_, at + QPoint(12, 0));
+    QTest::mouseRelease(view_, Qt::LeftButton, {}, at + QPoint(12, 0));
+    const auto saved = pipeline::readMaskStrokes(out_);
+    QVERIFY(saved.has_value());
+    QCOMPARE(saved->size(), std::size_t{1});
+    QCOMPARE(saved->front().by, std::string("AP"));
+    QCOMPARE(saved->front().side, batch::Side::Front);
+    QVERIFY(saved->front().paint == pipeline::MaskPaint::Sherd);
+    QVERIFY(qAlpha(model_->veil().pixel(plate)) > 0);
+    QCOMPARE(model_->mended(), 1);
+    session_->undo().undo();
+    QVERIFY(pipeline::readMaskStrokes(out_)->empty());
+    QCOMPARE(qAlpha(model_->veil().pixel(plate)), 0);
+    session_->undo().redo();
+    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
+    QVERIFY(qAlpha(model_->veil().pixel(plate)) > 0);
+  }
+
+  void theKeysMoveTheBrushAndPaintPlate() {
+    const QPoint sherd = onASherd();
+    QTest::mouseMove(view_, view_->placeOf(sherd).toPoint());
+    QTest::keyClick(page_.get(), Qt::Key_P);
+    QTRY_VERIFY(page_->findChild<QAction*>("masksPlate")->isChecked());
+    QTest::keyClick(view_, Qt::Key_Space);
+    const auto saved = pipeline::readMaskStrokes(out_);
+    QCOMPARE(saved->size(), std::size_t{1});
+    QVERIFY(saved->front().paint == pipeline::MaskPaint::Plate);
+    const Eigen::Vector2d first = saved->front().path_px.front();
+    QCOMPARE(qAlpha(model_->veil().pixel(qRound(first.x()), qRound(first.y()))), 0);
+    QTest::keyClick(view_, Qt::Key_Right);
+    QTest::keyClick(view_, Qt::Key_Space);
+    const Eigen::Vector2d second = pipeline::readMaskStrokes(out_)->back().path_px.front();
+    QVERIFY(second.x() > first.x());
+    QCOMPARE(second.y(), first.y());
+  }
+
+  void theNextPhotographIsOneKeyAway() {
+    QVERIFY(model_->count() >= 2);
+    auto* which = page_->findChild<QComboBox*>("masksWhich");
+    QCOMPARE(which->currentText(), QStringLiteral("front, camera A, stop 1"));
+    QTest::keyClick(page_.get(), Qt::Key_PageDown);
+    QTRY_VERIFY_WITH_TIMEOUT(model_->index() == 1 && !model_->veil().isNull(), 20000);
+    QCOMPARE(which->currentText(), QStringLiteral("back, camera A, stop 1"));
+    QTest::keyClick(page_.get(), Qt::Key_PageUp);
+    QTRY_COMPARE(model_->index(), 0);
+  }
+
+  void computingIsOfferedWhenThereIsAStroke() {
+    const QSignalSpy wanted(page_.get(), &MaskPage::computeWanted);
+    auto* compute = page_->findChild<QAction*>("masksCompute");
+    QVERIFY(!compute->isEnabled());
+    QTest::keyClick(view_, Qt::Key_Space);
+    QVERIFY(compute->isEnabled());
+    QTest::mouseClick(page_->findChild<QToolButton*>("masksComputeButton"), Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front().front().toString(), QStringLiteral("B0001"));
+  }
+
+  void theWheelEnlargesAboutThePointer() {
+    const QPoint at = view_->placeOf(onASherd()).toPoint();
+    const QPointF before = view_->placeOf({0, 0});
+    QWheelEvent wheel(at, view_->mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(view_, &wheel);
+    QVERIFY(QLineF(view_->placeOf({0, 0}), at).length() > QLineF(before, at).length());
+    QVERIFY(QLineF(view_->placeOf(onASherd()), at).length() < 2);
+  }
+
+  void aBatchWithoutMasksSaysSo() {
+    page_->openBatch(*session_, "B0002");
+    auto* told = page_->findChild<QLabel*>("masksTold");
+    QTRY_VERIFY_WITH_TIMEOUT(!told->text().isEmpty(), 20000);
+    QCOMPARE(model_->count(), 0);
+    QTest::keyClick(view_, Qt::Key_Space);  // nothing to paint on
+    QVERIFY(!fs::exists(folder_->path().toStdString() + "/results/B0002/mask_strokes.json"));
+  }
+
+ private:
+  QPoint pixelWith(bool veiled) {
+    const QImage& veil = model_->veil();
+    for (int y = 40; y < veil.height() - 40; y += 4)
+      for (int x = 40; x < veil.width() - 40; x += 4) {
+        bool all = true;
+        for (int dy = -20; dy <= 20; dy += 10)
+          for (int dx = -20; dx <= 20; dx += 10)
+            all = all && (qAlpha(veil.pixel(x + dx, y + dy)) > 0) == veiled;
+        if (all) return {x, y};
+      }
+    qFatal("there is no such place");
+  }
+  QPoint onASherd() { return pixelWith(true); }
+  QPoint outsideOfSherds() { return pixelWith(false); }
+
+  ThreadedJobRunner jobs_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<MaskPage> page_;
+  MaskModel* model_ = nullptr;
+  MaskView* view_ = nullptr;
+  fs::path out_;
+};
+
+QTEST_MAIN(MaskPageTest)
+#include "mask_page_test.moc"

@@ -1,0 +1,242 @@
+#include "ui/masks/mask_model.h"
+
+#include <QImageReader>
+#include <QPainter>
+#include <QUndoCommand>
+#include <QUndoStack>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/text.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+#include "ui/jobs/sentence.h"
+
+namespace ostraka::ui {
+namespace {
+
+// Seen on every clay and on the plate: a colour that neither has.
+constexpr QRgb kVeil = qRgba(0, 90, 190, 120);
+
+struct OpenedMasks {
+  std::vector<pipeline::MaskedPhotograph> photographs;
+  std::vector<pipeline::MaskStroke> strokes;
+};
+
+QImage veilOf(const QImage& mask) {
+  QVector<QRgb> colours(256);
+  for (int level = 0; level < 256; ++level)
+    colours[level] = qRgba(qRed(kVeil), qGreen(kVeil), qBlue(kVeil), qAlpha(kVeil) * level / 255);
+  QImage grey = mask.convertToFormat(QImage::Format_Grayscale8);
+  QImage indexed(grey.constBits(), grey.width(), grey.height(),
+                 static_cast<int>(grey.bytesPerLine()), QImage::Format_Indexed8);
+  indexed.setColorTable(colours);
+  return indexed.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+// As stored: an EXIF orientation is not applied, since masks belong to the sensor's pixels.
+QImage pictureAt(const std::filesystem::path& file) {
+  QImageReader reader(QString::fromStdString(file.string()));
+  reader.setAutoTransform(false);
+  reader.setAllocationLimit(0);  // a photograph of 60 megapixels is usual here
+  return reader.read();
+}
+
+}  // namespace
+
+/// A stroke as a value. What lies above it on the stack is undone first.
+class StrokeCommand final : public QUndoCommand {
+ public:
+  StrokeCommand(MaskModel& model, pipeline::MaskStroke stroke)
+      : QUndoCommand(MaskModel::tr("paint on a mask")),
+        model_(&model),
+        output_(model.output_),
+        stroke_(std::move(stroke)) {}
+  void redo() override {
+    if (std::exchange(first_, false)) return;  // it was saved before the command was made
+    change([this](auto& strokes) { strokes.push_back(stroke_); });
+  }
+  void undo() override {
+    change([](auto& strokes) {
+      if (!strokes.empty()) strokes.pop_back();
+    });
+  }
+
+ private:
+  // The page may show another batch by now; the strokes stand in the file of theirs.
+  template <class Change>
+  void change(Change apply) {
+    auto strokes = pipeline::readMaskStrokes(output_);
+    if (strokes) {
+      apply(*strokes);
+      if (model_ && model_->output_ == output_) {
+        if (model_->hold(*strokes)) return;
+      } else if (pipeline::writeMaskStrokes(output_, *strokes)) {
+        return;
+      }
+    }
+    setObsolete(true);
+  }
+
+  QPointer<MaskModel> model_;
+  std::filesystem::path output_;
+  pipeline::MaskStroke stroke_;
+  bool first_ = true;
+};
+
+MaskModel::MaskModel(QObject* parent) : QObject(parent) {}
+MaskModel::~MaskModel() = default;
+
+// Nothing of it arrives any more, not even what is on its way.
+void MaskModel::forgetJob() {
+  if (!job_) return;
+  job_->disconnect(this);
+  job_->deleteLater();
+  job_.clear();
+}
+
+void MaskModel::close() {
+  forgetJob();
+  session_.clear();
+  batch_.clear();
+  output_.clear();
+  photographs_.clear();
+  strokes_.clear();
+  index_ = -1;
+  painted_ = false;
+  photograph_ = found_veil_ = veil_ = {};
+  emit changed();
+}
+
+void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
+  close();
+  session_ = &session;
+  batch_ = batch;
+  output_ = session.folder() / "results" / batch.toStdString();
+  const auto folder = session.folder() / "batches" / batch.toStdString();
+  job_ = session.jobs().start(
+      makeJob(tr("Masks of %1").arg(batch),
+              [output = output_, folder](Progress&, std::stop_token) -> Result<OpenedMasks> {
+                auto photographs = pipeline::maskedPhotographs(output, folder);
+                if (!photographs) return photographs.error();
+                auto strokes = pipeline::readMaskStrokes(output);
+                if (!strokes) return strokes.error();
+                return OpenedMasks{std::move(*photographs), std::move(*strokes)};
+              }),
+      this);
+  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_.clear();
+    const auto opened = outcomeAs<OpenedMasks>(outcome);
+    if (!opened) return emit failed(sentenceOf(opened.error()));
+    photographs_ = opened->photographs;
+    strokes_ = opened->strokes;
+    show(0);
+  });
+}
+
+QString MaskModel::title(int index) const {
+  const pipeline::MaskedPhotograph& p = photographs_.at(static_cast<std::size_t>(index));
+  return tr("%1, camera %2, stop %3")
+      .arg(p.side == batch::Side::Front ? tr("front") : tr("back"))
+      .arg(QChar('A' + p.camera))
+      .arg(p.stop + 1);
+}
+
+bool MaskModel::isMended(int index) const {
+  const pipeline::MaskedPhotograph& p = photographs_.at(static_cast<std::size_t>(index));
+  return std::any_of(strokes_.begin(), strokes_.end(), [&](const pipeline::MaskStroke& s) {
+    return s.side == p.side && s.camera == p.camera && s.stop == p.stop;
+  });
+}
+
+int MaskModel::mended() const {
+  int mended = 0;
+  for (int i = 0; i < count(); ++i) mended += isMended(i) ? 1 : 0;
+  return mended;
+}
+
+Result<MaskModel::Shown> MaskModel::read(const pipeline::MaskedPhotograph& photograph) {
+  Shown shown{pictureAt(photograph.photograph), pictureAt(photograph.mask)};
+  for (const auto& [image, file] : {std::pair(&shown.photograph, &photograph.photograph),
+                                    std::pair(&shown.veil, &photograph.mask)})
+    if (image->isNull())
+      return Error{ErrorCode::Missing, "The picture cannot be read.", file->string()};
+  shown.veil = veilOf(shown.veil);
+  return shown;
+}
+
+void MaskModel::show(int index) {
+  if (!session_ || index < 0 || index >= count()) return;
+  forgetJob();
+  index_ = index;
+  photograph_ = found_veil_ = veil_ = {};
+  emit changed();
+  job_ = session_->jobs().start(
+      makeJob(tr("Mask"), [photograph = photographs_[static_cast<std::size_t>(index)]](
+                              Progress&, std::stop_token) { return read(photograph); }),
+      this);
+  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_.clear();
+    const auto shown = outcomeAs<Shown>(outcome);
+    if (!shown) return emit failed(sentenceOf(shown.error()));
+    photograph_ = shown->photograph;
+    found_veil_ = shown->veil;
+    drawVeil();
+  });
+}
+
+void MaskModel::drawVeil() {
+  veil_ = found_veil_;
+  if (veil_.isNull()) return;
+  const pipeline::MaskedPhotograph& p = photographs_[static_cast<std::size_t>(index_)];
+  QPainter painter(&veil_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const pipeline::MaskStroke& s : strokes_) {
+    if (s.side != p.side || s.camera != p.camera || s.stop != p.stop) continue;
+    QPolygonF path;
+    for (const Eigen::Vector2d& at : s.path_px) path << QPointF(at.x(), at.y());
+    if (path.size() == 1) path << path.first() + QPointF(0.01, 0);  // a dot is drawn, too
+    painter.setCompositionMode(s.paint == pipeline::MaskPaint::Sherd
+                                   ? QPainter::CompositionMode_Source
+                                   : QPainter::CompositionMode_Clear);
+    painter.setPen(
+        QPen(QColor::fromRgba(kVeil), 2 * s.radius_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPolyline(path);
+  }
+  painter.end();
+  emit veilChanged();
+}
+
+bool MaskModel::hold(std::vector<pipeline::MaskStroke> strokes) {
+  if (const Result<void> done = pipeline::writeMaskStrokes(output_, strokes); !done) {
+    emit failed(sentenceOf(done.error()));
+    return false;
+  }
+  strokes_ = std::move(strokes);
+  painted_ = true;
+  if (index_ >= 0) drawVeil();
+  return true;
+}
+
+void MaskModel::paint(pipeline::MaskPaint paint, const QPolygonF& path, double radius_px) {
+  if (!session_ || index_ < 0 || veil_.isNull() || path.isEmpty()) return;
+  const pipeline::MaskedPhotograph& p = photographs_[static_cast<std::size_t>(index_)];
+  pipeline::MaskStroke stroke;
+  stroke.side = p.side;
+  stroke.camera = p.camera;
+  stroke.stop = p.stop;
+  stroke.paint = paint;
+  stroke.radius_px = radius_px;
+  for (const QPointF& at : path) stroke.path_px.emplace_back(at.x(), at.y());
+  stroke.by = session_->initials().toStdString();
+  stroke.at = utcNow();
+  std::vector<pipeline::MaskStroke> strokes = strokes_;
+  strokes.push_back(stroke);
+  if (!hold(std::move(strokes))) return;
+  session_->undo().push(new StrokeCommand(*this, std::move(stroke)));
+}
+
+}  // namespace ostraka::ui

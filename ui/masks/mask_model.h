@@ -1,0 +1,71 @@
+#pragma once
+#include <QImage>
+#include <QObject>
+#include <QPointer>
+#include <QPolygonF>
+#include <filesystem>
+#include <vector>
+
+#include "pipeline/mask_strokes.h"
+
+namespace ostraka::ui {
+
+class JobHandle;
+class ProjectSession;
+
+/// The masks of a batch: one photograph after the other with what is sherd on it, and a brush. Each
+/// stroke is saved at once and can be undone; the next computation follows them. No widget.
+class MaskModel final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit MaskModel(QObject* parent = nullptr);
+  ~MaskModel() override;
+
+  /// Reads which photographs there are, and shows the first; `changed` or `failed` follows.
+  void openBatch(ProjectSession& session, const QString& batch);
+  void close();
+
+  const QString& batch() const { return batch_; }
+  int count() const { return static_cast<int>(photographs_.size()); }
+  QString title(int index) const;  ///< "front, camera A, stop 1"
+  int index() const { return index_; }
+  bool isMended(int index) const;  ///< somebody painted on it
+  int mended() const;              ///< how many photographs are
+  bool canCompute() const { return painted_ || !strokes_.empty(); }
+
+  /// The photograph, and a veil over what is sherd; null while they are read.
+  const QImage& photograph() const { return photograph_; }
+  const QImage& veil() const { return veil_; }
+
+  void show(int index);
+  /// path: in pixels of the photograph.
+  void paint(pipeline::MaskPaint paint, const QPolygonF& path, double radius_px);
+
+ signals:
+  void changed();  ///< photographs, or which is shown
+  void veilChanged();
+  void failed(const QString& sentence);
+
+ private:
+  friend class StrokeCommand;
+  struct Shown {
+    QImage photograph, veil;
+  };
+  bool hold(std::vector<pipeline::MaskStroke> strokes);
+  void drawVeil();
+  void forgetJob();
+  static Result<Shown> read(const pipeline::MaskedPhotograph& photograph);
+
+  QPointer<ProjectSession> session_;
+  QString batch_;
+  std::filesystem::path output_;
+  std::vector<pipeline::MaskedPhotograph> photographs_;
+  std::vector<pipeline::MaskStroke> strokes_;
+  bool painted_ = false;
+  int index_ = -1;
+  QImage photograph_, found_veil_, veil_;
+  QPointer<JobHandle> job_;
+};
+
+}  // namespace ostraka::ui

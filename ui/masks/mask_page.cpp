@@ -1,0 +1,170 @@
+#include "ui/masks/mask_page.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/frame/flow_row.h"
+#include "ui/frame/look.h"
+#include "ui/masks/mask_model.h"
+#include "ui/masks/mask_view.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kLeastWidth_px = 2, kMostWidth_px = 200, kUsualWidth_px = 24;
+
+}  // namespace
+
+MaskPage::MaskPage(QWidget* parent)
+    : QWidget(parent),
+      model_(new MaskModel(this)),
+      view_(new MaskView(this)),
+      title_(new QLabel(this)),
+      told_(new QLabel(this)),
+      which_(new QComboBox(this)),
+      width_(new QSlider(Qt::Horizontal, this)) {
+  setObjectName(QStringLiteral("masks"));
+  back_ = addAct("masksBack", QStringLiteral("previous"), tr("Back"), Qt::Key_Escape);
+  sherd_ = addAct("masksSherd", QStringLiteral("sherd"), tr("Sherd"), Qt::Key_S);
+  plate_ = addAct("masksPlate", QStringLiteral("turntable"), tr("Plate"), Qt::Key_P);
+  previous_ =
+      addAct("masksPrevious", QStringLiteral("up"), tr("Photograph before"), Qt::Key_PageUp);
+  next_ = addAct("masksNext", QStringLiteral("down"), tr("Next photograph"), Qt::Key_PageDown);
+  compute_ = addAct("masksCompute", QStringLiteral("retry"), tr("Compute with these"), Qt::Key_C);
+  auto* brush = new QActionGroup(this);
+  for (QAction* action : {sherd_, plate_}) {
+    action->setCheckable(true);
+    brush->addAction(action);
+  }
+  sherd_->setChecked(true);
+  buildLayout();
+  connect(back_, &QAction::triggered, this, &MaskPage::closed);
+  connect(brush, &QActionGroup::triggered, this, &MaskPage::useBrush);
+  connect(width_, &QSlider::valueChanged, this, &MaskPage::useBrush);
+  connect(previous_, &QAction::triggered, this, [this] { step(-1); });
+  connect(next_, &QAction::triggered, this, [this] { step(1); });
+  connect(compute_, &QAction::triggered, this, [this] { emit computeWanted(model_->batch()); });
+  connect(which_, &QComboBox::activated, model_, &MaskModel::show);
+  connect(model_, &MaskModel::changed, this, &MaskPage::showModel);
+  connect(model_, &MaskModel::veilChanged, this, [this] {
+    view_->setPicture(model_->photograph(), {});
+    view_->setVeil(model_->veil());
+    showTold();
+  });
+  connect(model_, &MaskModel::failed, told_, &QLabel::setText);
+  connect(view_, &MaskView::stroked, this, [this](const QPolygonF& path) {
+    model_->paint(sherd_->isChecked() ? pipeline::MaskPaint::Sherd : pipeline::MaskPaint::Plate,
+                  path, width_->value() / 2.0);
+  });
+  useBrush();
+}
+
+QAction* MaskPage::addAct(const char* name, const QString& icon_name, const QString& text,
+                          const QKeySequence& key) {
+  auto* action = new QAction(icon(icon_name), text, this);
+  action->setObjectName(QString::fromLatin1(name));
+  action->setShortcut(key);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  addAction(action);
+  return action;
+}
+
+void MaskPage::buildLayout() {
+  view_->setObjectName(QStringLiteral("maskView"));
+  title_->setFont(scaledFont(*this, 1.3));
+  title_->setObjectName(QStringLiteral("masksTitle"));
+  told_->setObjectName(QStringLiteral("masksTold"));
+  told_->setWordWrap(true);
+  which_->setObjectName(QStringLiteral("masksWhich"));
+  which_->setAccessibleName(tr("Photograph"));
+  which_->setMinimumHeight(targetSize(*this));
+  width_->setObjectName(QStringLiteral("masksWidth"));
+  width_->setRange(kLeastWidth_px, kMostWidth_px);
+  width_->setValue(kUsualWidth_px);
+  width_->setFixedWidth(fontMetrics().averageCharWidth() * 20);
+  auto* width_label = new QLabel(tr("Brush's &width"), this);
+  width_label->setBuddy(width_);
+  const auto button = [this](QAction* action) {
+    auto* one = new QToolButton(this);
+    one->setDefaultAction(action);
+    one->setObjectName(action->objectName() + QStringLiteral("Button"));
+    one->setAccessibleName(action->text());
+    one->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    one->setMinimumHeight(targetSize(*this));
+    return one;
+  };
+  auto* head = new QHBoxLayout;
+  head->addWidget(title_, 1);
+  head->addWidget(button(back_));
+  auto* bar = new FlowRow;
+  bar->addWidget(which_);
+  for (QAction* action : {previous_, next_, sherd_, plate_}) bar->addWidget(button(action));
+  bar->addWidget(width_label);
+  bar->addWidget(width_);
+  bar->addWidget(button(compute_));
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addLayout(head);
+  all->addWidget(told_);
+  all->addWidget(view_, 1);
+  all->addLayout(bar);
+  // Plus and minus belong to the picture and need no button.
+  for (const auto& [key, factor] :
+       {std::pair(Qt::Key_Plus, 1.25), std::pair(Qt::Key_Minus, 1 / 1.25)}) {
+    QAction* action = addAct(key == Qt::Key_Plus ? "masksLarger" : "masksSmaller",
+                             key == Qt::Key_Plus ? QStringLiteral("plus") : QStringLiteral("minus"),
+                             key == Qt::Key_Plus ? tr("Larger") : tr("Smaller"), key);
+    connect(action, &QAction::triggered, this, [this, by = factor] { view_->enlarge(by); });
+  }
+  setFocusProxy(view_);
+}
+
+void MaskPage::openBatch(ProjectSession& session, const QString& batch) {
+  title_->setText(tr("Masks of %1").arg(batch));
+  told_->clear();
+  model_->openBatch(session, batch);
+  view_->setFocus();
+}
+
+void MaskPage::closeBatch() {
+  model_->close();
+}
+
+void MaskPage::step(int by) {
+  if (model_->index() + by >= 0 && model_->index() + by < model_->count())
+    model_->show(model_->index() + by);
+}
+
+void MaskPage::useBrush() {
+  view_->setBrush(width_->value() / 2.0, sherd_->isChecked());
+}
+
+void MaskPage::showModel() {
+  const QSignalBlocker quiet(which_);
+  which_->clear();
+  for (int i = 0; i < model_->count(); ++i) which_->addItem(model_->title(i));
+  which_->setCurrentIndex(model_->index());
+  previous_->setEnabled(model_->index() > 0);
+  next_->setEnabled(model_->index() + 1 < model_->count());
+  view_->setPicture(model_->photograph(), tr("The photograph is being read."));
+  showTold();
+}
+
+void MaskPage::showTold() {
+  compute_->setEnabled(model_->canCompute());
+  if (model_->index() < 0) return;
+  told_->setText(
+      model_->mended() > 0
+          ? tr("%n photograph(s) mended; what follows from them is computed again.", nullptr,
+               model_->mended())
+          : tr("What is veiled in blue is taken for sherd. Paint what is missing, or as plate what "
+               "is too much; the program's own masks stay."));
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,46 @@
+#pragma once
+#include <QWidget>
+
+class QAction;
+class QComboBox;
+class QKeySequence;
+class QLabel;
+class QSlider;
+
+namespace ostraka::ui {
+
+class MaskModel;
+class MaskView;
+class ProjectSession;
+
+/// Shows the masks of a batch and lets a person mend them with a brush.
+class MaskPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MaskPage(QWidget* parent = nullptr);
+  void openBatch(ProjectSession& session, const QString& batch);
+  void closeBatch();
+
+ signals:
+  void closed();
+  void computeWanted(const QString& batch);
+
+ private:
+  void buildLayout();
+  QAction* addAct(const char* name, const QString& icon_name, const QString& text,
+                  const QKeySequence& key);
+  void showModel();
+  void showTold();
+  void useBrush();
+  void step(int by);
+
+  MaskModel* model_;
+  MaskView* view_;
+  QLabel *title_, *told_;
+  QComboBox* which_;
+  QSlider* width_;
+  QAction *back_, *sherd_, *plate_, *next_, *previous_, *compute_;
+};
+
+}  // namespace ostraka::ui

@@ -193,6 +193,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bemerkung</translation>
     </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>
@@ -589,6 +594,37 @@
       <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Vorderseite hat diese Rückseite. Ziehen Sie sie auf ihre Vorderseite, fügen Sie sie an eine andere, oder legen Sie sie beiseite.</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1 of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 von %n Scherbe</numerusform>
+        <numerusform>%1 von %n Scherben</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zweifelhaft</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe</numerusform>
+        <numerusform>%n Scherben</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2856,6 +2892,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weiterlaufen lassen</translation>
     </message>
+    <message>
+      <source>Mend the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken ausbessern</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3435,6 +3476,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Es ist %2.</translation>
     </message>
+    <message>
+      <source>%1; scale in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; Maßstab zweifelhaft</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -3488,6 +3534,16 @@
       <source>no number yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>noch keine Nummer</translation>
+    </message>
+    <message>
+      <source>%1: %2, in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2, zweifelhaft</translation>
+    </message>
+    <message>
+      <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Der Maßstab von Charge %2 ist zweifelhaft; ihr Bericht sagt, warum und was zu tun ist.</translation>
     </message>
   </context>
   <context>
@@ -3688,6 +3744,300 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Falls sie schon Nummern haben: jede folgt ihrer Scherbe durch das Wenden. Taste N.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskModel</name>
+    <message>
+      <source>%1, camera %2, stop %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, Kamera %2, Halt %3</translation>
+    </message>
+    <message>
+      <source>Mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maske</translation>
+    </message>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken von %1</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite</translation>
+    </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite</translation>
+    </message>
+    <message>
+      <source>paint on a mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Malen auf einer Maske</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskPage</name>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken von %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) mended; what follows from them is computed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Aufnahme ausgebessert; was aus ihr folgt, wird neu berechnet.</numerusform>
+        <numerusform>%n Aufnahmen ausgebessert; was aus ihnen folgt, wird neu berechnet.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zurück</translation>
+    </message>
+    <message>
+      <source>Brush's &amp;width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pinsel&amp;breite</translation>
+    </message>
+    <message>
+      <source>Compute with these</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Damit berechnen</translation>
+    </message>
+    <message>
+      <source>Larger</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Größer</translation>
+    </message>
+    <message>
+      <source>Smaller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kleiner</translation>
+    </message>
+    <message>
+      <source>Next photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nächste Aufnahme</translation>
+    </message>
+    <message>
+      <source>Photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aufnahme</translation>
+    </message>
+    <message>
+      <source>Photograph before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorige Aufnahme</translation>
+    </message>
+    <message>
+      <source>Plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Teller</translation>
+    </message>
+    <message>
+      <source>Sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe</translation>
+    </message>
+    <message>
+      <source>The photograph is being read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Aufnahme wird gelesen.</translation>
+    </message>
+    <message>
+      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was blau verschleiert ist, gilt als Scherbe. Malen Sie, was fehlt, oder als Teller, was zu viel ist; die Masken des Programms bleiben erhalten.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskView</name>
+    <message>
+      <source>Photograph with its mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aufnahme mit ihrer Maske</translation>
+    </message>
+    <message>
+      <source>The arrows move the brush, Space paints, plus and minus enlarge and reduce.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Pfeile bewegen den Pinsel, die Leertaste malt, Plus und Minus vergrößern und verkleinern.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingEdit</name>
+    <message>
+      <source>A sherd will be</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe wird</translation>
+    </message>
+    <message>
+      <source>First number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erste Nummer dieses Rechners</translation>
+    </message>
+    <message>
+      <source>Last number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Letzte Nummer dieses Rechners</translation>
+    </message>
+    <message>
+      <source>Left out so far</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bisher ausgelassen</translation>
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>N&amp;ummerierung</translation>
+    </message>
+    <message>
+      <source>Num&amp;bers of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummern dieses &amp;Rechners</translation>
+    </message>
+    <message>
+      <source>Number so from &amp;now on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von &amp;nun an so nummerieren</translation>
+    </message>
+    <message>
+      <source>Numbers of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummern des offenen Projekts</translation>
+    </message>
+    <message>
+      <source>What has a number keeps it; the next sherds follow. No number is ever given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was eine Nummer hat, behält sie; die nächsten Scherben folgen. Keine Nummer wird je zweimal vergeben.</translation>
+    </message>
+    <message numerus="yes">
+      <source>and in %n more context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>und in %n weiteren Befund</numerusform>
+        <numerusform>und in %n weiteren Befunden</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>keine Nummer</translation>
+    </message>
+    <message>
+      <source>to</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bis</translation>
+    </message>
+    <message>
+      <source>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, and {n} once; {n:04} has four digits at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, und {n} einmal; {n:04} hat mindestens vier Ziffern</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingModel</name>
+    <message>
+      <source>%1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Numbers left out</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ausgelassene Nummern</translation>
+    </message>
+    <message>
+      <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben aus %1 bekommen so keine Nummer: Ihm fehlt ein Teil, den die Nummerierung nennt.</translation>
+    </message>
+    <message>
+      <source>The first number of a block is not above its last.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die erste Nummer eines Blocks liegt nicht über seiner letzten.</translation>
+    </message>
+    <message>
+      <source>change the numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ändern der Nummerierung</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::VocabularyEdit</name>
+    <message>
+      <source>&amp;Save the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wörter speich&amp;ern</translation>
+    </message>
+    <message>
+      <source>&amp;Words for</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Wörter für</translation>
+    </message>
+    <message>
+      <source>A word that sherds use already stays; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Wort, das Scherben schon tragen, bleibt; ändern Sie diese zuerst.</translation>
+    </message>
+    <message>
+      <source>&amp;One a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eines &amp;je Zeile</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert.</translation>
+    </message>
+    <message>
+      <source>Words of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wörter des offenen Projekts</translation>
+    </message>
+    <message>
+      <source>Words, one a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wörter, eines je Zeile</translation>
+    </message>
+    <message>
+      <source>change the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ändern der Wörter</translation>
+    </message>
+    <message>
+      <source>condition</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erhaltung</translation>
+    </message>
+    <message>
+      <source>decoration</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verzierung</translation>
+    </message>
+    <message>
+      <source>firing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Brand</translation>
+    </message>
+    <message>
+      <source>manufacture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Herstellung</translation>
+    </message>
+    <message>
+      <source>part</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Teil</translation>
+    </message>
+    <message>
+      <source>surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oberfläche</translation>
     </message>
   </context>
 </TS>

@@ -286,4 +286,41 @@
       </translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::ui::MaskPage</name>
+    <message numerus="yes">
+      <source>%n photograph(s) mended; what follows from them is computed again.</source>
+      <translation>
+        <numerusform>%n photograph mended; what follows from it is computed again.</numerusform>
+        <numerusform>%n photographs mended; what follows from them is computed again.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingEdit</name>
+    <message numerus="yes">
+      <source>and in %n more context(s)</source>
+      <translation>
+        <numerusform>and in %n more context</numerusform>
+        <numerusform>and in %n more contexts</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui</name>
+    <message numerus="yes">
+      <source>%1 of %n sherd(s)</source>
+      <translation>
+        <numerusform>%1 of %n sherd</numerusform>
+        <numerusform>%1 of %n sherds</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translation>
+        <numerusform>%n sherd</numerusform>
+        <numerusform>%n sherds</numerusform>
+      </translation>
+    </message>
+  </context>
 </TS>

@@ -193,6 +193,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>nota</translation>
     </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>escala</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>
@@ -589,6 +594,37 @@
       <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún anverso tiene este reverso. Arrástrelo a su anverso, únalo a otro, o apártelo.</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1 of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 de %n fragmento</numerusform>
+        <numerusform>%1 de %n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dudosa</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento</numerusform>
+        <numerusform>%n fragmentos</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2856,6 +2892,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dejar que siga</translation>
     </message>
+    <message>
+      <source>Mend the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Corregir las máscaras</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3435,6 +3476,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Es %2.</translation>
     </message>
+    <message>
+      <source>%1; scale in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; escala dudosa</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -3488,6 +3534,16 @@
       <source>no number yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>aún sin número</translation>
+    </message>
+    <message>
+      <source>%1: %2, in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2, dudoso</translation>
+    </message>
+    <message>
+      <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: la escala del lote %2 es dudosa; su informe dice por qué y qué hacer.</translation>
     </message>
   </context>
   <context>
@@ -3688,6 +3744,300 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si ya tienen números: cada uno sigue a su fragmento al darle la vuelta. Tecla N.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskModel</name>
+    <message>
+      <source>%1, camera %2, stop %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, cámara %2, parada %3</translation>
+    </message>
+    <message>
+      <source>Mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Máscara</translation>
+    </message>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Máscaras de %1</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>reverso</translation>
+    </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>anverso</translation>
+    </message>
+    <message>
+      <source>paint on a mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pintar en una máscara</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskPage</name>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Máscaras de %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) mended; what follows from them is computed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fotografía corregida; lo que sigue de ella se calcula de nuevo.</numerusform>
+        <numerusform>%n fotografías corregidas; lo que sigue de ellas se calcula de nuevo.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Volver</translation>
+    </message>
+    <message>
+      <source>Brush's &amp;width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Ancho del pincel</translation>
+    </message>
+    <message>
+      <source>Compute with these</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calcular con estas</translation>
+    </message>
+    <message>
+      <source>Larger</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Más grande</translation>
+    </message>
+    <message>
+      <source>Smaller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Más pequeño</translation>
+    </message>
+    <message>
+      <source>Next photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografía siguiente</translation>
+    </message>
+    <message>
+      <source>Photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografía</translation>
+    </message>
+    <message>
+      <source>Photograph before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografía anterior</translation>
+    </message>
+    <message>
+      <source>Plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plato</translation>
+    </message>
+    <message>
+      <source>Sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmento</translation>
+    </message>
+    <message>
+      <source>The photograph is being read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se está leyendo la fotografía.</translation>
+    </message>
+    <message>
+      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo velado en azul se toma por fragmento. Pinte lo que falta o, como plato, lo que sobra; las máscaras del programa se conservan.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskView</name>
+    <message>
+      <source>Photograph with its mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografía con su máscara</translation>
+    </message>
+    <message>
+      <source>The arrows move the brush, Space paints, plus and minus enlarge and reduce.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las flechas mueven el pincel, Espacio pinta, más y menos amplían y reducen.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingEdit</name>
+    <message>
+      <source>A sherd will be</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento será</translation>
+    </message>
+    <message>
+      <source>First number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Primer número de este ordenador</translation>
+    </message>
+    <message>
+      <source>Last number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Último número de este ordenador</translation>
+    </message>
+    <message>
+      <source>Left out so far</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Omitidos hasta ahora</translation>
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>N&amp;umeración</translation>
+    </message>
+    <message>
+      <source>Num&amp;bers of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Números de este &amp;ordenador</translation>
+    </message>
+    <message>
+      <source>Number so from &amp;now on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Numerar así desde ahora</translation>
+    </message>
+    <message>
+      <source>Numbers of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Números del proyecto abierto</translation>
+    </message>
+    <message>
+      <source>What has a number keeps it; the next sherds follow. No number is ever given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que tiene número lo conserva; los siguientes fragmentos lo siguen. Ningún número se da dos veces.</translation>
+    </message>
+    <message numerus="yes">
+      <source>and in %n more context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>y en %n contexto más</numerusform>
+        <numerusform>y en %n contextos más</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ningún número</translation>
+    </message>
+    <message>
+      <source>to</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>a</translation>
+    </message>
+    <message>
+      <source>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, and {n} once; {n:04} has four digits at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, y {n} una vez; {n:04} tiene al menos cuatro cifras</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingModel</name>
+    <message>
+      <source>%1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Numbers left out</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Números omitidos</translation>
+    </message>
+    <message>
+      <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los fragmentos de %1 no reciben así número: le falta una parte que nombra la numeración.</translation>
+    </message>
+    <message>
+      <source>The first number of a block is not above its last.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El primer número de un bloque no es mayor que el último.</translation>
+    </message>
+    <message>
+      <source>change the numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiar la numeración</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::VocabularyEdit</name>
+    <message>
+      <source>&amp;Save the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Guardar las palabras</translation>
+    </message>
+    <message>
+      <source>&amp;Words for</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pala&amp;bras para</translation>
+    </message>
+    <message>
+      <source>A word that sherds use already stays; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una palabra que ya usan fragmentos se queda; cambie antes esos.</translation>
+    </message>
+    <message>
+      <source>&amp;One a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un&amp;a por línea</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado.</translation>
+    </message>
+    <message>
+      <source>Words of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Palabras del proyecto abierto</translation>
+    </message>
+    <message>
+      <source>Words, one a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Palabras, una por línea</translation>
+    </message>
+    <message>
+      <source>change the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiar las palabras</translation>
+    </message>
+    <message>
+      <source>condition</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>conservación</translation>
+    </message>
+    <message>
+      <source>decoration</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>decoración</translation>
+    </message>
+    <message>
+      <source>firing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cocción</translation>
+    </message>
+    <message>
+      <source>manufacture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>manufactura</translation>
+    </message>
+    <message>
+      <source>part</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>parte</translation>
+    </message>
+    <message>
+      <source>surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>superficie</translation>
     </message>
   </context>
 </TS>

@@ -193,6 +193,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>remarque</translation>
     </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>échelle</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>
@@ -589,6 +594,37 @@
       <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune face avant n’a cette face arrière. Glissez-la sur sa face avant, joignez-la à une autre, ou mettez-la de côté.</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1 of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 sur %n tesson</numerusform>
+        <numerusform>%1 sur %n tessons</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>douteuse</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson</numerusform>
+        <numerusform>%n tessons</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2856,6 +2892,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le laisser continuer</translation>
     </message>
+    <message>
+      <source>Mend the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Corriger les masques</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3435,6 +3476,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 C’est %2.</translation>
     </message>
+    <message>
+      <source>%1; scale in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ; échelle douteuse</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -3488,6 +3534,16 @@
       <source>no number yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>pas encore de numéro</translation>
+    </message>
+    <message>
+      <source>%1: %2, in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : %2, douteux</translation>
+    </message>
+    <message>
+      <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : l’échelle du lot %2 est douteuse ; son rapport dit pourquoi et que faire.</translation>
     </message>
   </context>
   <context>
@@ -3688,6 +3744,300 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>S’ils ont déjà des numéros : chacun suit son tesson au retournement. Touche N.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskModel</name>
+    <message>
+      <source>%1, camera %2, stop %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, appareil %2, arrêt %3</translation>
+    </message>
+    <message>
+      <source>Mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masque</translation>
+    </message>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masques de %1</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face arrière</translation>
+    </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face avant</translation>
+    </message>
+    <message>
+      <source>paint on a mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>peinture sur un masque</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskPage</name>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masques de %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) mended; what follows from them is computed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n photographie corrigée ; ce qui en découle sera recalculé.</numerusform>
+        <numerusform>%n photographies corrigées ; ce qui en découle sera recalculé.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Retour</translation>
+    </message>
+    <message>
+      <source>Brush's &amp;width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Largeur du pinceau</translation>
+    </message>
+    <message>
+      <source>Compute with these</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calculer avec ceux-ci</translation>
+    </message>
+    <message>
+      <source>Larger</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plus grand</translation>
+    </message>
+    <message>
+      <source>Smaller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plus petit</translation>
+    </message>
+    <message>
+      <source>Next photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographie suivante</translation>
+    </message>
+    <message>
+      <source>Photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographie</translation>
+    </message>
+    <message>
+      <source>Photograph before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographie précédente</translation>
+    </message>
+    <message>
+      <source>Plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plateau</translation>
+    </message>
+    <message>
+      <source>Sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tesson</translation>
+    </message>
+    <message>
+      <source>The photograph is being read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photographie est en cours de lecture.</translation>
+    </message>
+    <message>
+      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui est voilé de bleu est pris pour du tesson. Peignez ce qui manque, ou comme plateau ce qui est en trop ; les masques du programme restent.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskView</name>
+    <message>
+      <source>Photograph with its mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographie avec son masque</translation>
+    </message>
+    <message>
+      <source>The arrows move the brush, Space paints, plus and minus enlarge and reduce.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les flèches déplacent le pinceau, Espace peint, plus et moins agrandissent et réduisent.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingEdit</name>
+    <message>
+      <source>A sherd will be</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson sera</translation>
+    </message>
+    <message>
+      <source>First number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Premier numéro de cet ordinateur</translation>
+    </message>
+    <message>
+      <source>Last number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dernier numéro de cet ordinateur</translation>
+    </message>
+    <message>
+      <source>Left out so far</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Omis jusqu’ici</translation>
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>N&amp;umérotation</translation>
+    </message>
+    <message>
+      <source>Num&amp;bers of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numéros de cet &amp;ordinateur</translation>
+    </message>
+    <message>
+      <source>Number so from &amp;now on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Numéroter ainsi désormais</translation>
+    </message>
+    <message>
+      <source>Numbers of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numéros du projet ouvert</translation>
+    </message>
+    <message>
+      <source>What has a number keeps it; the next sherds follow. No number is ever given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui a un numéro le garde ; les tessons suivants s’y conforment. Aucun numéro n’est jamais donné deux fois.</translation>
+    </message>
+    <message numerus="yes">
+      <source>and in %n more context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>et dans %n autre contexte</numerusform>
+        <numerusform>et dans %n autres contextes</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>aucun numéro</translation>
+    </message>
+    <message>
+      <source>to</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>à</translation>
+    </message>
+    <message>
+      <source>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, and {n} once; {n:04} has four digits at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, et {n} une fois ; {n:04} a au moins quatre chiffres</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingModel</name>
+    <message>
+      <source>%1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Numbers left out</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numéros omis</translation>
+    </message>
+    <message>
+      <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons de %1 n’obtiennent ainsi aucun numéro : il lui manque une partie que nomme la numérotation.</translation>
+    </message>
+    <message>
+      <source>The first number of a block is not above its last.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le premier numéro d’un bloc n’est pas supérieur au dernier.</translation>
+    </message>
+    <message>
+      <source>change the numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modification de la numérotation</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::VocabularyEdit</name>
+    <message>
+      <source>&amp;Save the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En&amp;registrer les mots</translation>
+    </message>
+    <message>
+      <source>&amp;Words for</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Mots pour</translation>
+    </message>
+    <message>
+      <source>A word that sherds use already stays; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un mot déjà employé par des tessons reste ; changez d’abord ceux-ci.</translation>
+    </message>
+    <message>
+      <source>&amp;One a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un par li&amp;gne</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré.</translation>
+    </message>
+    <message>
+      <source>Words of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mots du projet ouvert</translation>
+    </message>
+    <message>
+      <source>Words, one a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mots, un par ligne</translation>
+    </message>
+    <message>
+      <source>change the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modification des mots</translation>
+    </message>
+    <message>
+      <source>condition</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>état de conservation</translation>
+    </message>
+    <message>
+      <source>decoration</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>décor</translation>
+    </message>
+    <message>
+      <source>firing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cuisson</translation>
+    </message>
+    <message>
+      <source>manufacture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>façonnage</translation>
+    </message>
+    <message>
+      <source>part</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>partie</translation>
+    </message>
+    <message>
+      <source>surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>surface</translation>
     </message>
   </context>
 </TS>

@@ -193,6 +193,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նշում</translation>
     </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մասշտաբ</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>
@@ -589,6 +594,37 @@
       <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի առջևի երես այս հետևի երեսը չունի։ Քաշեք այն իր առջևի երեսի վրա, միացրեք մյուսին կամ մի կողմ դրեք։</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1 of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1՝ %n բեկորից</numerusform>
+        <numerusform>%1՝ %n բեկորից</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կասկածելի</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր</numerusform>
+        <numerusform>%n բեկոր</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2856,6 +2892,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թող շարունակի</translation>
     </message>
+    <message>
+      <source>Mend the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ուղղել դիմակները</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3435,6 +3476,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 Դա %2-ն է։</translation>
     </message>
+    <message>
+      <source>%1; scale in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. մասշտաբը կասկածելի է</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -3488,6 +3534,16 @@
       <source>no number yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դեռ համար չկա</translation>
+    </message>
+    <message>
+      <source>%1: %2, in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1՝ %2, կասկածելի</translation>
+    </message>
+    <message>
+      <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. %2 խմբաքանակի մասշտաբը կասկածելի է. դրա հաշվետվությունն ասում է ինչու և ինչ անել։</translation>
     </message>
   </context>
   <context>
@@ -3688,6 +3744,300 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եթե արդեն համարներ ունեն՝ յուրաքանչյուրը հետևում է իր խեցաբեկորին շրջելիս։ N ստեղնը։</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskModel</name>
+    <message>
+      <source>%1, camera %2, stop %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, տեսախցիկ %2, կանգառ %3</translation>
+    </message>
+    <message>
+      <source>Mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակ</translation>
+    </message>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի դիմակները</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետևի երես</translation>
+    </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջևի երես</translation>
+    </message>
+    <message>
+      <source>paint on a mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նկարել դիմակի վրա</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskPage</name>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի դիմակները</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) mended; what follows from them is computed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n լուսանկար ուղղված է. դրանից բխողը կրկին կհաշվարկվի։</numerusform>
+        <numerusform>%n լուսանկար ուղղված է. դրանցից բխողը կրկին կհաշվարկվի։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետ</translation>
+    </message>
+    <message>
+      <source>Brush's &amp;width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վրձնի &amp;լայնությունը</translation>
+    </message>
+    <message>
+      <source>Compute with these</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկել սրանցով</translation>
+    </message>
+    <message>
+      <source>Larger</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեծացնել</translation>
+    </message>
+    <message>
+      <source>Smaller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոքրացնել</translation>
+    </message>
+    <message>
+      <source>Next photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդ լուսանկարը</translation>
+    </message>
+    <message>
+      <source>Photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկար</translation>
+    </message>
+    <message>
+      <source>Photograph before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ լուսանկարը</translation>
+    </message>
+    <message>
+      <source>Plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակ</translation>
+    </message>
+    <message>
+      <source>Sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկոր</translation>
+    </message>
+    <message>
+      <source>The photograph is being read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարը կարդացվում է։</translation>
+    </message>
+    <message>
+      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կապույտով ծածկվածը համարվում է բեկոր։ Նկարեք այն, ինչ պակասում է, կամ որպես սկավառակ՝ այն, ինչ ավելորդ է. ծրագրի դիմակները մնում են։</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskView</name>
+    <message>
+      <source>Photograph with its mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարն իր դիմակով</translation>
+    </message>
+    <message>
+      <source>The arrows move the brush, Space paints, plus and minus enlarge and reduce.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սլաքները շարժում են վրձինը, բացատը նկարում է, գումարման և հանման նշանները մեծացնում ու փոքրացնում են։</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingEdit</name>
+    <message>
+      <source>A sherd will be</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորը կլինի</translation>
+    </message>
+    <message>
+      <source>First number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս համակարգչի առաջին համարը</translation>
+    </message>
+    <message>
+      <source>Last number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս համակարգչի վերջին համարը</translation>
+    </message>
+    <message>
+      <source>Left out so far</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առայժմ բաց թողնված</translation>
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Համարակալում</translation>
+    </message>
+    <message>
+      <source>Num&amp;bers of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս համակարգչի հա&amp;մարները</translation>
+    </message>
+    <message>
+      <source>Number so from &amp;now on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այսուհետև &amp;այսպես համարակալել</translation>
+    </message>
+    <message>
+      <source>Numbers of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց նախագծի համարները</translation>
+    </message>
+    <message>
+      <source>What has a number keeps it; the next sherds follow. No number is ever given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համար ունեցողը պահում է այն. հաջորդ բեկորները հետևում են։ Ոչ մի համար երկու անգամ չի տրվում։</translation>
+    </message>
+    <message numerus="yes">
+      <source>and in %n more context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>և ևս %n համատեքստում</numerusform>
+        <numerusform>և ևս %n համատեքստում</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ոչ մի համար</translation>
+    </message>
+    <message>
+      <source>to</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մինչև</translation>
+    </message>
+    <message>
+      <source>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, and {n} once; {n:04} has four digits at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, և {n}՝ մեկ անգամ. {n:04}-ն ունի առնվազն չորս նիշ</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingModel</name>
+    <message>
+      <source>%1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Numbers left out</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց թողնված համարներ</translation>
+    </message>
+    <message>
+      <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի բեկորներն այսպես համար չեն ստանում. դրան պակասում է մի մաս, որը նշում է համարակալումը։</translation>
+    </message>
+    <message>
+      <source>The first number of a block is not above its last.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբի առաջին համարը մեծ չէ վերջինից։</translation>
+    </message>
+    <message>
+      <source>change the numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխել համարակալումը</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::VocabularyEdit</name>
+    <message>
+      <source>&amp;Save the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահպանել բառ&amp;երը</translation>
+    </message>
+    <message>
+      <source>&amp;Words for</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Բառեր</translation>
+    </message>
+    <message>
+      <source>A word that sherds use already stays; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորների օգտագործած բառը մնում է. նախ փոխեք դրանք։</translation>
+    </message>
+    <message>
+      <source>&amp;One a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տ&amp;ողում մեկը</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահպանված է։</translation>
+    </message>
+    <message>
+      <source>Words of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց նախագծի բառերը</translation>
+    </message>
+    <message>
+      <source>Words, one a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բառեր, տողում մեկը</translation>
+    </message>
+    <message>
+      <source>change the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխել բառերը</translation>
+    </message>
+    <message>
+      <source>condition</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պահպանվածություն</translation>
+    </message>
+    <message>
+      <source>decoration</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զարդ</translation>
+    </message>
+    <message>
+      <source>firing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>թրծում</translation>
+    </message>
+    <message>
+      <source>manufacture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատրաստում</translation>
+    </message>
+    <message>
+      <source>part</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մաս</translation>
+    </message>
+    <message>
+      <source>surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մակերես</translation>
     </message>
   </context>
 </TS>

@@ -193,6 +193,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>not</translation>
     </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ölçek</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>
@@ -586,6 +591,35 @@
       <source>No front holds this back. Drag it onto its front, join it to another, or set it aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu arka yüz hiçbir ön yüzde değil. Ön yüzünün üzerine sürükleyin, başka birine ekleyin ya da kenara ayırın.</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1 of %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parçadan %1</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>şüpheli</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça</numerusform>
+      </translation>
     </message>
   </context>
   <context>
@@ -2825,6 +2859,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sürsün</translation>
     </message>
+    <message>
+      <source>Mend the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maskeleri düzelt</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3403,6 +3442,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 O, %2.</translation>
     </message>
+    <message>
+      <source>%1; scale in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; ölçek şüpheli</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -3455,6 +3499,16 @@
       <source>no number yet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>henüz numara yok</translation>
+    </message>
+    <message>
+      <source>%1: %2, in doubt</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2, şüpheli</translation>
+    </message>
+    <message>
+      <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 partisinin ölçeği şüpheli; raporu nedenini ve ne yapılacağını söyler.</translation>
     </message>
   </context>
   <context>
@@ -3655,6 +3709,298 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zaten numaraları varsa: her biri çevirmede parçasını izler. N tuşu.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskModel</name>
+    <message>
+      <source>%1, camera %2, stop %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, kamera %2, durak %3</translation>
+    </message>
+    <message>
+      <source>Mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maske</translation>
+    </message>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 maskeleri</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka yüz</translation>
+    </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön yüz</translation>
+    </message>
+    <message>
+      <source>paint on a mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>maske üzerine boyama</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskPage</name>
+    <message>
+      <source>Masks of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 maskeleri</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n photograph(s) mended; what follows from them is computed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fotoğraf düzeltildi; ondan çıkanlar yeniden hesaplanır.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri</translation>
+    </message>
+    <message>
+      <source>Brush's &amp;width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fırça &amp;genişliği</translation>
+    </message>
+    <message>
+      <source>Compute with these</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bunlarla hesapla</translation>
+    </message>
+    <message>
+      <source>Larger</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Daha büyük</translation>
+    </message>
+    <message>
+      <source>Smaller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Daha küçük</translation>
+    </message>
+    <message>
+      <source>Next photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonraki fotoğraf</translation>
+    </message>
+    <message>
+      <source>Photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraf</translation>
+    </message>
+    <message>
+      <source>Photograph before</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önceki fotoğraf</translation>
+    </message>
+    <message>
+      <source>Plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabla</translation>
+    </message>
+    <message>
+      <source>Sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça</translation>
+    </message>
+    <message>
+      <source>The photograph is being read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraf okunuyor.</translation>
+    </message>
+    <message>
+      <source>What is veiled in blue is taken for sherd. Paint what is missing, or as plate what is too much; the program's own masks stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mavi örtülü olan yer parça sayılır. Eksik olanı boyayın ya da fazla olanı tabla olarak boyayın; programın kendi maskeleri kalır.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::MaskView</name>
+    <message>
+      <source>Photograph with its mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maskesiyle fotoğraf</translation>
+    </message>
+    <message>
+      <source>The arrows move the brush, Space paints, plus and minus enlarge and reduce.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oklar fırçayı taşır, boşluk boyar, artı ve eksi büyütür ve küçültür.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingEdit</name>
+    <message>
+      <source>A sherd will be</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parça şöyle olur:</translation>
+    </message>
+    <message>
+      <source>First number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bilgisayarın ilk numarası</translation>
+    </message>
+    <message>
+      <source>Last number of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bilgisayarın son numarası</translation>
+    </message>
+    <message>
+      <source>Left out so far</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Şimdiye dek atlananlar</translation>
+    </message>
+    <message>
+      <source>N&amp;umbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>N&amp;umaralama</translation>
+    </message>
+    <message>
+      <source>Num&amp;bers of this computer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bilgisayarın &amp;numaraları</translation>
+    </message>
+    <message>
+      <source>Number so from &amp;now on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Artık böyle numarala</translation>
+    </message>
+    <message>
+      <source>Numbers of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Açık projenin numaraları</translation>
+    </message>
+    <message>
+      <source>What has a number keeps it; the next sherds follow. No number is ever given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numarası olan onu korur; sonraki parçalar buna uyar. Hiçbir numara iki kez verilmez.</translation>
+    </message>
+    <message numerus="yes">
+      <source>and in %n more context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>ve %n bağlamda daha</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hiçbir numara</translation>
+    </message>
+    <message>
+      <source>to</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ila</translation>
+    </message>
+    <message>
+      <source>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, and {n} once; {n:04} has four digits at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, ve bir kez {n}; {n:04} en az dört hanelidir</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::NumberingModel</name>
+    <message>
+      <source>%1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2</translation>
+    </message>
+    <message>
+      <source>Numbers left out</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Atlanan numaralar</translation>
+    </message>
+    <message>
+      <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 parçaları böyle numara almaz: numaralamanın andığı bir bölüm onda yok.</translation>
+    </message>
+    <message>
+      <source>The first number of a block is not above its last.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir bloğun ilk numarası sonuncusundan büyük olamaz.</translation>
+    </message>
+    <message>
+      <source>change the numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numaralamayı değiştirme</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::VocabularyEdit</name>
+    <message>
+      <source>&amp;Save the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sözcükleri &amp;kaydet</translation>
+    </message>
+    <message>
+      <source>&amp;Words for</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Sözcükler:</translation>
+    </message>
+    <message>
+      <source>A word that sherds use already stays; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaların kullandığı sözcük kalır; önce onları değiştirin.</translation>
+    </message>
+    <message>
+      <source>&amp;One a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Her satıra bir</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi.</translation>
+    </message>
+    <message>
+      <source>Words of the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Açık projenin sözcükleri</translation>
+    </message>
+    <message>
+      <source>Words, one a line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sözcükler, her satıra bir</translation>
+    </message>
+    <message>
+      <source>change the words</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sözcükleri değiştirme</translation>
+    </message>
+    <message>
+      <source>condition</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>korunma durumu</translation>
+    </message>
+    <message>
+      <source>decoration</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bezeme</translation>
+    </message>
+    <message>
+      <source>firing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pişirim</translation>
+    </message>
+    <message>
+      <source>manufacture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yapım</translation>
+    </message>
+    <message>
+      <source>part</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bölüm</translation>
+    </message>
+    <message>
+      <source>surface</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yüzey</translation>
     </message>
   </context>
 </TS>

@@ -15,6 +15,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 
 namespace ostraka::ui {
@@ -143,7 +144,8 @@ void ExportStation::buildLayout() {
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the export"));
-  start_ = new QPushButton(icon("export"), tr("Export"), this);
+  start_ = new BigButton(this);
+  start_->setText(tr("Export"));
   start_->setObjectName("start");
   cancel_ = new QPushButton(icon("cancel"), tr("Stop"), this);
   cancel_->setObjectName("cancel");

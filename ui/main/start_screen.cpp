@@ -40,6 +40,13 @@ QString pictureOf(const QString& folder) {
   return {};
 }
 
+// As people write it: ~ for their own home.
+QString shortPath(const QString& folder) {
+  const QString home = QDir::homePath() + QLatin1Char('/');
+  return QDir::toNativeSeparators(
+      folder.startsWith(home) ? QStringLiteral("~/") + folder.mid(home.size()) : folder);
+}
+
 }  // namespace
 
 StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
@@ -175,7 +182,7 @@ void StartScreen::setRecent(const QStringList& folders) {
     if (!catalogue.exists()) continue;  // an unplugged disk: it comes back with it
     auto* item = new QListWidgetItem(
         tr("%1\n%2, %3")
-            .arg(QDir(folder).dirName(), QDir::toNativeSeparators(folder),
+            .arg(QDir(folder).dirName(), shortPath(folder),
                  QLocale().toString(catalogue.lastModified(), QLocale::ShortFormat)),
         recent_);
     const QString picture = pictureOf(folder);

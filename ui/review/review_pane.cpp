@@ -119,6 +119,17 @@ void ReviewPane::buildActions() {
        &PairReviewModel::stepSample, &PicturePair::turnLine);
   step("sampleAfter", tr("One sample on"), Qt::SHIFT | Qt::Key_Right, 1,
        &PairReviewModel::stepSample, &PicturePair::turnLine);
+  buildViewActions();
+  QAction* settle = act("settle", tr("Settle"), {Qt::Key_B}, &PairReviewModel::settle);
+  settle->setToolTip(tr("Let the rims settle the position (B)"));
+  QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReviewModel::setAside);
+  QAction* reshoot = act("reshoot", tr("Shoot again"), {Qt::Key_N}, &PairReviewModel::reshoot);
+  buildPieceActions();
+  shown_actions_ = {settle,  mirror_, apart_, section_, measure_, along_rim_,
+                    closed_, join_,   cut_,   aside,    reshoot};
+}
+
+void ReviewPane::buildViewActions() {
   mirror_ = toggle("mirror", tr("Mirror back"), Qt::Key_M);
   connect(mirror_, &QAction::toggled, pictures_, &PicturePair::setMirrored);
   apart_ = toggle("apart", tr("Apart"), Qt::Key_A);
@@ -141,10 +152,10 @@ void ReviewPane::buildActions() {
     else if (scene_)
       model_.selectRow(model_.rowInHand());
   });
-  QAction* settle = act("settle", tr("Settle"), {Qt::Key_B}, &PairReviewModel::settle);
-  settle->setToolTip(tr("Let the rims settle the position (B)"));
-  QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReviewModel::setAside);
-  QAction* reshoot = act("reshoot", tr("Shoot again"), {Qt::Key_N}, &PairReviewModel::reshoot);
+}
+
+// Pieces that the masks separated or joined wrongly.
+void ReviewPane::buildPieceActions() {
   cut_ = toggle("cut", tr("Cut"), Qt::Key_K);
   cut_->setToolTip(
       tr("Cut a piece that is two sherds in truth, along a line over its picture (K)"));
@@ -166,8 +177,6 @@ void ReviewPane::buildActions() {
   connect(joining_, &JoinMode::changed, this, [this] {
     if (joining_->isOn()) cut_->setChecked(false);
   });
-  shown_actions_ = {settle,  mirror_, apart_, section_, measure_, along_rim_,
-                    closed_, join_,   cut_,   aside,    reshoot};
 }
 
 QLayout* ReviewPane::buttons() {

@@ -32,6 +32,8 @@ class ReviewPane final : public QWidget {
  private:
   void buildLayout();
   void buildActions();
+  void buildViewActions();
+  void buildPieceActions();
   QLayout* buttons();
   QAction* keyed(const char* name, const QString& text, const QList<QKeySequence>& keys);
   QAction* act(const char* name, const QString& text, const QList<QKeySequence>& keys,

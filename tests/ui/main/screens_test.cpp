@@ -6,9 +6,11 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTableView>
 #include <QTextBrowser>
 #include <QTranslator>
@@ -166,42 +168,48 @@ class ScreensTest : public QObject {
   }
 
   void picturesOfAllScreens() {
-    const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
+    folder_ = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
     const QString given = qEnvironmentVariable("OSTRAKA_PROJECT");
-    if (!given.isEmpty()) project_ = given;
+    if (!given.isEmpty()) {
+      project_ = given;
+      // No picture says on which computer it was taken: the project lies in ~/Ostraka.
+      qputenv("HOME", QFileInfo(QFileInfo(given).path()).path().toUtf8());
+    }
     QTranslator plurals;  // as the program has it: '1 sherd', '2 sherds'
     QVERIFY(plurals.load(QStringLiteral("ostraka_en"), QStringLiteral(OSTRAKA_QM)));
     QApplication::installTranslator(&plurals);
     window_ = std::make_unique<MainWindow>(*jobs_);
-    window_->resize(1280, 720);
+    window_->resize(pictureSize());
     activate(*window_);
     openVirtual();
     QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
     QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
     if (given.isEmpty()) addBatches();
     for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
-      applyLook(*qApp, theme, theme == Theme::Sunlight ? 130 : 100);
-      picture(folder, theme, "start", [this] { window_->closeProject(); });
+      look(theme);
+      picture(theme, "start", [this] { window_->closeProject(); });
       openVirtual();
       QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
-      for (std::size_t i = 0; i < window_->stations().size(); ++i)
-        picture(folder, theme, window_->stations()[i]->iconName(), [this, i] {
-          window_->showStation(static_cast<int>(i));
-          if (window_->stations()[i]->iconName() == QLatin1String("catalogue"))
-            named<QTableView>(*window_, "sherds")->selectRow(0);
-          if (window_->stations()[i]->iconName() == QLatin1String("export"))
-            named<QLineEdit>(*window_, "target")->setText("/media/stick/season-3");
-        });
-      picture(folder, theme, "drawing", [this] {
-        for (std::size_t i = 0; i < window_->stations().size(); ++i)
-          if (window_->stations()[i]->iconName() == QLatin1String("catalogue"))
-            window_->showStation(static_cast<int>(i));
+      for (const Station* station : window_->stations())
+        picture(theme, station->iconName(), [this, station] { showStation(station->iconName()); });
+      picture(theme, "review-doubtful", [this] {
+        window_->showStationNamed("review", qEnvironmentVariable("OSTRAKA_DOUBTFUL"));
+      });
+      picture(theme, "drawing", [this] {
+        showStation("catalogue");
         named<QAction>(*window_, "drawing")->trigger();
       });
-      picture(folder, theme, "settings", [this] { window_->showSettings(); });
-      picture(folder, theme, "help", [this] { window_->showManual(); });
-      picture(folder, theme, "keys", [this] { window_->showShortcuts(); });
+      picture(theme, "masks", [this] {
+        showStation("queue");
+        named<QAction>(*window_, "queueMasks")->trigger();
+      });
+      named<QAction>(*window_, "masksBack")->trigger();
+      picture(theme, "settings", [this] { window_->showSettings(); });
+      picture(theme, "help", [this] { window_->showManual(); });
+      picture(theme, "keys", [this] { window_->showShortcuts(); });
     }
+    // Only for pictures that a person looks at: a whole batch is photographed.
+    if (!folder_.isEmpty() && !given.isEmpty()) picturesOfACapture();
   }
 
  private:
@@ -238,22 +246,65 @@ class ScreensTest : public QObject {
     window_->session()->tellBatchChanged({});
   }
 
+  // OSTRAKA_SCREENSHOTS_SIZE=1366x700 and OSTRAKA_SCREENSHOTS_TEXT=200 try other screens.
+  static QSize pictureSize() {
+    const QStringList size = qEnvironmentVariable("OSTRAKA_SCREENSHOTS_SIZE").split('x');
+    return size.size() == 2 ? QSize(size[0].toInt(), size[1].toInt()) : QSize(1280, 720);
+  }
+  static void look(Theme theme) {
+    const int asked = qEnvironmentVariableIntValue("OSTRAKA_SCREENSHOTS_TEXT");
+    applyLook(*qApp, theme, asked > 0 ? asked : theme == Theme::Sunlight ? 130 : 100);
+  }
+
+  void showStation(const QString& icon_name) {
+    window_->showStationNamed(icon_name, {});
+    if (icon_name == QLatin1String("catalogue")) {
+      named<QTabWidget>(*window_, "right")->setCurrentIndex(0);
+      named<QTableView>(*window_, "sherds")->selectRow(0);
+    }
+    if (icon_name == QLatin1String("export"))
+      named<QLineEdit>(*window_, "target")->setText("/media/stick/season-3");
+  }
+
+  // Each step of the wizard in all themes.
+  void picturesOfACapture() {
+    constexpr int kLong_ms = 1200000;
+    CaptureWizard& wizard = *window_->wizard();
+    window_->queue()->setPaused(true);
+    showStation("capture");
+    const auto all = [&](const QString& screen) {
+      for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
+        look(theme);
+        picture(theme, screen, [] {});
+      }
+    };
+    wizard.next();
+    QTRY_VERIFY_WITH_TIMEOUT(wizard.stopsDone() >= 3, kLong_ms);
+    all("capture-shoot");
+    QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Flip, kLong_ms);
+    all("capture-flip");
+    wizard.next();
+    QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Done, kLong_ms);
+    all("capture-done");
+  }
+
   template <class Go>
-  void picture(const QString& folder, Theme theme, const QString& screen, Go go) {
+  void picture(Theme theme, const QString& screen, Go go) {
     go();
     QCoreApplication::processEvents();
     // A person looks at these: with pictures from jobs, and with models and drawings.
-    if (!folder.isEmpty()) QTest::qWait(qEnvironmentVariableIsSet("OSTRAKA_PROJECT") ? 5000 : 50);
+    if (!folder_.isEmpty()) QTest::qWait(qEnvironmentVariableIsSet("OSTRAKA_PROJECT") ? 5000 : 50);
     const QImage shown = window_->grab().toImage();
-    QVERIFY(shown.width() >= 1280);
-    if (!folder.isEmpty())
-      QVERIFY(shown.save(QStringLiteral("%1/%2-%3.png").arg(folder, screen, themeName(theme))));
+    QVERIFY(shown.width() >= pictureSize().width());
+    if (!folder_.isEmpty())
+      QVERIFY(shown.save(QStringLiteral("%1/%2-%3.png").arg(folder_, screen, themeName(theme))));
   }
 
   std::unique_ptr<Home> home_;
   std::unique_ptr<JobRunner> jobs_;
   std::unique_ptr<MainWindow> window_;
   QString project_;
+  QString folder_;  ///< of the pictures; empty: none are kept
 };
 
 int main(int argc, char** argv) {

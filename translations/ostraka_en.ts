@@ -58,6 +58,13 @@
         <numerusform>%n sherds</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+      <source>%1; but %n counted on the plate</source>
+      <translation>
+        <numerusform>%1; but %n counted on the plate</numerusform>
+        <numerusform>%1; but %n counted on the plate</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BulkEdit</name>

@@ -782,6 +782,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>dudosos %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; but %n counted on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; pero %n contado en el plato</numerusform>
+        <numerusform>%1; pero %n contados en el plato</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

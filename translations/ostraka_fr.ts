@@ -782,6 +782,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>douteux %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; but %n counted on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 ; mais %n compté sur le plateau</numerusform>
+        <numerusform>%1 ; mais %n comptés sur le plateau</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

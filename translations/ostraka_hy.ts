@@ -782,6 +782,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կասկածելի %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; but %n counted on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1. սակայն սկավառակի վրա հաշվվել է %n</numerusform>
+        <numerusform>%1. սակայն սկավառակի վրա հաշվվել է %n</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

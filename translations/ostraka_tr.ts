@@ -773,6 +773,13 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kuşkulu %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; but %n counted on the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; ama tablada %n sayıldı</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

@@ -300,6 +300,12 @@ void CaptureStation::follow() {
   const CapturePhase phase = wizard_->phase();
   const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
   pages_->setCurrentIndex(no_rig ? 0 : 1);
+  // The page that is not shown takes no room.
+  for (int page = 0; page < pages_->count(); ++page) {
+    const auto policy =
+        page == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    pages_->widget(page)->setSizePolicy(policy, policy);
+  }
   const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
   middle_->setCurrentWidget(shooting ? static_cast<QWidget*>(board_) : plate_);
   headline_->setText(wizard_->headline());

@@ -114,7 +114,17 @@ void applyLook(QApplication& application, Theme theme, int text_percent) {
   const double plain = std::max(9.0, application.property(kPlainPointSize).toDouble());
   font.setPointSizeF(plain * std::clamp(text_percent, 90, 200) / 100.0);
   font.setBold(theme == Theme::Sunlight);
+  const double before = application.font().pointSizeF();
   application.setFont(font);
+  if (before <= 0 || before == font.pointSizeF()) return;
+  // What has a size of its own, as headings have, follows too.
+  for (QWidget* widget : QApplication::allWidgets()) {
+    QFont own = widget->font();
+    if (!widget->testAttribute(Qt::WA_SetFont) || !(own.resolveMask() & QFont::SizeResolved))
+      continue;
+    own.setPointSizeF(own.pointSizeF() * font.pointSizeF() / before);
+    widget->setFont(own);
+  }
 }
 
 int targetSize(const QWidget& widget) {

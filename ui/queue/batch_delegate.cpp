@@ -48,7 +48,7 @@ BatchDelegate::BatchDelegate(const BatchQueue& queue, QObject* parent)
     : QStyledItemDelegate(parent), queue_(queue) {}
 
 QSize BatchDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-  return {option.fontMetrics.averageCharWidth() * 50, option.fontMetrics.height() * 4};
+  return {option.fontMetrics.averageCharWidth() * 50, option.fontMetrics.height() * 9 / 2};
 }
 
 void BatchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -90,20 +90,28 @@ void BatchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->drawText(band(text, 0, line), Qt::AlignLeft | Qt::AlignVCenter, row.number);
   const int number = QFontMetrics(bold).horizontalAdvance(row.number) + line;
   painter->setFont(option.font);
-  if (row.figures)
-    painter->drawText(band(text, 0, line), Qt::AlignRight | Qt::AlignVCenter,
-                      figuresWords(*row.figures));
-
   const Mark mark = markOf(row.state);
   const QRect state = band(text, 0, line).adjusted(number, 0, 0, 0);
   icon(QString::fromLatin1(mark.icon))
       .paint(painter, QRect(state.left(), state.top(), line, line), Qt::AlignCenter,
              selected ? QIcon::Selected : QIcon::Normal);
   painter->setPen(selected ? ink : colours.of(mark.colour));
-  painter->drawText(state.adjusted(line * 3 / 2, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                    stateWords(row));
+  const QRect words_at = state.adjusted(line * 3 / 2, 0, 0, 0);
+  const QString words_of_state = stateWords(row);
+  painter->drawText(words_at, Qt::AlignLeft | Qt::AlignVCenter, words_of_state);
 
-  const QRect lower(text.left(), text.top() + line * 5 / 4, text.width(), line * 7 / 4);
+  const QRect lower(text.left(), text.top() + line * 5 / 4, text.width(), line * 9 / 4);
+  if (row.figures) {
+    // Beside the state, or below it where large letters leave no room.
+    const QString figures = figuresWords(*row.figures);
+    const int needed = option.fontMetrics.horizontalAdvance(words_of_state) + line +
+                       option.fontMetrics.horizontalAdvance(figures);
+    painter->setPen(ink);
+    if (needed <= words_at.width())
+      painter->drawText(words_at, Qt::AlignRight | Qt::AlignVCenter, figures);
+    else if (row.state == QueueState::Review || row.state == QueueState::Done)
+      painter->drawText(lower, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, figures);
+  }
   if (row.state == QueueState::Busy || row.state == QueueState::Paused) {
     QStyleOptionProgressBar bar;
     bar.rect = QRect(lower.left(), lower.top(), lower.width(), line * 3 / 4);

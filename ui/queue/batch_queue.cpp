@@ -409,9 +409,13 @@ QString figuresWords(const BatchFigures& figures) {
       figures.ask == 0 && figures.decided == 0
           ? BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds)
           : BatchQueue::tr("%1: %2").arg(sherds, parts.join(QStringLiteral(", ")));
-  if (figures.uncertainty_mm <= 0) return pairs;
+  const QString counted =
+      figures.counted == 0
+          ? pairs
+          : BatchQueue::tr("%1; but %n counted on the plate", nullptr, figures.counted).arg(pairs);
+  if (figures.uncertainty_mm <= 0) return counted;
   return BatchQueue::tr("%1; joined to %2 mm")
-      .arg(pairs, QLocale().toString(figures.uncertainty_mm, 'f', 2));
+      .arg(counted, QLocale().toString(figures.uncertainty_mm, 'f', 2));
 }
 
 QString stageWords(const QString& stage) {

@@ -95,6 +95,15 @@ Result<void> hasSpace(const fs::path& project) {
                project.string()};
 }
 
+// A sherd that was on the plate and is in no scan would be missed by nobody.
+int countedOtherwise(const catalogue::Catalogue& rows, const catalogue::BatchRecord& batch) {
+  const auto scans = rows.scans(batch.row);
+  if (!scans || batch.counted == 0) return 0;
+  int found[2] = {0, 0};
+  for (const catalogue::ScanRecord& scan : *scans) ++found[scan.side == batch::Side::Front ? 0 : 1];
+  return std::max(found[0], found[1]) == batch.counted ? 0 : batch.counted;
+}
+
 }  // namespace
 
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
@@ -138,6 +147,12 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
                   number +
                       ": this number was typed on the plate, but no sherd with a context lies "
                       "there; give it in the catalogue.");
+  figures->counted = countedOtherwise(rows, *record);
+  if (figures->counted > 0)
+    progress.note(NoteLevel::Warning,
+                  std::to_string(figures->counted) +
+                      " sherds were counted on the plate, and another number was found; look at "
+                      "the map for one that is missing or cut in two.");
   if (const auto backup = project->backUp(); !backup)
     progress.note(NoteLevel::Warning, backup.error().sentence());
   return figures;

@@ -23,6 +23,7 @@ struct BatchFigures {
   double seconds = 0;           ///< of this run
   int decided = 0;              ///< by a person; besides sure and ask
   bool scale_doubtful = false;  ///< a known length contradicts the plate: all measures are in doubt
+  int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
 };
 
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the

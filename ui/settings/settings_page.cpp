@@ -65,7 +65,12 @@ void SettingsPage::buildLayout() {
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   form->setVerticalSpacing(fontMetrics().height());
   form->addRow(tr("&Your initials"), initials_);
-  form->addRow(QString(), new QLabel(tr("They stand in the history of each decision."), this));
+  const auto hint = [this, form](const QString& words) {
+    auto* label = new QLabel(words, this);
+    label->setWordWrap(true);
+    form->addRow(QString(), label);
+  };
+  hint(tr("They stand in the history of each decision."));
   form->addRow(tr("&Theme"), theme_);
   auto* size = new QHBoxLayout;
   size->addWidget(text_, 1);
@@ -75,7 +80,7 @@ void SettingsPage::buildLayout() {
   if (size_label != nullptr) size_label->setBuddy(text_);
   text_->setAccessibleName(tr("Text size"));
   form->addRow(tr("&Language"), language_);
-  form->addRow(QString(), new QLabel(tr("Holds from the next start."), this));
+  hint(tr("Holds from the next start."));
   form->addRow(tr("&Processors for computing"), threads_);
   for (QWidget* field : {static_cast<QWidget*>(initials_), static_cast<QWidget*>(theme_),
                          static_cast<QWidget*>(text_), static_cast<QWidget*>(language_),
@@ -89,7 +94,6 @@ void SettingsPage::buildLayout() {
   parts->addWidget(numbering_);
   parts->addSpacing(fontMetrics().height());
   parts->addWidget(vocabulary_);
-  middle->setMaximumWidth(fontMetrics().averageCharWidth() * 90);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(24, 24, 24, 24);
   auto* close = new QPushButton(icon(QStringLiteral("previous")), tr("Back to work (Esc)"), this);
@@ -101,7 +105,10 @@ void SettingsPage::buildLayout() {
   head->addWidget(title, 1);
   head->addWidget(close);
   column->addLayout(head);
-  column->addWidget(middle);
+  auto* across = new QHBoxLayout;  // lines of a readable length, in each text size
+  across->addWidget(middle, 3);
+  across->addStretch(2);
+  column->addLayout(across);
   column->addStretch(1);
 }
 

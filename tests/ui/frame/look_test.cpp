@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QLabel>
 #include <QtTest>
 #include <cmath>
 
@@ -40,6 +41,26 @@ class LookTest : public QObject {
     QTest::newRow("light") << static_cast<int>(Theme::Light);
     QTest::newRow("dark") << static_cast<int>(Theme::Dark);
     QTest::newRow("sunlight") << static_cast<int>(Theme::Sunlight);
+  }
+
+  void headingsFollowATextSizeThatChanges() {
+    applyLook(*qApp, Theme::Light, 100);
+    QWidget page;
+    QLabel heading(&page), bold(&page);
+    heading.setFont(scaledFont(page, 1.8));
+    QFont heavy;
+    heavy.setBold(true);
+    heavy.setResolveMask(QFont::WeightResolved);
+    bold.setFont(heavy);
+    page.show();
+    const double before = heading.font().pointSizeF();
+    applyLook(*qApp, Theme::Light, 200);
+    QCoreApplication::processEvents();
+    QVERIFY(qAbs(heading.font().pointSizeF() - 2 * before) < 0.01);
+    QVERIFY(qAbs(heading.font().pointSizeF() - 1.8 * QApplication::font().pointSizeF()) < 0.01);
+    QVERIFY(qAbs(bold.font().pointSizeF() - QApplication::font().pointSizeF()) < 0.01);
+    applyLook(*qApp, Theme::Light, 100);
+    QVERIFY(qAbs(heading.font().pointSizeF() - before) < 0.01);
   }
 
   void wordsInTheColoursOfStatesAreReadable_data() { themes_data(); }

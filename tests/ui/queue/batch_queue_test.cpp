@@ -109,6 +109,7 @@ class BatchQueueTest : public QObject {
             BatchFigures figures;
             figures.sherds = figures.sure = 3;
             figures.scale_doubtful = true;
+            figures.counted = 4;
             return figures;
           });
       bench.queue.setSession(&bench.session);
@@ -118,6 +119,8 @@ class BatchQueueTest : public QObject {
     Bench again(folder(), jobs);
     again.queue.setSession(&again.session);
     QCOMPARE(again.queue.row(0).state, QueueState::Review);
+    const QString figures = figuresWords(*again.queue.row(0).figures);
+    QVERIFY2(figures.contains(QLatin1String("but 4 counted")), qPrintable(figures));
     QVERIFY(stateWords(again.queue.row(0)).contains(QLatin1String("scale")));
     QVERIFY(again.computed.isEmpty());
   }

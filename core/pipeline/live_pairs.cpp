@@ -13,6 +13,7 @@
 #include "pairing/turning_angles.h"
 #include "pipeline/chain.h"
 #include "pipeline/mask_strokes.h"
+#include "pipeline/moved_batch.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/review.h"
 #include "rig/camera.h"
@@ -220,6 +221,8 @@ Result<std::shared_ptr<const LivePairs>> LivePairs::open(const fs::path& output)
       rig::readCameras(output / "work" / "rig" / "cameras.json");
   if (!images) return images.error();
   state->images = std::move(*images);
+  for (rig::PosedImage& image : state->images)
+    image.file = photographNow(image.file, output).string();
   resizeSide(state->images, Side::Back, state->table.back_scale);
   for (std::size_t i = 0; i < state->table.fronts.size(); ++i)
     state->opened[{Side::Front, static_cast<int>(i)}];

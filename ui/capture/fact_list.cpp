@@ -25,13 +25,13 @@ void FactList::setFacts(const std::vector<CaptureFact>& facts) {
     label->setWordWrap(true);
     column_->insertWidget(column_->count() - 1, label);
   }
-  const QPalette plain = QApplication::palette();
   for (int i = 0; i < wanted; ++i) {
     const CaptureFact& fact = facts[static_cast<std::size_t>(i)];
     auto* label = static_cast<QLabel*>(column_->itemAt(i)->widget());
     label->setText((fact.good ? QStringLiteral("✓  ") : QStringLiteral("!  ")) + fact.words);
-    QPalette ink = plain;
-    if (!fact.good) ink.setColor(QPalette::WindowText, StateColours(plain).of(State::Ask));
+    QPalette ink;  // the one colour only: all others follow the theme
+    if (!fact.good)
+      ink.setColor(QPalette::WindowText, StateColours(QApplication::palette()).of(State::Ask));
     label->setPalette(ink);
     label->setFont(scaledFont(*this, 1.15));
   }

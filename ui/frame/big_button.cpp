@@ -69,7 +69,15 @@ void BigButton::paintEvent(QPaintEvent*) {
     painter.drawText(cap, Qt::AlignCenter, key_);
     words.setRight(cap.left() - metrics.height() / 2);
   }
-  painter.setFont(scaledFont(*this, 1.5));
+  // Two lines in large letters are cut above and below where smaller ones fit.
+  const auto needs = [&](double factor) {
+    return QFontMetricsF(scaledFont(*this, factor))
+        .boundingRect(words, Qt::AlignCenter | Qt::TextWordWrap, text())
+        .height();
+  };
+  double factor = 1.5;
+  while (factor > 0.9 && needs(factor) > words.height()) factor -= 0.1;
+  painter.setFont(scaledFont(*this, factor));
   painter.drawText(words, Qt::AlignCenter | Qt::TextWordWrap, text());
 }
 

@@ -28,8 +28,9 @@ QLabel* label(QWidget* parent, const QString& name, const QString& object) {
 }
 
 void tint(QLabel* words, State state, bool plain) {
-  QPalette colours = QApplication::palette();
-  if (!plain) colours.setColor(QPalette::WindowText, StateColours(colours).of(state));
+  QPalette colours;  // the one colour only: all others follow the theme
+  if (!plain)
+    colours.setColor(QPalette::WindowText, StateColours(QApplication::palette()).of(state));
   words->setPalette(colours);
 }
 

@@ -2,10 +2,12 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QScreen>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@ namespace {
 
 constexpr double kMillimetresPerInch = 25.4;
 constexpr double kTarget_mm = 12;
+constexpr double kPressedFrame = 2;  // pixels
 constexpr const char* kSunlightProperty = "ostrakaSunlight";
 constexpr const char* kPlainPointSize = "ostrakaPlainPointSize";
 constexpr const char* kPlainPalette = "ostrakaPlainPalette";
@@ -55,11 +58,35 @@ class OstrakaStyle final : public QProxyStyle {
     return usual;
   }
 
+  // Fusion tells what is pressed in, and where one can type, by a shade that the dark theme lacks.
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const QPalette& colours = option->palette;
+    const bool button = element == PE_PanelButtonTool || element == PE_PanelButtonCommand;
+    if (button && (option->state & State_On))
+      frame(*painter, option->rect, colours.color(QPalette::Highlight), kPressedFrame);
+    const bool dark = colours.color(QPalette::Window).lightnessF() < 0.5F;
+    if (element == PE_FrameLineEdit && dark && !(option->state & State_HasFocus))
+      frame(*painter, option->rect, colours.color(QPalette::PlaceholderText), 1);
+  }
+
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override {
     // Menus and tool tips stay where the hand left them; nothing fades or slides.
     if (hint == SH_Widget_Animate || hint == SH_Widget_Animation_Duration) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+
+ private:
+  static void frame(QPainter& painter, const QRect& where, const QColor& colour, double wide) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colour, wide));
+    painter.setBrush(Qt::NoBrush);
+    const double inwards = wide / 2;
+    painter.drawRoundedRect(QRectF(where).adjusted(inwards, inwards, -inwards, -inwards), 2, 2);
+    painter.restore();
   }
 };
 

@@ -87,7 +87,7 @@ void MessagePanel::changeEvent(QEvent* event) {
 
 void MessagePanel::lay() {
   const StateColours colours(QApplication::palette());
-  QPalette ground = QApplication::palette();
+  QPalette ground;  // the one colour only: buttons on it follow the theme
   ground.setColor(QPalette::Window, colours.behind(failed_ ? State::Failed : State::Ask));
   if (ground.color(QPalette::Window) != palette().color(QPalette::Window)) setPalette(ground);
   headline_->setFont(scaledFont(*this, 1.4));

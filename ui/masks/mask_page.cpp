@@ -84,12 +84,19 @@ void MaskPage::buildLayout() {
   which_->setObjectName(QStringLiteral("masksWhich"));
   which_->setAccessibleName(tr("Photograph"));
   which_->setMinimumHeight(targetSize(*this));
+  which_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   width_->setObjectName(QStringLiteral("masksWidth"));
   width_->setRange(kLeastWidth_px, kMostWidth_px);
   width_->setValue(kUsualWidth_px);
   width_->setFixedWidth(fontMetrics().averageCharWidth() * 20);
-  auto* width_label = new QLabel(tr("Brush's &width"), this);
+  auto* brush = new QWidget(this);
+  auto* width_label = new QLabel(tr("Brush's &width"), brush);
   width_label->setBuddy(width_);
+  auto* brush_row = new QHBoxLayout(brush);
+  brush_row->setContentsMargins(0, 0, 0, 0);
+  brush_row->addWidget(width_label);
+  brush_row->addWidget(width_);
+  brush->setMinimumHeight(targetSize(*this));
   const auto button = [this](QAction* action) {
     auto* one = new QToolButton(this);
     one->setDefaultAction(action);
@@ -105,8 +112,7 @@ void MaskPage::buildLayout() {
   auto* bar = new FlowRow;
   bar->addWidget(which_);
   for (QAction* action : {previous_, next_, sherd_, plate_}) bar->addWidget(button(action));
-  bar->addWidget(width_label);
-  bar->addWidget(width_);
+  bar->addWidget(brush);
   bar->addWidget(button(compute_));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);

@@ -73,7 +73,7 @@ void CandidateBar::mark() {
     const bool chosen = i == model_.chosen();
     QFont font = this->font();
     font.setBold(chosen);
-    QPalette look = palette();
+    QPalette look;
     if (chosen) look.setColor(QPalette::Button, colours.behind(State::Selected));
     buttons_[i]->setChecked(chosen);
     buttons_[i]->setFont(font);

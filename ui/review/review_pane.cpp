@@ -189,8 +189,8 @@ QLayout* ReviewPane::buttons() {
     button->setDefaultAction(action);
     // Dark themes hardly tell a pressed button from another.
     connect(action, &QAction::toggled, button, [this, button](bool on) {
-      QPalette look = palette();
-      if (on) look.setColor(QPalette::Button, StateColours(look).behind(State::Selected));
+      QPalette look;
+      if (on) look.setColor(QPalette::Button, StateColours(palette()).behind(State::Selected));
       button->setPalette(look);
     });
     button->setAccessibleName(tr("%1, key %2").arg(action->text(), key));

@@ -69,6 +69,7 @@ void NumberingEdit::buildLayout() {
   auto* block = new QHBoxLayout;
   block->addWidget(first_, 1);
   auto* to = new QLabel(tr("to"), this);
+  to->setMargin(fontMetrics().averageCharWidth());
   block->addWidget(to);
   block->addWidget(last_, 1);
   form->addRow(tr("Num&bers of this computer"), block);

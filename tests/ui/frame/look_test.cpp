@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QLabel>
+#include <QToolButton>
 #include <QtTest>
 #include <cmath>
 
@@ -61,6 +62,24 @@ class LookTest : public QObject {
     QVERIFY(qAbs(bold.font().pointSizeF() - QApplication::font().pointSizeF()) < 0.01);
     applyLook(*qApp, Theme::Light, 100);
     QVERIFY(qAbs(heading.font().pointSizeF() - before) < 0.01);
+  }
+
+  void whatIsPressedInShowsItInEachTheme_data() { themes_data(); }
+  void whatIsPressedInShowsItInEachTheme() {
+    QFETCH(int, theme);
+    applyLook(*qApp, static_cast<Theme>(theme), 100);
+    QToolButton button;
+    button.setText("S");
+    button.setCheckable(true);
+    button.resize(60, 40);
+    const QImage out = button.grab().toImage();
+    button.setChecked(true);
+    const QImage in = button.grab().toImage();
+    double strongest = 1;  // 3 is what WCAG wants of a state that a shape alone tells
+    for (int x = 0; x < in.width(); ++x)
+      strongest = std::max(strongest, contrast(in.pixelColor(x, 20), out.pixelColor(x, 20)));
+    QVERIFY2(strongest >= 3, qPrintable(QString::number(strongest)));
+    applyLook(*qApp, Theme::Light, 100);
   }
 
   void wordsInTheColoursOfStatesAreReadable_data() { themes_data(); }

@@ -192,9 +192,6 @@ class ScreensTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
       for (const Station* station : window_->stations())
         picture(theme, station->iconName(), [this, station] { showStation(station->iconName()); });
-      picture(theme, "review-doubtful", [this] {
-        window_->showStationNamed("review", qEnvironmentVariable("OSTRAKA_DOUBTFUL"));
-      });
       picture(theme, "drawing", [this] {
         showStation("catalogue");
         named<QAction>(*window_, "drawing")->trigger();

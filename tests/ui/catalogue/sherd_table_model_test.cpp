@@ -68,6 +68,34 @@ class SherdTableModelTest : public QObject {
     QCOMPARE(model.rowCount(), 10);
   }
 
+  void aMeasureOfADoubtfulScaleCarriesAQuestionMark() {
+    SampleProject sample(3);
+    catalogue::BatchRecord batch;
+    batch.scale_doubts = "The scale is not right.";
+    const auto row = sample.catalogue().addBatch(batch, {});
+    QVERIFY(row.has_value());
+    catalogue::SherdRecord fresh;
+    fresh.batch = *row;
+    const auto sherd = sample.catalogue().addSherd(fresh, {});
+    QVERIFY(sherd.has_value());
+    for (const auto& [kind, value, method] :
+         {std::tuple("length", 50.3, "program"), std::tuple("weight", 23.4, "scale")})
+      QVERIFY(sample.catalogue()
+                  .measure({*sherd, kind, {}, value, std::nullopt, method, {}, {}}, {})
+                  .has_value());
+    SherdTableModel model;
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
+    QCOMPARE(model.setFilter("scale:doubtful"), QString());
+    QCOMPARE(model.rowCount(), 1);
+    const QModelIndex length = model.index(0, 5), weight = model.index(0, 8);
+    QCOMPARE(model.data(length, Qt::DisplayRole).toString(), QLocale().toString(50.3) + " ?");
+    QCOMPARE(model.data(weight, Qt::DisplayRole).toString(), QLocale().toString(23.4));
+    QVERIFY(model.data(length, Qt::AccessibleTextRole).toString().endsWith("in doubt"));
+    QVERIFY(model.data(length, Qt::ToolTipRole).toString().contains("B0001"));
+    QCOMPARE(model.setFilter("-scale:doubtful"), QString());
+    QCOMPARE(model.rowCount(), 3);
+  }
+
   void picturesComeFromAWorker() {
     SampleProject sample(5);
     SherdTableModel model;

@@ -8,6 +8,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "batch/batch.h"
 #include "catalogue/project.h"
@@ -32,6 +33,34 @@ namespace {
 constexpr const char* kRigKey = "rig";
 constexpr const char* kPlaceKey = "capture.place";
 constexpr int kMostCameras = 3;
+
+// Side by side, or below each other where large letters leave no room for that.
+class FootRow final : public QWidget {
+ public:
+  explicit FootRow(QWidget* parent)
+      : QWidget(parent), box_(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
+    box_->setContentsMargins(0, 0, 0, 0);
+  }
+  void add(QWidget* part, int stretch) { box_->addWidget(part, stretch); }
+  QSize minimumSizeHint() const override {
+    int widest = 0;
+    for (int i = 0; i < box_->count(); ++i)
+      widest = std::max(widest, box_->itemAt(i)->minimumSize().width());
+    return {widest, box_->minimumSize().height()};
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    int needed = box_->spacing() * (box_->count() - 1);
+    for (int i = 0; i < box_->count(); ++i) needed += box_->itemAt(i)->minimumSize().width();
+    const auto wanted = needed <= width() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+    if (box_->direction() != wanted) box_->setDirection(wanted);
+  }
+
+ private:
+  QBoxLayout* box_;
+};
 
 }  // namespace
 
@@ -168,7 +197,7 @@ QWidget* CaptureStation::buildWorkPage() {
 }
 
 QWidget* CaptureStation::buildFoot() {
-  auto* foot = new QWidget(this);
+  auto* foot = new FootRow(this);
   place_ = new PlaceEdit(foot);
   place_->setToolTip(
       tr("Typed, from a code reader, or from the bag's label laid under the camera"));
@@ -191,9 +220,9 @@ QWidget* CaptureStation::buildFoot() {
   auto* menu = new QMenu(more);
   menu->addActions({import_photographs_, import_scans_, change_rig_});
   more->setMenu(menu);
-  auto* row = new QHBoxLayout(foot);
+  auto* tools = new QWidget(foot);
+  auto* row = new QHBoxLayout(tools);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(place_, 1);
   for (QAction* camera : cameras_) {
     auto* button = new QToolButton(foot);
     button->setDefaultAction(camera);
@@ -211,7 +240,10 @@ QWidget* CaptureStation::buildFoot() {
   stop->setMinimumHeight(targetSize(*this));
   row->addWidget(stop);
   row->addWidget(more);
-  row->addWidget(button_, 2);
+  row->addStretch();
+  foot->add(place_, 1);
+  foot->add(tools, 0);
+  foot->add(button_, 2);
   return foot;
 }
 

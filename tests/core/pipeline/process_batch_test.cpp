@@ -280,9 +280,9 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
     EXPECT_NE(last.find(std::string(kept) + ": whole from an earlier run"), std::string::npos)
         << kept;
   EXPECT_EQ(last.find("dense_front: whole from an earlier run"), std::string::npos);
-  // 14 of its pixels around the middle are gone from the first sherd, nothing from the second.
+  // 14 pixels around its middle are gone from the first sherd; the second loses nothing.
   EXPECT_LT(points("01"), 0.95 * first_before);
-  EXPECT_NEAR(points("02"), second_before, 0.02 * second_before);
+  EXPECT_GT(points("02"), 0.98 * second_before);
   const auto masked = maskedPhotographs(out, folder_ / "batch");
   ASSERT_TRUE(masked.has_value()) << masked.error().sentence();
   EXPECT_EQ(masked->size(), images->size());

@@ -66,6 +66,8 @@ double outlineOf(const Registered& r, const scan::Scan& back) {
   return best;
 }
 
+constexpr double kRuledOut = 12;  // logarithm: below the best start's outline by this much
+
 bool rimsCompared(const Registered& r) {
   return r.registration && r.registration->misfit_mm > 0;
 }
@@ -149,9 +151,11 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
       registered[i].registration = outlinesAlone(candidate, (front.strip ? back : front).why);
       return;
     }
+    // Best first. Rims that hardly meet may agree by chance where outlines rule the pose out.
     std::vector<Eigen::Isometry3d> starts;
     for (const pairing::StartPose& start : candidate.starts)
-      starts.push_back(start.front_from_back);
+      if (start.log_likelihood > candidate.starts.front().log_likelihood - kRuledOut)
+        starts.push_back(start.front_from_back);
     const Result<registration::Registration> found = registration::registerSides(
         *front.strip, *back.strip, starts, witnesses, options.registration, quiet, stop);
     registered[i].registration =

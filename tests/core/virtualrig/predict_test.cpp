@@ -17,10 +17,10 @@ using testing::Not;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// 800 pixels wide, 0.48 mm a pixel, cameras at 25, 44 and 64 degrees.
+// 1120 pixels wide, 0.34 mm a pixel, cameras at 25, 44 and 64 degrees.
 VirtualRig designedRig() {
   Random random(5);
-  return makeRig(800, 4, random);
+  return makeRig(1120, 4, random);
 }
 
 // The two lower cameras carried up about the plate's middle, beside the highest.
@@ -64,7 +64,7 @@ class Predict : public testing::Test {
 
   static Prediction of(const VirtualRig& rig, const char* name) {
     PredictOptions options;
-    options.width = 400;
+    options.width = 560;
     options.sherds_per_size = 1;
     options.work = folder_ / name;
     QuietProgress quiet;
@@ -89,7 +89,7 @@ TEST_F(Predict, TellsWhatToExpectOfEachSize) {
     EXPECT_EQ(size.sherds, 1);
     EXPECT_GT(size.seen, 0.9) << size.name;
   }
-  // Pictures of 0.96 mm a pixel are too coarse for models worth judging, but the large one has one.
+  // Pictures of 0.69 mm a pixel are too coarse for models worth judging, but the large one has one.
   EXPECT_EQ(designed_.sizes[2].without_model, 0);
   EXPECT_GT(designed_.sizes[2].accuracy_mm, 0.02);
 }

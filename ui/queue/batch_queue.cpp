@@ -70,9 +70,6 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
     row.cancelled = failure[QStringLiteral("cancelled")].toBool();
   }
   row.figures = keptFigures(project.catalogue(), row.number);
-  // A wrong scale spoils every measure: such a batch must not look finished.
-  if (row.state == QueueState::Done && row.figures && row.figures->scale_doubtful)
-    row.state = QueueState::Review;
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
 }
 
@@ -128,6 +125,7 @@ void BatchQueue::refresh() {
       row.number = QString::fromStdString(batch.number);
       row.batch_row = batch.row.value;
       row.state = stateOf(batch.state);
+      row.scale_doubtful = !batch.scale_doubts.empty();
       if (row.number == busy_number_) {
         row.state = paused_ ? QueueState::Paused : QueueState::Busy;
         if (job_ != nullptr) row.progress = job_->progress();
@@ -392,7 +390,7 @@ QString queueStateWords(QueueState state) {
 }
 
 QString stateWords(const QueueRow& row) {
-  if (row.state == QueueState::Review && row.figures && row.figures->scale_doubtful)
+  if (row.state == QueueState::Review && row.scale_doubtful)
     return BatchQueue::tr("the scale is not right: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
     return BatchQueue::tr("decided; to be computed");

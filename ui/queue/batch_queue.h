@@ -31,6 +31,7 @@ struct QueueRow {
   JobProgress progress;
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
+  bool scale_doubtful = false;  ///< known lengths contradict the plate: no measure is sure
   std::optional<BatchFigures> figures;
   QString picture;  ///< a photograph of the front; empty when there is none
 };

@@ -59,7 +59,6 @@ Result<BatchFigures> fromPhotographs(const ComputeOptions& options, const fs::pa
     figures.decided += sherd.decided_by.empty() ? 0 : 1;
   figures.sure = figures.sherds - figures.ask - figures.decided;
   figures.seconds = done->seconds;
-  figures.scale_doubtful = !done->scale_doubts.empty();
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);
   return figures;

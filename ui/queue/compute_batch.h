@@ -19,10 +19,9 @@ struct ComputeOptions {
 struct BatchFigures {
   int sherds = 0;
   int sure = 0, ask = 0;
-  double uncertainty_mm = 0;    ///< the largest of its sherds; 0: none has one
-  double seconds = 0;           ///< of this run
-  int decided = 0;              ///< by a person; besides sure and ask
-  bool scale_doubtful = false;  ///< a known length contradicts the plate: all measures are in doubt
+  double uncertainty_mm = 0;  ///< the largest of its sherds; 0: none has one
+  double seconds = 0;         ///< of this run
+  int decided = 0;            ///< by a person; besides sure and ask
   int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
 };
 

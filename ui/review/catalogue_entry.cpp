@@ -125,7 +125,8 @@ Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
   if (batch->state != BatchState::Review && batch->state != BatchState::Done) return {};
-  const BatchState state = nothing_to_do ? BatchState::Done : BatchState::Review;
+  const BatchState state =
+      nothing_to_do && batch->scale_doubts.empty() ? BatchState::Done : BatchState::Review;
   if (state == batch->state) return {};
   const auto row = personOf(catalogue, person);
   if (!row) return row.error();

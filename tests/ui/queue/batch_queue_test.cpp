@@ -104,11 +104,12 @@ class BatchQueueTest : public QObject {
       bench.queue.setWork(
           [&](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
             catalogue::Catalogue& rows = bench.session.project().catalogue();
-            (void)rows.setBatchState(rows.batchByNumber(number.toStdString())->row,
-                                     BatchState::Done, {});
+            catalogue::BatchRecord record = *rows.batchByNumber(number.toStdString());
+            record.state = BatchState::Review;
+            record.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+            (void)rows.saveBatch(record, {});
             BatchFigures figures;
             figures.sherds = figures.sure = 3;
-            figures.scale_doubtful = true;
             figures.counted = 4;
             return figures;
           });

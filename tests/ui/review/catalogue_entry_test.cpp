@@ -22,6 +22,7 @@ class CatalogueEntryTest : public QObject {
   void joinsAndCutsAreKeptAndTakenBack();
   void aScanThatIsNotEnteredIsSaid();
   void theBatchIsQueuedAgain();
+  void aBatchIsSettledUnlessItsScaleIsInDoubt();
 
  private:
   pipeline::PairDecision decision(DecisionKind kind, int number) {
@@ -62,6 +63,20 @@ void CatalogueEntryTest::init() {
     const auto saved = rows().save(scan, {});
     QVERIFY2(saved.has_value(), saved ? "" : saved.error().sentence().c_str());
   }
+}
+
+void CatalogueEntryTest::aBatchIsSettledUnlessItsScaleIsInDoubt() {
+  using catalogue::BatchState;
+  QVERIFY(rows().setBatchState(batch_, BatchState::Review, {}).has_value());
+  QVERIFY(settleBatch(rows(), "B0001", "AP", true).has_value());
+  QCOMPARE(rows().batch(batch_)->state, BatchState::Done);
+  QVERIFY(settleBatch(rows(), "B0001", "AP", false).has_value());
+  QCOMPARE(rows().batch(batch_)->state, BatchState::Review);
+  catalogue::BatchRecord doubtful = *rows().batch(batch_);
+  doubtful.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+  QVERIFY(rows().saveBatch(doubtful, {}).has_value());
+  QVERIFY(settleBatch(rows(), "B0001", "AP", true).has_value());
+  QCOMPARE(rows().batch(batch_)->state, BatchState::Review);
 }
 
 void CatalogueEntryTest::aPairCountsAndItsWithdrawalTakesItBack() {

@@ -16,8 +16,9 @@ namespace ostraka::ui {
 Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& batch_number,
                            const pipeline::PairDecision& decision);
 
-/// A computed batch is done when nobody needs to look and nothing needs to be computed, and wants a
-/// person otherwise. One that is being shot, waits or failed is left as it is.
+/// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
+/// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
+/// as it is.
 Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do);
 

@@ -40,16 +40,32 @@ cv::Mat1f slopeOf(const cv::Mat3f& bare) {
   return slope;
 }
 
-// Smallest local energy of the residual's fine structure among nine windows around each pixel: a
-// window that lies on one side of an outline does not see the outline. Second differences: a
-// shadow's soft border is nearly straight over a few pixels and leaves none.
+// Smaller eigenvalue of [a c; c b].
+float smallerEigenvalue(float a, float b, float c) {
+  const float half = 0.5F * (a - b);
+  return std::max(0.F, 0.5F * (a + b) - std::sqrt(half * half + c * c));
+}
+
+// Energy of the fine structure in the direction in which a window shows least of it: the smaller
+// eigenvalue of the structure tensor (Shi and Tomasi, CVPR 1994), the smallest of the windows that
+// hold the pixel. Grain runs in all directions. Outlines, the narrow dark line where a sherd meets
+// the plate, and the borders of shadows run in one and leave none.
 cv::Mat1f calmestTexture(const cv::Mat3f& residual) {
-  cv::Mat1f brightness, fine, energy;
+  constexpr int kWindow = 7;
+  cv::Mat1f brightness, fine, across, along, both;
   cv::transform(residual, brightness, cv::Matx13f(1 / 3.F, 1 / 3.F, 1 / 3.F));
   cv::GaussianBlur(brightness, fine, {}, 1.2, 1.2, cv::BORDER_REPLICATE);
   fine = brightness - fine;
-  cv::sqrBoxFilter(fine, energy, CV_32F, {7, 7});
-  cv::erode(energy, energy, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
+  cv::Sobel(fine, across, CV_32F, 1, 0, 3, 0.125);
+  cv::Sobel(fine, along, CV_32F, 0, 1, 3, 0.125);
+  cv::boxFilter(across.mul(along), both, CV_32F, {kWindow, kWindow});
+  cv::sqrBoxFilter(across, across, CV_32F, {kWindow, kWindow});
+  cv::sqrBoxFilter(along, along, CV_32F, {kWindow, kWindow});
+  cv::Mat1f energy(fine.size());
+  for (int y = 0; y < energy.rows; ++y)
+    for (int x = 0; x < energy.cols; ++x)
+      energy(y, x) = smallerEigenvalue(across(y, x), along(y, x), both(y, x));
+  cv::erode(energy, energy, cv::getStructuringElement(cv::MORPH_RECT, {kWindow, kWindow}));
   return energy;
 }
 
@@ -100,10 +116,10 @@ __attribute__((target_clones("arch=x86-64-v3", "default"))) void weighRow(
         colour_density * (0.4F * lit + 0.05F * bounce + 0.2F * shadow) + 0.35F * shadow * tinted;
     float odds = logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
     // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
-    // ratio of two variances over the window's eight independent samples). Smooth clay leaves
+    // ratio of two variances over the window's sixteen independent samples). Smooth clay leaves
     // none, so a lack of texture says nothing.
     const float ratio = texture[x] * per_texture / (gain + edge * edge * per_noise);
-    const float grain = std::min(std::max(0.5F * 8 * (ratio * (1 - 1 / 6.F) - log_six), 0.F), 7.F);
+    const float grain = std::min(std::max(0.5F * 16 * (ratio * (1 - 1 / 6.F) - log_six), 0.F), 7.F);
     // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
     // own.
     odds += grain * std::min(std::max(2 - darker / 3, 0.F), 1.F);
@@ -117,10 +133,10 @@ __attribute__((target_clones("arch=x86-64-v3", "default"))) void weighRow(
 
 }  // namespace
 
-cv::Mat3f residualAgainst(const cv::Mat3f& bare, const cv::Mat3f& log_colours) {
-  cv::Mat3f residual = log_colours - bare;
-  cv::GaussianBlur(residual, residual, {}, 0.8, 0.8, cv::BORDER_REPLICATE);
-  return residual;
+cv::Mat3f smoothed(const cv::Mat3f& log_colours) {
+  cv::Mat3f smooth;
+  cv::GaussianBlur(log_colours, smooth, {}, 0.8, 0.8, cv::BORDER_REPLICATE);
+  return smooth;
 }
 
 ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
@@ -145,7 +161,7 @@ ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
     }
   ResidualNoise noise;
   if (brightness.size() < 500) return noise;
-  noise.texture = std::max(medianOf(texture), 1e-6F);
+  noise.texture = std::max(medianOf(texture), 1e-8F);
   noise.level = std::max(2.F, std::exp(medianOf(level)) - kDarkLevel);
   // Not below what 8 bits leave: a third of a level after smoothing.
   const float rounding = 0.3F / (noise.level + kDarkLevel);

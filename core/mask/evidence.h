@@ -5,7 +5,7 @@ namespace ostraka::mask {
 
 /// What one pixel says by itself, against the bare plate as it should look there.
 struct Evidence {
-  cv::Mat3f residual;  ///< log photograph - log bare plate, slightly smoothed
+  cv::Mat3f residual;  ///< log photograph - log bare plate, both smoothed
   cv::Mat1f log_odds;  ///< log P(residual | sherd) / P(residual | plate, lit or in shadow)
   cv::Mat1f clear;     ///< 0..1: certainly bare, lit plate seen, so nothing stands in the ray's way
 };
@@ -14,12 +14,12 @@ struct Evidence {
 struct ResidualNoise {
   float brightness = 0.05F;  ///< SD of the mean of the channels, log, at the plate's own brightness
   float colour = 0.02F;      ///< SD of each of the two colour differences
-  float texture = 1e-3F;     ///< median energy of the residual's fine structure on the bare plate
+  float texture = 1e-4F;     ///< median energy of fine structure, any direction, on the bare plate
   float level = 40;          ///< the brightness (0..255) at which they were measured
 };
 
-/// Smoothed residual: sigma 0.8 pixels, about the lens's own blur, so outlines stay in place.
-cv::Mat3f residualAgainst(const cv::Mat3f& bare, const cv::Mat3f& log_colours);
+/// Sigma 0.8 pixels, about the lens's own blur, so outlines stay in place.
+cv::Mat3f smoothed(const cv::Mat3f& log_colours);
 
 /// on_plate: where to measure: the plate inside the markers.
 ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,

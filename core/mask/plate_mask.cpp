@@ -171,8 +171,8 @@ class PlateMasker {
     const auto [empty, empty_look] = emptyPlate(camera, members, looks, paper, progress);
     const PlatePicture picture = buildPlatePicture(looks, empty, empty_look, grid, paper);
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
-      const cv::Mat3f bare = predictBare(picture, looks[k], k, grid);
-      const cv::Mat3f residual = residualAgainst(bare, looks[k].log_colours);
+      const cv::Mat3f bare = smoothed(predictBare(picture, looks[k], k, grid));
+      const cv::Mat3f residual = smoothed(looks[k].log_colours) - bare;
       const cv::Mat1b inside = insideMarkers(looks[k], grid);
       const ResidualNoise noise = measureNoise(residual, bare, inside);
       // Half a pixel: poses are good to a few tenths, the mosaic's cells are 1.4 pixels wide.

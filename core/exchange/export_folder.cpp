@@ -140,14 +140,15 @@ Result<std::vector<SherdRecord>> readAll(const Catalogue& catalogue, std::span<c
 }
 
 Result<BagFile> addModel(BagWriter& bag, const Wanted& file, const SherdRecord& sherd,
-                         const std::string& licence, const std::string& program) {
+                         const std::string& licence, const std::string& program,
+                         const std::string& scale_doubts) {
   const Result<std::string> bytes = readFile(file.from);
   if (!bytes) return bytes.error();
   if (file.form != Form::Pictures && !file.sha256.empty() && sha256(*bytes) != file.sha256)
     return Error{ErrorCode::UnusableInput,
                  "This model is not the one that was entered; enter the batch's results again.",
                  file.from.string()};
-  const ModelLabel label{sherd.id, sherd.number, licence, program};
+  const ModelLabel label{sherd.id, sherd.number, licence, program, scale_doubts};
   const std::string where = file.from.string();
   Result<std::string> labelled = file.form == Form::Ply   ? labelledPly(*bytes, label, where)
                                  : file.form == Form::Glb ? labelledGlb(*bytes, label, where)
@@ -197,7 +198,14 @@ class Exporting {
   Result<void> copy(const std::vector<SherdRecord>& sherds, const Plan& plan,
                     const std::string& licence) {
     std::map<SherdRow, const SherdRecord*> by_row;
-    for (const SherdRecord& sherd : sherds) by_row[sherd.row] = &sherd;
+    std::map<BatchRow, std::string> scale_doubts;
+    for (const SherdRecord& sherd : sherds) {
+      by_row[sherd.row] = &sherd;
+      if (!sherd.batch || scale_doubts.contains(sherd.batch)) continue;
+      const Result<BatchRecord> batch = catalogue_.batch(sherd.batch);
+      if (!batch) return batch.error();
+      scale_doubts[sherd.batch] = batch->scale_doubts;
+    }
     for (const Wanted& file : plan.files()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_++, total_);
@@ -209,7 +217,8 @@ class Exporting {
       const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
       const Result<BagFile> added =
           whole ? bag_.addFile(file.to, file.from, stop_)
-                : addModel(bag_, file, *by_row[file.sherd], licence, options_.program);
+                : addModel(bag_, file, *by_row[file.sherd], licence, options_.program,
+                           scale_doubts[by_row[file.sherd]->batch]);
       if (!added) return added.error();
       if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
         exported_.warnings.push_back(file.from.string() +

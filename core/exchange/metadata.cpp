@@ -62,6 +62,23 @@ constexpr const char* kReadMe =
     "The folder is a bag after RFC 8493. In the folder above this one, `sha256sum -c\n"
     "manifest-sha256.txt` checks every file.\n";
 
+// What nobody who measures on these models may overlook.
+Result<std::string> readMe(const Catalogue& catalogue, const std::set<BatchRow>& batches) {
+  std::string doubts;
+  for (const BatchRow row : batches) {
+    const Result<BatchRecord> batch = catalogue.batch(row);
+    if (!batch) return batch.error();
+    if (!batch->scale_doubts.empty()) doubts += batch->number + ": " + batch->scale_doubts + "\n";
+  }
+  if (doubts.empty()) return std::string(kReadMe);
+  return std::string(kReadMe) +
+         "\nScale in doubt\n"
+         "--------------\n"
+         "The models and measures of these batches may have a wrong size (in sherds.csv their\n"
+         "column scale says doubtful, in the models' files a comment does):\n\n" +
+         doubts;
+}
+
 ordered_json stamp(const std::string& id) {
   return {{"id", id}};
 }
@@ -303,6 +320,8 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
   if (!places) return places.error();
   const Result<ordered_json> digitised = batchesJson(catalogue, batches, bag.files());
   if (!digitised) return digitised.error();
+  const Result<std::string> read_me = readMe(catalogue, batches);
+  if (!read_me) return read_me.error();
   const ordered_json dublin_core = {{"identifier", project.id},
                                     {"code", project.code},
                                     {"title", project.title},
@@ -318,7 +337,7 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
       {"metadata/places.json", places->dump(1) + "\n"},
       {"metadata/batches.json", digitised->dump(1) + "\n"},
       {"context.jsonld", kContext},
-      {"README.txt", kReadMe}};
+      {"README.txt", *read_me}};
   for (const auto& [name, text] : files)
     if (const auto added = bag.add(name, text); !added) return added.error();
   return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/json.h"
 #include "cloud/obj.h"
@@ -19,11 +20,16 @@ std::string oneLine(std::string text) {
   return text;
 }
 
-std::string comment(const ModelLabel& label) {
+// Whole lines, each begun with what makes it a comment in the file.
+std::string comments(const ModelLabel& label, const std::string& begin) {
   std::string text = label.program + " id " + label.id;
   if (!label.number.empty()) text += " number " + label.number;
   if (!label.licence.empty()) text += " licence " + label.licence;
-  return oneLine(text);
+  std::string lines = begin + oneLine(text) + "\n";
+  std::istringstream doubts(label.scale_doubts);
+  for (std::string doubt; std::getline(doubts, doubt);)
+    if (!doubt.empty()) lines += begin + "scale in doubt: " + oneLine(doubt) + "\n";
+  return lines;
 }
 
 std::uint32_t u32(std::string_view bytes, std::size_t at) {
@@ -37,6 +43,7 @@ void append(std::string& out, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> (8 * i) & 0xFF);
 }
 
+constexpr std::string_view kPlyDoubt = "comment scale in doubt: ";
 constexpr std::uint32_t kGlb = 0x46546C67, kJson = 0x4E4F534A;
 
 }  // namespace
@@ -49,8 +56,13 @@ Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
       first == std::string_view::npos || first > end)
     return Error::unusable("This is no PLY file.", where);
   const std::size_t at = ply.find('\n', first) + 1;
-  return std::string(ply.substr(0, at)) + "comment " + comment(label) + "\n" +
-         std::string(ply.substr(at));
+  // A model that was read back from an export may carry a doubt that is settled since.
+  std::string rest;
+  std::istringstream header(std::string(ply.substr(at, end - at)));
+  for (std::string line; std::getline(header, line);)
+    if (!line.starts_with(kPlyDoubt)) rest += line + "\n";
+  return std::string(ply.substr(0, at)) + comments(label, "comment ") + rest +
+         std::string(ply.substr(end));
 }
 
 Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
@@ -72,6 +84,8 @@ Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
   extras["id"] = label.id;
   extras["number"] = label.number;
   extras["unit"] = "m";
+  extras.erase("scale_doubts");
+  if (!label.scale_doubts.empty()) extras["scale_doubts"] = label.scale_doubts;
   std::string text = json.dump();
   text.append((4 - text.size() % 4) % 4, ' ');
   const std::string_view rest = glb.substr(20 + size);
@@ -90,7 +104,7 @@ Result<std::string> labelledObj(std::string_view ply, const ModelLabel& label,
   if (!read) return read.error();
   const Result<std::string> obj = formatObj(read->mesh);
   if (!obj) return obj;
-  return "# " + comment(label) + "\n" + *obj;
+  return comments(label, "# ") + *obj;
 }
 
 }  // namespace ostraka::exchange

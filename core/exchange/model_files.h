@@ -9,12 +9,15 @@ namespace ostraka::exchange {
 /// What travels inside a model's file.
 struct ModelLabel {
   std::string id, number, licence, program;
+  std::string scale_doubts;  ///< why its true size is in doubt, a sentence a line; empty: it is not
 };
 
-/// The PLY with a comment that names sherd, number, unit and licence; its data stays as it is.
+/// The PLY with a comment that names sherd, number, unit and licence, and one for each doubt about
+/// its scale; its data stays as it is.
 Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
                                 const std::string& where);
-/// The GLB with asset.copyright and nodes[0].extras.ostraka; its buffers stay as they are.
+/// The GLB with asset.copyright and nodes[0].extras.ostraka, where doubts about its scale stand as
+/// scale_doubts; its buffers stay as they are.
 Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
                                 const std::string& where);
 /// An OBJ made from the PLY, with the same in comments.

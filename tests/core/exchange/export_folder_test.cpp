@@ -129,6 +129,24 @@ TEST_F(Export, ARecordSaysWhereItsValuesComeFrom) {
   EXPECT_EQ(text.find('\r'), std::string::npos);
 }
 
+TEST_F(Export, ADoubtfulScaleIsSaidInModelsRecordsAndTheReadMe) {
+  ASSERT_TRUE(exportTo("sure", all));
+  BatchRecord held = *catalogue().batch(batch);
+  held.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+  ASSERT_TRUE(catalogue().saveBatch(held, anna));
+  ASSERT_TRUE(exportTo("doubtful", all));
+  for (const char* name :
+       {"README.txt", "models/ARM1-T3-0012-0002.ply", "models/ARM1-T3-0012-0002.glb",
+        "models/ARM1-T3-0012-0002.obj", "sherds/ARM1-T3-0012-0002.json"}) {
+    const auto said = [&](const char* folder) {
+      return readFile(folder_.path() / folder / "data" / name)->find("50 mm measure 49.5 mm") !=
+             std::string::npos;
+    };
+    EXPECT_TRUE(said("doubtful")) << name;
+    EXPECT_FALSE(said("sure")) << name;
+  }
+}
+
 TEST_F(Export, TheSizeIsKnownBefore) {
   ExportOptions options;
   options.forms = {Form::Ply, Form::Photographs};

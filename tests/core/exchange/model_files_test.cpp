@@ -19,7 +19,7 @@ TriangleMesh tetrahedron() {
 }
 
 const ModelLabel kLabel = {"019f5ff6-39c0-7b3a-9c55-2f7e8d104ab6", "ARM1-T3-0012-0007", "CC-BY-4.0",
-                           "ostraka 1.0.0"};
+                           "ostraka 1.0.0", ""};
 
 TEST(ModelFiles, ALabelledPlyNamesItsSherdAndHoldsTheSameSurface) {
   const Result<std::string> ply = labelledPly(formatPly(tetrahedron(), "plate_front"), kLabel, "m");
@@ -76,6 +76,29 @@ TEST(ModelFiles, AnObjIsMadeInMillimetres) {
   EXPECT_TRUE(obj->starts_with("# ostraka 1.0.0 id "));
   EXPECT_NE(obj->find("mm"), std::string::npos);
   EXPECT_NE(obj->find("\nf "), std::string::npos);
+}
+
+// Who measures on the file alone must see it, too.
+TEST(ModelFiles, ADoubtfulScaleStandsInEachKindOfFileAndGoesWhenItIsSettled) {
+  ModelLabel doubtful = kLabel;
+  doubtful.scale_doubts = "50 mm measure 49.5 mm.\n80 mm measure 79.2 mm.";
+  const std::string plain = formatPly(tetrahedron(), "plate_front");
+  const Result<std::string> ply = labelledPly(plain, doubtful, "m");
+  ASSERT_TRUE(ply);
+  EXPECT_NE(ply->find("\ncomment scale in doubt: 50 mm measure 49.5 mm.\n"
+                      "comment scale in doubt: 80 mm measure 79.2 mm.\n"),
+            std::string::npos);
+  EXPECT_EQ(parsePly(*ply, "m")->mesh.vertices, tetrahedron().vertices);
+  const Result<std::string> obj = labelledObj(plain, doubtful, "m");
+  ASSERT_TRUE(obj);
+  EXPECT_NE(obj->find("\n# scale in doubt: 50 mm measure 49.5 mm.\n"), std::string::npos);
+  const Result<std::string> glb = labelledGlb(*formatGlb(tetrahedron(), {}), doubtful, "m");
+  ASSERT_TRUE(glb);
+  EXPECT_NE(glb->find(R"("scale_doubts":"50 mm measure 49.5 mm.\n80 mm measure 79.2 mm.")"),
+            std::string::npos);
+  EXPECT_EQ(labelledPly(*ply, kLabel, "m")->find("in doubt"), std::string::npos);
+  EXPECT_EQ(labelledGlb(*glb, kLabel, "m")->find("scale_doubts"), std::string::npos);
+  EXPECT_EQ(labelledPly(plain, kLabel, "m")->find("in doubt"), std::string::npos);
 }
 
 }  // namespace

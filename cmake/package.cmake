@@ -6,7 +6,7 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 configure_file(packaging/changelog.in ${CMAKE_BINARY_DIR}/changelog @ONLY)
 set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable)
 install(FILES packaging/ostraka.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
-install(FILES packaging/ostraka.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+install(FILES packaging/org.ostraka.ostraka.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES packaging/ostraka-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages
         RENAME ostraka.xml)
 install(FILES resources/icons/ostraka.svg DESTINATION ${icons}/apps)

@@ -74,7 +74,9 @@ GlCanvas::GlCanvas(QWidget* parent)
   vtk_->window->SetOwnContext(0);
   vtk_->window->SetFrameBlitModeToNoBlit();
   vtk_->window->SetMultiSamples(0);
+  vtk_->window->SetNumberOfLayers(2);
   vtk_->window->AddRenderer(scene_->renderer());
+  vtk_->window->AddRenderer(scene_->above());
   vtk_->interactor->SetRenderWindow(vtk_->window);
   vtk_->interactor->SetInteractorStyle(vtk_->style);
   vtk_->interactor->EnableRenderOff();

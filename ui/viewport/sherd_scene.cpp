@@ -77,13 +77,22 @@ struct Drawn {
     mapper->SetScalarModeToUsePointData();
     actor->SetMapper(mapper);
   }
-  void empty() { data->Initialize(); }
+  // An empty mapper remembers where its points were: the view would make room for them.
+  void empty() {
+    data->Initialize();
+    actor->SetUseBounds(false);
+  }
+  void filled() {
+    data->Modified();
+    actor->SetUseBounds(true);
+  }
 };
 
 }  // namespace
 
 struct SherdScene::Actors {
   vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderer> above;  ///< drawn over all else: a line through the sherd is to be seen
   Drawn front, back, rim, model;
   vtkNew<vtkLineSource> line;
   vtkNew<vtkPolyDataMapper> line_mapper, cut_mapper;
@@ -111,7 +120,7 @@ struct SherdScene::Actors {
       if (i < rim_marks.size() && rim_marks[i] != 0) colours[i] = gaps_shown ? kUnseen : rim_colour;
     }
     drawn.data->GetPointData()->SetScalars(coloursOf(colours));
-    drawn.data->Modified();
+    drawn.filled();
   }
   void colour() {
     fill(front, front_cloud, front_rim, look.front_rim);
@@ -153,7 +162,11 @@ SherdScene::SherdScene() : actors_(std::make_unique<Actors>()) {
   a.line_actor->SetMapper(a.line_mapper);
   a.line_actor->SetVisibility(0);
   a.line_actor->PickableOff();
-  a.renderer->AddActor(a.line_actor);
+  a.line_actor->GetProperty()->SetVertexVisibility(true);
+  a.above->SetLayer(1);
+  a.above->SetActiveCamera(a.renderer->GetActiveCamera());
+  a.above->InteractiveOff();
+  a.above->AddActor(a.line_actor);
   a.cutter->SetInputData(a.model.data);
   a.cutter->SetCutFunction(a.plane);
   a.cut_mapper->SetInputConnection(a.cutter->GetOutputPort());
@@ -170,6 +183,10 @@ vtkRenderer* SherdScene::renderer() {
   return actors_->renderer;
 }
 
+vtkRenderer* SherdScene::above() {
+  return actors_->above;
+}
+
 vtkCamera* SherdScene::camera() {
   return actors_->renderer->GetActiveCamera();
 }
@@ -181,6 +198,8 @@ void SherdScene::setLook(const Look& look) {
                             part(look.background[2]));
   for (vtkActor* actor : {a.line_actor.GetPointer(), a.cut_actor.GetPointer()})
     actor->GetProperty()->SetColor(part(look.text[0]), part(look.text[1]), part(look.text[2]));
+  a.line_actor->GetProperty()->SetVertexColor(part(look.text[0]), part(look.text[1]),
+                                              part(look.text[2]));
   a.colour();
 }
 
@@ -228,7 +247,7 @@ void SherdScene::setRim(const std::vector<Eigen::Vector3f>& points,
   a.rim.data->SetPoints(pointsOf(points));
   a.rim.data->SetVerts(vertsOf(points.size()));
   a.rim.data->GetPointData()->SetScalars(coloursOf(colours));
-  a.rim.data->Modified();
+  a.rim.filled();
 }
 
 void SherdScene::setModel(const TriangleMesh& mesh) {
@@ -249,7 +268,7 @@ void SherdScene::setModel(const TriangleMesh& mesh) {
     if (i < mesh.seen.size() && mesh.seen[i] == 0) colours[i] = kUnseen;
   }
   a.model.data->GetPointData()->SetScalars(coloursOf(colours));
-  a.model.data->Modified();
+  a.model.filled();
   a.clip();
 }
 
@@ -315,6 +334,7 @@ void SherdScene::prepare() {
   a.rim.actor->GetProperty()->SetPointSize(static_cast<float>(size + a.ratio));
   for (vtkActor* actor : {a.line_actor.GetPointer(), a.cut_actor.GetPointer()})
     actor->GetProperty()->SetLineWidth(static_cast<float>(2.5 * a.ratio));
+  a.line_actor->GetProperty()->SetPointSize(static_cast<float>(7 * a.ratio));
   a.renderer->ResetCameraClippingRange();
 }
 

@@ -21,6 +21,7 @@ class SherdScene {
   ~SherdScene();
 
   vtkRenderer* renderer();
+  vtkRenderer* above();  ///< of the layer above it, with the same camera
   vtkCamera* camera();
 
   struct Look {

@@ -53,8 +53,9 @@ void ViewOverlay::paintEvent(QPaintEvent*) {
   if (measure_.isEmpty()) return;
   painter.setFont(scaledFont(*this, 1.3));
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(rect().adjusted(0, fontMetrics().height() / 2, 0, 0),
-                   Qt::AlignHCenter | Qt::AlignTop, measure_);
+  const int edge = fontMetrics().height() / 2;  // the legend has the corner above, the bar the left
+  painter.drawText(rect().adjusted(edge, edge, -edge, -edge), Qt::AlignRight | Qt::AlignBottom,
+                   measure_);
 }
 
 void ViewOverlay::paintBar(QPainter& painter) const {
@@ -103,6 +104,8 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
                    edge + line / 2 + metrics.ascent(), far);
   painter.drawText(edge, edge + line / 2 + line + metrics.ascent(),
                    tr("gap between the sides along the rim"));
+  painter.drawText(edge, edge + line / 2 + 2 * line + metrics.ascent(),
+                   tr("grey: not met by the other side"));
 }
 
 }  // namespace ostraka::ui

@@ -39,6 +39,8 @@ class SherdViewTest : public QObject {
   void bothSidesStandInTheirColours();
   void apartTheBackIsSeenToo();
   void theRimIsColouredByItsGap();
+  void whatIsNoLongerShownTakesNoRoom();
+  void aMeasuredLineIsSeenThroughTheSherd();
   void theSectionCutsHalfAway();
   void twoClicksGiveTwoPointsOfTheSherd();
   void controlDragTurnsTheBackAboutTheViewersAxis();
@@ -121,6 +123,42 @@ void SherdViewTest::theRimIsColouredByItsGap() {
   QTRY_VERIFY(count(far) > 500);
   view_->setRim({});
   QTRY_COMPARE(count(far), 0);
+}
+
+// The next sherd fills the view, wherever the one before it lay on the plate.
+void SherdViewTest::whatIsNoLongerShownTakesNoRoom() {
+  QTRY_VERIFY(notBackground() > 10000);
+  const int alone = notBackground();
+  ShownRim rim;
+  rim.points = {{200, 0, 5}, {200, 10, 5}};
+  rim.distance_mm = {0.1f, 0.2f};
+  view_->setRim(rim);
+  view_->setRim({});
+  TriangleMesh mesh;
+  mesh.vertices = {{-200, 0, 0}, {-190, 0, 0}, {-190, 10, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  view_->showModel(mesh);
+  QTRY_VERIFY(notBackground() > 0);
+  view_->showScans(disc(5, 1), disc(0, -1), Eigen::Isometry3d::Identity());
+  QTRY_VERIFY(notBackground() > 0.98 * alone);
+}
+
+void SherdViewTest::aMeasuredLineIsSeenThroughTheSherd() {
+  QTRY_VERIFY(notBackground() > 10000);
+  // The ink of the palette's text stands nowhere in the scans, which are shaded.
+  const auto ink = [this] {
+    const QImage image = picture();
+    const QRgb text = view_->palette().color(QPalette::Text).rgb();
+    int found = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) found += image.pixel(x, y) == text;
+    return found;
+  };
+  const int before = ink();
+  view_->setMeasure({-15, 0, 2}, {15, 0, 2}, "30 mm");  // between the faces, hidden by the front
+  QTRY_VERIFY(ink() > before + 100);
+  view_->setMeasure({}, {}, {});
+  QTRY_COMPARE(ink(), before);
 }
 
 void SherdViewTest::theSectionCutsHalfAway() {

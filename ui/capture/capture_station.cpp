@@ -339,7 +339,9 @@ void CaptureStation::follow() {
     pages_->widget(page)->setSizePolicy(policy, policy);
   }
   const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
-  middle_->setCurrentWidget(shooting ? static_cast<QWidget*>(board_) : plate_);
+  // What was photographed stays in sight when it is done.
+  const bool board = shooting || (phase == CapturePhase::Done && !wizard_->shots().empty());
+  middle_->setCurrentWidget(board ? static_cast<QWidget*>(board_) : plate_);
   headline_->setText(wizard_->headline());
   headline_->setFont(scaledFont(*this, phase == CapturePhase::Done ? 3.0 : 1.8));
   instruction_->setText(wizard_->instruction());
@@ -364,11 +366,11 @@ void CaptureStation::follow() {
 void CaptureStation::followLive() {
   const CapturePhase phase = wizard_->phase();
   const bool front = phase == CapturePhase::Flip && wizard_->frontPicture();
-  plate_->setPicture(
-      front                                                           ? wizard_->frontPicture()
-      : (phase == CapturePhase::Place || phase == CapturePhase::Flip) ? wizard_->live()
-                                                                      : std::nullopt,
-      phase == CapturePhase::Done ? wizard_->instruction() : tr("The picture is on its way."));
+  plate_->setPicture(front ? wizard_->frontPicture()
+                     : (phase == CapturePhase::Place || phase == CapturePhase::Flip)
+                         ? wizard_->live()
+                         : std::nullopt,
+                     phase == CapturePhase::Done ? QString() : tr("The picture is on its way."));
   facts_->setFacts(wizard_->facts());
   numbers_->follow(session_, wizard_->batchNumber(),
                    front ? &wizard_->frontPicture()->look : nullptr);

@@ -91,6 +91,7 @@ QWidget* StartScreen::buildRecent() {
                              "breaks a pot and photographs its sherds for you."),
                           box);
   no_recent_->setWordWrap(true);
+  no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* open = new QPushButton(icon(QStringLiteral("open")), tr("&Open a project…"), box);
   open->setObjectName(QStringLiteral("openProject"));
   auto* try_it = new BigButton(box);
@@ -112,7 +113,7 @@ QWidget* StartScreen::buildRecent() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(label);
   column->addWidget(recent_, 1);
-  column->addWidget(no_recent_);
+  column->addWidget(no_recent_, 1);
   column->addWidget(open);
   column->addWidget(try_it);
   return box;

@@ -143,7 +143,8 @@ void MapStation::listBatches() {
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
-  if (names.isEmpty()) say(tr("No batch is computed yet; its map appears here."));
+  // Said on this page alone: the window's foot belongs to the station in front.
+  if (names.isEmpty()) message_->setText(tr("No batch is computed yet; its map appears here."));
 }
 
 void MapStation::showItem(const QString& batch) {
@@ -155,6 +156,7 @@ void MapStation::openBatch(const QString& batch) {
   const QString lit = batch == batch_ ? view_->highlighted() : QString();
   batch_ = batch;
   batches_->setCurrentText(batch);
+  message_->clear();
   if (opening_) opening_->deleteLater();
   const fs::path output = session_->folder() / "results" / batch.toStdString();
   opening_ = session_->jobs().start(

@@ -10,6 +10,7 @@
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/sherd_numbers.h"
+#include "ui/capture/stop_board.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
@@ -68,6 +69,8 @@ class CaptureStationTest : public QObject {
     const QFontMetricsF letters(child<QLabel>("captureHeadline")->font());
     const double per_mm = station_->screen()->logicalDotsPerInch() / 25.4;
     QVERIFY(letters.capHeight() >= 5 * per_mm);
+    // What was photographed stays in sight.
+    QVERIFY(station_->findChild<StopBoard*>()->isVisible());
   }
 
   void aSpaceTypedIntoTheBagIsNoShot() {

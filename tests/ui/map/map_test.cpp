@@ -27,6 +27,7 @@ class MapTest : public QObject {
   void theQrCodeIsAsSmallAsTheStandardSays();
   void mapAndLabelsAreWrittenAsPdf();
   void aMissingPhotographIsSaid();
+  void theFirstBatchTakesTheMessageAway();
   void noNumberCoversAnother();
 
  private:
@@ -151,6 +152,22 @@ void MapTest::aMissingPhotographIsSaid() {
   QVERIFY(!view()->grab().isNull());
   QCOMPARE(map().back.marks.size(), std::size_t{4});
   std::filesystem::rename(photograph.string() + ".away", photograph);
+}
+
+void MapTest::theFirstBatchTakesTheMessageAway() {
+  const QTemporaryDir empty;
+  const std::filesystem::path folder = empty.path().toStdString();
+  ProjectSession fresh(nullptr, folder, runner_);
+  QSignalSpy said(station_.get(), &Station::said);
+  station_->openProject(fresh);
+  auto* message = station_->findChild<QLabel*>("message");
+  QVERIFY(!message->text().isEmpty());
+  QCOMPARE(said.count(), 0);  // the window's foot is for the station in front
+  pipeline::writeSyntheticOut(folder / "results" / "B0001", {});
+  fresh.tellBatchChanged("B0001");
+  QTRY_VERIFY(map().front.width > 0);
+  QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
+  station_->closeProject();
 }
 
 void MapTest::noNumberCoversAnother() {

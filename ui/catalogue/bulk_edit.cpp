@@ -55,7 +55,8 @@ void BulkEdit::buildLayout() {
   table_->setAccessibleName(tr("What would change"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
+  table_->setWordWrap(true);
   apply_ = new QPushButton(icon("check"), tr("Change"), this);
   apply_->setObjectName("bulkApply");
   apply_->setMinimumHeight(targetSize(*this));
@@ -186,6 +187,7 @@ void BulkEdit::showPreview(const std::vector<catalogue::ChangePreview>& shown,
     table_->setItem(row, 2, then);
   }
   table_->resizeColumnsToContents();
+  table_->resizeRowsToContents();  // a refusal is a whole sentence
   summary_->setText(tr("%1 change, %2 stay as they are, %3 are refused.")
                         .arg(good_.size())
                         .arg(same)

@@ -55,6 +55,16 @@ QString fieldLabel(const std::string& field) {
   return label ? QCoreApplication::translate("Fields", label) : QString::fromStdString(field);
 }
 
+QString measureLabel(const std::string& kind) {
+  const std::string field = kind + "_" + catalogue::unitOf(kind);
+  const QString label = fieldLabel(field);
+  return label == QString::fromStdString(field) ? fieldLabel(kind) : label;
+}
+
+QString measureText(double value) {
+  return QLocale().toString(value, 'f', value >= 1000 ? 0 : 2);
+}
+
 QString stateLabel(catalogue::SherdState state) {
   switch (state) {
     case catalogue::SherdState::Numbered:

@@ -9,6 +9,9 @@ namespace ostraka::ui {
 QString fieldLabel(const std::string& field);
 /// A value as people read it: numbers in the language's form with a sensible number of digits.
 QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field);
+/// What people call a measure, with its unit, and its value in the language's form.
+QString measureLabel(const std::string& kind);
+QString measureText(double value);
 /// A measure of the program whose batch has a doubtful scale; its text ends with a question mark.
 bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field);
 QString stateLabel(catalogue::SherdState state);

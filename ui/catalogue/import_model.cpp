@@ -38,6 +38,25 @@ Result<exchange::ImportReport> run(catalogue::Project& project, const Task& task
                                task.act, progress, stop);
 }
 
+// On a copy: a preview does everything and takes it back, and nobody should wait meanwhile.
+Result<exchange::ImportReport> runOnCopy(const fs::path& folder, const Task& task,
+                                         Progress& progress, std::stop_token stop) {
+  const QTemporaryDir copy;
+  if (!copy.isValid())
+    return Error{ErrorCode::CannotWrite, "There is no room for a copy of the catalogue.",
+                 copy.path().toStdString()};
+  const fs::path there = copy.path().toStdString();
+  {
+    const Result<catalogue::Catalogue> original = catalogue::Project::connect(folder);
+    if (!original) return original.error();
+    if (const auto copied = original->backup(there / "catalogue.sqlite"); !copied)
+      return copied.error();
+  }
+  Result<catalogue::Project> project = catalogue::Project::open(there);
+  if (!project) return project.error();
+  return run(*project, task, progress, stop);
+}
+
 QString text(const std::string& value) {
   return QString::fromStdString(value);
 }
@@ -128,21 +147,7 @@ void ImportModel::look() {
   const auto work = [folder = session_->folder(), task](
                         Progress& progress,
                         std::stop_token stop) -> Result<std::shared_ptr<const Look>> {
-    // On a copy: a preview does everything and takes it back, and nobody should wait meanwhile.
-    const QTemporaryDir copy;
-    if (!copy.isValid())
-      return Error{ErrorCode::CannotWrite, "There is no room for a copy of the catalogue.",
-                   copy.path().toStdString()};
-    const fs::path there = copy.path().toStdString();
-    {
-      const Result<catalogue::Catalogue> original = catalogue::Project::connect(folder);
-      if (!original) return original.error();
-      if (const auto copied = original->backup(there / "catalogue.sqlite"); !copied)
-        return copied.error();
-    }
-    Result<catalogue::Project> project = catalogue::Project::open(there);
-    if (!project) return project.error();
-    Result<exchange::ImportReport> report = run(*project, task, progress, stop);
+    Result<exchange::ImportReport> report = runOnCopy(folder, task, progress, stop);
     if (!report) return report.error();
     auto look = std::make_shared<Look>();
     if (!fs::is_directory(task.source)) {

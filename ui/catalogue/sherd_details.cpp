@@ -6,12 +6,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QStringListModel>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "catalogue/values.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 
@@ -248,13 +248,10 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
   measures_->clear();
   if (const auto all = catalogue.measurements(sherd_))
     for (const catalogue::Measurement& m : *all) {
-      QString label = fieldLabel(m.kind);
-      for (const catalogue::SherdField& field : catalogue::sherdFields())
-        if (std::string(field.name).starts_with(m.kind)) label = fieldLabel(field.name);
       const bool doubtful = sherd.doubtful.contains(m.kind);
       auto* item = new QTreeWidgetItem(
           measures_,
-          {label, QLocale().toString(m.value, 'f', m.value >= 1000 ? 0 : 2),
+          {measureLabel(m.kind), measureText(m.value),
            doubtful ? tr("%1; scale in doubt").arg(methodLabel(m.method)) : methodLabel(m.method)});
       item->setFont(1, tabularFont(font()));
       item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
@@ -270,17 +267,22 @@ void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
       people.insert(person.row.value, QString::fromStdString(person.initials));
   if (const auto all = catalogue.history(sherd_))
     for (const catalogue::HistoryEntry& entry : *all) {
-      const QString old_value = QString::fromStdString(entry.old_value);
-      const QString new_value = QString::fromStdString(entry.new_value);
-      const QString label = fieldLabel(entry.field);
+      const bool measure = !catalogue::unitOf(entry.field).empty();
+      const auto shown = [measure](const std::string& value) {
+        const Result<double> number = catalogue::parsedNumber(value);
+        return measure && number ? measureText(*number) : QString::fromStdString(value);
+      };
+      const QString old_value = shown(entry.old_value), new_value = shown(entry.new_value);
+      const QString label = measureLabel(entry.field);
       const QString what =
           entry.field.empty() ? tr("added")
           : old_value.isEmpty()
               ? tr("%1: %2").arg(label, new_value)
               : tr("%1: %2 → %3")
                     .arg(label, old_value, new_value.isEmpty() ? tr("nothing") : new_value);
-      new QTreeWidgetItem(history_,
-                          {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
+      auto* item = new QTreeWidgetItem(
+          history_, {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
+      item->setToolTip(2, what);  // a narrow column cuts it off
     }
   fitHeight(history_);
 }

@@ -14,6 +14,7 @@
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include "sample_project.h"
 #include "ui/catalogue/drawing_page.h"
@@ -105,6 +106,18 @@ class CatalogueStationTest : public QObject {
     const auto history = sample_->catalogue().history(sample_->sherds()[0]);
     QCOMPARE(history->front().field, std::string("part"));
     QVERIFY(static_cast<bool>(history->front().by));
+  }
+
+  void theHistoryTellsMeasuresAsPeopleReadThem() {
+    choose(0);
+    QStringList told;
+    for (const QTreeWidget* tree : station_->findChildren<QTreeWidget*>())
+      if (tree->accessibleName() == QLatin1String("History"))
+        for (int i = 0; i < tree->topLevelItemCount(); ++i)
+          told << tree->topLevelItem(i)->text(2);
+    const QStringList lengths = told.filter(QLatin1String("length, mm: "));
+    QCOMPARE(lengths.size(), 1);
+    QCOMPARE(lengths.front(), QString("length, mm: 40.00"));
   }
 
   void aSherdMovesToAnotherContextInOneStep() {

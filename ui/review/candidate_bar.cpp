@@ -1,5 +1,6 @@
 #include "ui/review/candidate_bar.h"
 
+#include <QEvent>
 #include <QMenu>
 #include <QToolButton>
 
@@ -79,6 +80,11 @@ void CandidateBar::mark() {
     buttons_[i]->setFont(font);
     buttons_[i]->setPalette(look);
   }
+}
+
+void CandidateBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) mark();
 }
 
 void CandidateBar::fillOthers() {

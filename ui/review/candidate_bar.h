@@ -15,6 +15,9 @@ class CandidateBar final : public QWidget {
  public:
   explicit CandidateBar(PairReviewModel& model, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent* event) override;  ///< marks follow the theme
+
  private:
   void rebuild();
   void mark();

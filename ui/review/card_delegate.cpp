@@ -90,19 +90,27 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   QFont bold = option.font;
   bold.setBold(true);
   painter->setFont(bold);
-  painter->drawText(
-      words, Qt::AlignLeft | Qt::AlignTop,
-      metrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, words.width()));
-  painter->setPen(colours.of(colour));
   const QString mark = colour == State::Sure  ? QStringLiteral("✓ ")
                        : colour == State::Ask ? QStringLiteral("? ")
                                               : QString();
-  painter->drawText(words, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap,
-                    mark + index.data(PairReviewModel::StateWordRole).toString());
+  const QString state_words = mark + index.data(PairReviewModel::StateWordRole).toString();
+  const QString name = index.data(Qt::DisplayRole).toString();
+  QRect reason(card.left() + 10, back.bottom() + 2, card.width() - 14,
+               kReasonLines * metrics.height());
+  if (QFontMetrics(bold).horizontalAdvance(name) <= words.width()) {
+    painter->drawText(words, Qt::AlignLeft | Qt::AlignTop, name);
+    painter->setPen(colours.of(colour));
+    painter->drawText(words, Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, state_words);
+  } else {
+    // Large letters find no room beside the pictures: name and state take a line below them.
+    const QRect line(reason.left(), reason.top(), reason.width(), metrics.height());
+    reason.setTop(line.bottom() + 1);
+    painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter, name);
+    painter->setPen(colours.of(colour));
+    painter->drawText(line, Qt::AlignRight | Qt::AlignVCenter, mark.isEmpty() ? state_words : mark);
+  }
   painter->setFont(option.font);
   painter->setPen(option.palette.color(QPalette::Text));
-  const QRect reason(card.left() + 10, back.bottom() + 2, card.width() - 14,
-                     kReasonLines * metrics.height());
   drawReason(*painter, reason, metrics, index.data(PairReviewModel::WordsRole).toString());
   painter->restore();
 }

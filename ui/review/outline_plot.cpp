@@ -9,6 +9,25 @@
 #include "ui/frame/state_colours.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr double kLeastShare = 0.5;  // of the usual letters
+
+// Words that a narrow place would cut off get smaller letters.
+void drawFitted(QPainter& painter, const QRectF& where, const QString& words) {
+  const QFont usual = painter.font();
+  const double needed = QFontMetricsF(usual).horizontalAdvance(words);
+  if (needed > where.width() && usual.pointSizeF() > 0) {
+    QFont smaller = usual;
+    smaller.setPointSizeF(usual.pointSizeF() *
+                          std::max(kLeastShare, 0.97 * where.width() / needed));
+    painter.setFont(smaller);
+  }
+  painter.drawText(where, Qt::AlignCenter, words);
+  painter.setFont(usual);
+}
+
+}  // namespace
 
 OutlinePlot::OutlinePlot(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Outlines laid over each other, and their turning angles"));
@@ -43,10 +62,8 @@ void OutlinePlot::paintEvent(QPaintEvent*) {
   const QRectF left(all.left(), all.top(), all.width() / 2 - 6, all.height());
   const QRectF right(all.center().x() + 6, all.top(), all.width() / 2 - 6, all.height());
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRectF(left.left(), 0, left.width(), line), Qt::AlignCenter,
-                   tr("outlines on each other"));
-  painter.drawText(QRectF(right.left(), 0, right.width(), line), Qt::AlignCenter,
-                   tr("turning angles"));
+  drawFitted(painter, QRectF(left.left(), 0, left.width(), line), tr("outlines on each other"));
+  drawFitted(painter, QRectF(right.left(), 0, right.width(), line), tr("turning angles"));
   paintOutlines(painter, left);
   paintTurns(painter, right);
 }
@@ -95,10 +112,10 @@ void OutlinePlot::paintTurns(QPainter& painter, const QRectF& where) const {
     painter.drawPath(path);
   }
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRectF(where.left(), height() - fontMetrics().height() - 2, where.width(),
-                          fontMetrics().height()),
-                   Qt::AlignCenter,
-                   tr("differ by %1 rad").arg(QLocale().toString(view_.turns_difference, 'f', 2)));
+  drawFitted(painter,
+             QRectF(where.left(), height() - fontMetrics().height() - 2, where.width(),
+                    fontMetrics().height()),
+             tr("differ by %1 rad").arg(QLocale().toString(view_.turns_difference, 'f', 2)));
 }
 
 }  // namespace ostraka::ui

@@ -1,9 +1,11 @@
 #include "ui/review/review_pane.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -187,18 +189,36 @@ QLayout* ReviewPane::buttons() {
     const QString key = action->shortcut().toString(QKeySequence::NativeText);
     action->setIconText(tr("%1 %2").arg(action->text(), key));
     button->setDefaultAction(action);
-    // Dark themes hardly tell a pressed button from another.
-    connect(action, &QAction::toggled, button, [this, button](bool on) {
-      QPalette look;
-      if (on) look.setColor(QPalette::Button, StateColours(palette()).behind(State::Selected));
-      button->setPalette(look);
-    });
+    connect(action, &QAction::toggled, this, &ReviewPane::tintPressed);
+    buttons_.push_back(button);
     button->setAccessibleName(tr("%1, key %2").arg(action->text(), key));
     button->setFocusPolicy(Qt::TabFocus);
     button->setMinimumHeight(fontMetrics().height() * 2);
     row->addWidget(button);
   }
   return row;
+}
+
+// As wide as the letters want, but never at the cost of what is to be compared.
+void ReviewPane::fitCards() {
+  cards_->setFixedWidth(
+      std::min(fontMetrics().height() * 15, screen()->availableSize().width() / 5));
+}
+
+// Dark themes hardly tell a pressed button from another.
+void ReviewPane::tintPressed() {
+  for (QToolButton* button : buttons_) {
+    QPalette look;
+    if (button->defaultAction()->isChecked())
+      look.setColor(QPalette::Button, StateColours(palette()).behind(State::Selected));
+    button->setPalette(look);
+  }
+}
+
+void ReviewPane::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) tintPressed();
+  if (event->type() == QEvent::FontChange && cards_ != nullptr) fitCards();
 }
 
 void ReviewPane::buildLayout() {
@@ -240,7 +260,7 @@ void ReviewPane::buildLayout() {
   right->addLayout(last);
   auto* all = new QHBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
-  cards_->setFixedWidth(fontMetrics().height() * 15);
+  fitCards();
   all->addWidget(cards_);
   all->addLayout(right, 1);
 }

@@ -8,6 +8,7 @@ class QAction;
 class QLabel;
 class QLayout;
 class QPushButton;
+class QToolButton;
 
 namespace ostraka::ui {
 
@@ -29,7 +30,12 @@ class ReviewPane final : public QWidget {
 
   SherdView& view() { return *view_; }
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void tintPressed();
+  void fitCards();
   void buildLayout();
   void buildActions();
   void buildViewActions();
@@ -63,6 +69,7 @@ class ReviewPane final : public QWidget {
           *along_rim_ = nullptr, *closed_ = nullptr, *cut_ = nullptr, *join_ = nullptr;
   JoinMode* joining_ = nullptr;
   QList<QAction*> shown_actions_;  ///< those with a button
+  QList<QToolButton*> buttons_;
   std::shared_ptr<const PairScene> scene_;
   std::vector<Eigen::Vector3d> measured_;
 };

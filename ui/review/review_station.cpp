@@ -1,5 +1,6 @@
 #include "ui/review/review_station.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +12,7 @@
 #include "catalogue/project.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/state_colours.h"
 #include "ui/queue/batch_figures.h"
 #include "ui/review/catalogue_entry.h"
 #include "ui/review/pair_review_model.h"
@@ -62,6 +64,7 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
   head->addWidget(person_);
   auto* all = new QVBoxLayout(this);
   all->addLayout(head);
+  all->addWidget(buildScale());
   connect(batches_, &QComboBox::activated, this,
           [this](int index) { openOutput(batches_->itemText(index)); });
   connect(person_, &QLineEdit::editingFinished, this, [this] {
@@ -72,6 +75,40 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
 }
 
 ReviewStation::~ReviewStation() = default;
+
+QWidget* ReviewStation::buildScale() {
+  scale_ = new QFrame(this);
+  scale_->setObjectName("scaleInDoubt");
+  scale_->setFrameShape(QFrame::StyledPanel);
+  scale_->setAutoFillBackground(true);
+  scale_words_ = new QLabel(scale_);
+  scale_words_->setObjectName("scaleWords");
+  scale_words_->setWordWrap(true);
+  auto* report = new QPushButton(icon(QStringLiteral("report")), tr("Where its report is"), scale_);
+  report->setFocusPolicy(Qt::TabFocus);
+  connect(report, &QPushButton::clicked, this,
+          [this] { emit wantsStation(QStringLiteral("queue"), batch_); });
+  auto* row = new QHBoxLayout(scale_);
+  row->addWidget(scale_words_, 1);
+  row->addWidget(report);
+  scale_->hide();
+  return scale_;
+}
+
+// A batch that is held for its scale says so beside its pairs: nothing here can settle it.
+void ReviewStation::showScale() {
+  QString doubts;
+  if (session_ && session_->hasProject())
+    if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
+      doubts = QString::fromStdString(batch->scale_doubts);
+  doubts.replace(QLatin1Char('\n'), QLatin1Char(' '));
+  scale_words_->setText(
+      tr("The scale of %1 is in doubt, so none of its measures is sure. %2").arg(batch_, doubts));
+  QPalette look;  // the one colour only: all others follow the theme
+  look.setColor(QPalette::Window, StateColours(QApplication::palette()).behind(State::Ask));
+  scale_->setPalette(look);
+  scale_->setVisible(!doubts.isEmpty());
+}
 
 void ReviewStation::openProject(ProjectSession& session) {
   closeProject();
@@ -107,6 +144,7 @@ void ReviewStation::closeProject() {
   batches_->clear();
   message_->clear();
   compute_->hide();
+  scale_->hide();
 }
 
 fs::path ReviewStation::outputOf(const QString& batch) const {
@@ -140,6 +178,7 @@ void ReviewStation::openOutput(const QString& batch) {
   batches_->setCurrentText(batch);
   compute_->hide();
   message_->clear();
+  showScale();
   if (opening_) opening_->deleteLater();
   opening_ = session_->jobs().start(
       makeJob(tr("Opening %1").arg(batch),
@@ -202,6 +241,7 @@ Result<void> ReviewStation::tellQueue(const std::string& person) {
 void ReviewStation::follow(const QString& batch) {
   listBatches();
   if (batches_->findText(batch) < 0) return;
+  if (batch == batch_) showScale();
   // The first batch that is computed shows itself; one that was computed anew is read anew.
   if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) != stamp_)) openOutput(batch);
 }

@@ -8,6 +8,7 @@
 #include "ui/jobs/job.h"
 
 class QComboBox;
+class QFrame;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -49,6 +50,8 @@ class ReviewStation final : public Station {
   void follow(const QString& batch);
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
+  QWidget* buildScale();
+  void showScale();
   std::filesystem::path outputOf(const QString& batch) const;
 
   QPointer<ProjectSession> session_;
@@ -57,6 +60,8 @@ class ReviewStation final : public Station {
   QLineEdit* person_ = nullptr;
   QLabel* message_ = nullptr;
   QPushButton* compute_ = nullptr;
+  QFrame* scale_ = nullptr;  ///< what holds the batch, besides its pairs
+  QLabel* scale_words_ = nullptr;
   PairReviewModel* model_ = nullptr;
   QPointer<ReviewPane> pane_;
   QPointer<JobHandle> opening_;

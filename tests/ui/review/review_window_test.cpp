@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -42,6 +43,7 @@ class ReviewWindowTest : public QObject {
   void piecesOfTheBackAreJoinedByKeyboardAndByMouse();
   void theQueueFollowsWhatIsDecided();
   void whatIsOnlyConfirmedNeedsNoComputing();
+  void aBatchOfDoubtfulScaleSaysSoAboveItsPairs();
   void everyControlHasAName();
 
  private:
@@ -395,6 +397,28 @@ void ReviewWindowTest::whatIsOnlyConfirmedNeedsNoComputing() {
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(model()->waiting(), 2);
   QCOMPARE(batchState(), catalogue::BatchState::Review);
+}
+
+void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
+  open(3, true);
+  auto* bar = station_->findChild<QWidget*>("scaleInDoubt");
+  QVERIFY(!bar->isVisible());
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  catalogue::BatchRecord held = *rows.batchByNumber("B0001");
+  held.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+  QVERIFY(rows.saveBatch(held, {}).has_value());
+  session_->tellBatchChanged("B0001");
+  QTRY_VERIFY(bar->isVisible());
+  const QString words = station_->findChild<QLabel*>("scaleWords")->text();
+  QVERIFY2(words.contains("50 mm measure 49.5 mm") && words.contains("B0001"), qPrintable(words));
+  QSignalSpy asked(station_, &Station::wantsStation);
+  QTest::mouseClick(bar->findChild<QPushButton*>(), Qt::LeftButton);
+  QCOMPARE(asked.count(), 1);
+  QCOMPARE(asked.at(0).at(0).toString(), QStringLiteral("queue"));
+  held.scale_doubts.clear();
+  QVERIFY(rows.saveBatch(held, {}).has_value());
+  session_->tellBatchChanged("B0001");
+  QTRY_VERIFY(!bar->isVisible());
 }
 
 void ReviewWindowTest::everyControlHasAName() {

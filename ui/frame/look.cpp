@@ -45,14 +45,18 @@ QPalette palette(const QColor& window, const QColor& base, const QColor& text, c
   return made;
 }
 
-// Fusion, with thick lines where the sun shines on the screen.
+// Fusion, with icons as large as the letters and thick lines where the sun shines on the screen.
 class OstrakaStyle final : public QProxyStyle {
  public:
   OstrakaStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("fusion"))) {}
 
   int pixelMetric(PixelMetric metric, const QStyleOption* option,
                   const QWidget* widget) const override {
-    const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    int usual = QProxyStyle::pixelMetric(metric, option, widget);
+    // Icons grow with the letters that they stand beside.
+    if (metric == PM_ButtonIconSize || metric == PM_SmallIconSize || metric == PM_TabBarIconSize ||
+        metric == PM_LineEditIconSize)
+      usual = std::max(usual, QFontMetrics(QApplication::font()).height());
     if (!qApp->property(kSunlightProperty).toBool()) return usual;
     if (metric == PM_DefaultFrameWidth) return usual + 1;
     return usual;

@@ -8,6 +8,7 @@
 
 #include "base/json.h"
 #include "pipeline/chain.h"
+#include "pipeline/moved_batch.h"
 #include "rig/camera.h"
 
 namespace ostraka::pipeline {
@@ -111,8 +112,7 @@ void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke) {
     cv::min(whole, others, whole);
 }
 
-Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output,
-                                                        const fs::path& batch) {
+Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output) {
   const fs::path work = output / "work";
   const Result<std::vector<rig::PosedImage>> images = rig::readCameras(work / "rig/cameras.json");
   if (!images) return images.error();
@@ -122,10 +122,7 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output,
         work / (std::string("masks_") + batch::name(image.side)) / maskName(image);
     std::error_code ignored;
     if (!fs::exists(mask, ignored)) continue;
-    // The project may have moved since: only the last two names count.
-    const fs::path then = image.file;
-    all.push_back({image.side, image.camera, image.stop,
-                   batch / then.parent_path().filename() / then.filename(), mask});
+    all.push_back({image.side, image.camera, image.stop, photographNow(image.file, output), mask});
   }
   if (all.empty())
     return Error{ErrorCode::UnusableInput,

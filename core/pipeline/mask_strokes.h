@@ -35,15 +35,14 @@ nlohmann::ordered_json toJson(const std::vector<MaskStroke>& strokes);
 /// mask: 0..255 as in mask/masks.h, of the photograph's size.
 void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke);
 
-/// A photograph whose mask a run left, wherever the batch lies now.
+/// A photograph whose mask a run left, where it lies now (photographNow).
 struct MaskedPhotograph {
   batch::Side side = batch::Side::Front;
   int camera = 0, stop = 0;
   std::filesystem::path photograph, mask;  ///< mask: the program's own, without strokes
 };
 /// In the order of sides, stops and cameras. Errors: UnusableInput when there are no whole masks.
-Result<std::vector<MaskedPhotograph>> maskedPhotographs(const std::filesystem::path& output,
-                                                        const std::filesystem::path& batch);
+Result<std::vector<MaskedPhotograph>> maskedPhotographs(const std::filesystem::path& output);
 
 /// The folder under OUT/work with the masks that count: mended_front when people painted on it and
 /// a run has followed, else masks_front.

@@ -7,7 +7,6 @@ namespace fs = std::filesystem;
 fs::path photographNow(const std::string& then, const fs::path& output) {
   const fs::path old(then);
   std::error_code ignored;
-  if (fs::exists(old, ignored)) return old;
   const fs::path results = fs::absolute(output, ignored).lexically_normal();
   const fs::path folder = results.has_filename() ? results : results.parent_path();
   const fs::path now = folder.parent_path().parent_path() / "batches" / folder.filename() /

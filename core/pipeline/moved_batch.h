@@ -4,9 +4,10 @@
 
 namespace ostraka::pipeline {
 
-/// Where a photograph lies that a run named with its whole path: there still, or, when the project
-/// was moved or mounted elsewhere, in the batch's folder beside the results (PROJECT/results/B0031
-/// and PROJECT/batches/B0031). The old path when it is in neither place.
+/// Where a photograph lies that a run named with its whole path: in the batch's folder beside the
+/// results (PROJECT/results/B0031 and PROJECT/batches/B0031), which a project that was moved,
+/// copied or mounted elsewhere takes along, or else where it lay then. The old path when it is in
+/// neither.
 std::filesystem::path photographNow(const std::string& then, const std::filesystem::path& output);
 
 }  // namespace ostraka::pipeline

@@ -114,11 +114,10 @@ void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
   session_ = &session;
   batch_ = batch;
   output_ = session.folder() / "results" / batch.toStdString();
-  const auto folder = session.folder() / "batches" / batch.toStdString();
   job_ = session.jobs().start(
       makeJob(tr("Masks of %1").arg(batch),
-              [output = output_, folder](Progress&, std::stop_token) -> Result<OpenedMasks> {
-                auto photographs = pipeline::maskedPhotographs(output, folder);
+              [output = output_](Progress&, std::stop_token) -> Result<OpenedMasks> {
+                auto photographs = pipeline::maskedPhotographs(output);
                 if (!photographs) return photographs.error();
                 auto strokes = pipeline::readMaskStrokes(output);
                 if (!strokes) return strokes.error();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "pipeline/live_pairs.h"
 #include "pipeline/plate_map.h"
@@ -40,6 +41,15 @@ TEST_F(MovedBatch, ItsPhotographsAreFoundBesideTheResults) {
   ASSERT_TRUE(map.has_value()) << map.error().sentence();
   EXPECT_EQ(map->front.photograph, found);
   EXPECT_TRUE((*live)->view(0, 0, Eigen::Isometry3d::Identity()).has_value());
+}
+
+TEST_F(MovedBatch, ACopyUsesItsOwnPhotographs) {
+  const fs::path then = folder / "then/batches/B0001/front/cam0_pos00.jpg";
+  fs::create_directories(then.parent_path());
+  std::ofstream(then) << "JPEG";
+  fs::copy(folder / "then", folder / "copy", fs::copy_options::recursive);
+  EXPECT_EQ(photographNow(then.string(), folder / "copy/results/B0001"),
+            folder / "copy/batches/B0001/front/cam0_pos00.jpg");
 }
 
 TEST_F(MovedBatch, APhotographThatIsGoneKeepsItsName) {

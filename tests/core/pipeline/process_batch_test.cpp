@@ -283,7 +283,7 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   // 14 pixels around its middle are gone from the first sherd; the second loses nothing.
   EXPECT_LT(points("01"), 0.95 * first_before);
   EXPECT_GT(points("02"), 0.98 * second_before);
-  const auto masked = maskedPhotographs(out, folder_ / "batch");
+  const auto masked = maskedPhotographs(out);
   ASSERT_TRUE(masked.has_value()) << masked.error().sentence();
   EXPECT_EQ(masked->size(), images->size());
   EXPECT_TRUE(fs::exists(masked->front().photograph));

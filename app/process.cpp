@@ -113,6 +113,9 @@ void addProcess(CLI::App& root, Command& chosen) {
                    "segmentation network as an ONNX file")
       ->capture_default_str();
   addMegapixels(*command, options->megapixels);
+  command->add_flag_callback(
+      "--draft", [options] { options->megapixels = pipeline::kDraftMegapixels; },
+      "A quick look, coarser; the same command without it computes the final models");
   addPairing(*command, options->pairing);
   command->callback([options, &chosen] {
     chosen = [options](Session& session) { return runProcess(*options, session); };

@@ -9,6 +9,7 @@
 #include "pipeline/decisions.h"
 #include "pipeline/pair_sides.h"
 #include "pipeline/process_batch.h"
+#include "pipeline/scan_folder.h"
 #include "pipeline/stage.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
@@ -75,6 +76,10 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
 /// Pieces as people joined and split them; without such decisions as the program found them.
 Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
                                                   const Staged<PointCloud>& cloud);
+/// The same from scans that were split already; they are named f001 or b001 on in their order, and
+/// the record says which file each came from.
+Result<Staged<std::vector<scan::Scan>>> importStage(const Run& run, batch::Side side,
+                                                    const ScanFolder& folder);
 /// The mask's file in OUT/work/masks_front or masks_back: cam0_pos00.png.
 std::string maskName(const rig::PosedImage& image);
 /// The folder under OUT/work that holds the scans of a side: scans_front, or pieces_front.

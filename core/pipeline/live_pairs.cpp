@@ -217,10 +217,13 @@ Result<std::shared_ptr<const LivePairs>> LivePairs::open(const fs::path& output)
   Result<CandidateTable> table = readCandidatesOf(output);
   if (!table) return table.error();
   state->table = std::move(*table);
-  Result<std::vector<rig::PosedImage>> images =
-      rig::readCameras(output / "work" / "rig" / "cameras.json");
-  if (!images) return images.error();
-  state->images = std::move(*images);
+  const fs::path cameras = output / "work" / "rig" / "cameras.json";
+  std::error_code ignored;
+  if (fs::exists(cameras, ignored)) {  // imported scans have no photographs
+    Result<std::vector<rig::PosedImage>> images = rig::readCameras(cameras);
+    if (!images) return images.error();
+    state->images = std::move(*images);
+  }
   for (rig::PosedImage& image : state->images)
     image.file = photographNow(image.file, output).string();
   resizeSide(state->images, Side::Back, state->table.back_scale);
@@ -331,6 +334,10 @@ Result<PairView> LivePairs::view(int front, int back, const Isometry3d& pose) co
   std::vector<Eigen::Vector3f> both = (*f)->cloud.points;
   both.insert(both.end(), moved.points.begin(), moved.points.end());
   view.frame = frameAround(both, kPixel_mm, kMargin_mm);
+  if (state_->images.empty()) {
+    view.front = pointPicture((*f)->cloud, Isometry3d::Identity(), Facing::Up, view.frame);
+    view.back = pointPicture((*b)->cloud, pose, Facing::Down, view.frame);
+  }
   if (const auto photograph = state_->photographOf(Side::Front))
     view.front = orthophoto((*photograph)->picture, (*photograph)->mask, (*photograph)->image,
                             (*f)->cloud.points, Isometry3d::Identity(), Facing::Up, view.frame);
@@ -355,9 +362,11 @@ PictureFrame LivePairs::frameOf(Side side, int scan, double px_mm) const {
 Result<Picture> LivePairs::picture(Side side, int scan, double px_mm) const {
   const Result<const scan::Scan*> points = state_->scanOf(side, scan);
   if (!points) return points.error();
+  const PictureFrame frame = frameOf(side, scan, px_mm);
+  if (state_->images.empty())
+    return pointPicture((*points)->cloud, Isometry3d::Identity(), Facing::Up, frame);
   const Result<const Photograph*> photograph = state_->photographOf(side);
   if (!photograph) return photograph.error();
-  const PictureFrame frame = frameOf(side, scan, px_mm);
   return orthophoto((*photograph)->picture, (*photograph)->mask, (*photograph)->image,
                     (*points)->cloud.points, Isometry3d::Identity(), Facing::Up, frame);
 }

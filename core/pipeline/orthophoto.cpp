@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 namespace ostraka::pipeline {
@@ -9,6 +10,9 @@ namespace {
 
 constexpr double kCell_mm = 1.0;    // two or three points in each cell
 constexpr double kAround_mm = 1.5;  // a photograph's edge lies this near to the scan's
+
+constexpr double kPointReach_mm = 0.25;  // scans hold a point every 0.2 to 0.4 mm
+constexpr Color kPlainClay = {176, 160, 144};
 
 // Heights per cell; cells without points get their surroundings' height.
 struct HeightField {
@@ -128,6 +132,40 @@ Picture orthophoto(const cv::Mat& photograph, const cv::Mat1b& mask, const rig::
   cv::mixChannels(planes, 1, &rgba, 1, from_to, 1);
   Picture picture{rgba.cols, rgba.rows, {}};
   picture.rgba.assign(rgba.data, rgba.data + rgba.total() * 4);
+  return picture;
+}
+
+Picture pointPicture(const PointCloud& cloud, const Eigen::Isometry3d& frame_from_cloud,
+                     Facing facing, const PictureFrame& frame) {
+  if (cloud.empty() || frame.width < 1 || frame.height < 1) return {};
+  const PointCloud seen = transformed(cloud, frame_from_cloud);
+  const float sign = facing == Facing::Up ? 1.0f : -1.0f;
+  const int reach = std::max(1, static_cast<int>(std::ceil(kPointReach_mm / frame.px_mm)));
+  cv::Mat1f nearest(frame.height, frame.width, -std::numeric_limits<float>::max());
+  Picture picture{frame.width, frame.height, {}};
+  picture.rgba.assign(static_cast<std::size_t>(frame.width) * frame.height * 4, 0);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const float lit = seen.hasNormals() ? sign * seen.normals[i].z() : 1.0f;
+    if (lit < 0) continue;  // the other face
+    const Color own = i < seen.colors.size() ? seen.colors[i] : kPlainClay;
+    // Light from above, so that relief is seen where colours are missing.
+    const float shade = seen.hasNormals() ? 0.35f + 0.65f * lit : 1.0f;
+    const Eigen::Vector2d at =
+        (seen.points[i].head<2>().cast<double>() - frame.low_mm) / frame.px_mm;
+    const int column = static_cast<int>(at.x()), row = frame.height - 1 - static_cast<int>(at.y());
+    const float height = sign * seen.points[i].z();
+    for (int r = std::max(0, row - reach); r <= std::min(frame.height - 1, row + reach); ++r)
+      for (int c = std::max(0, column - reach); c <= std::min(frame.width - 1, column + reach);
+           ++c) {
+        if (height <= nearest(r, c)) continue;
+        nearest(r, c) = height;
+        std::uint8_t* pixel = &picture.rgba[4 * (static_cast<std::size_t>(r) * frame.width +
+                                                 static_cast<std::size_t>(c))];
+        for (int k = 0; k < 3; ++k)
+          pixel[k] = static_cast<std::uint8_t>(shade * own[static_cast<std::size_t>(k)]);
+        pixel[3] = 255;
+      }
+  }
   return picture;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "cloud/point_cloud.h"
 #include "rig/camera.h"
 
 namespace ostraka::pipeline {
@@ -39,5 +40,10 @@ Picture orthophoto(const cv::Mat& photograph, const cv::Mat1b& mask, const rig::
                    std::span<const Eigen::Vector3f> points,
                    const Eigen::Isometry3d& plate_from_frame, Facing facing,
                    const PictureFrame& frame);
+
+/// The points themselves in their colours (or shaded grey), for scans without a photograph; a point
+/// fills the gaps to its neighbours. frame_from_cloud brings them into the frame.
+Picture pointPicture(const PointCloud& cloud, const Eigen::Isometry3d& frame_from_cloud,
+                     Facing facing, const PictureFrame& frame);
 
 }  // namespace ostraka::pipeline

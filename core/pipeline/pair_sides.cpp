@@ -1,7 +1,9 @@
 #include "pipeline/pair_sides.h"
 
+#include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "base/json.h"
 #include "base/parallel.h"
@@ -125,6 +127,18 @@ std::vector<PreparedStrip> stripsOf(std::span<const scan::Scan> scans,
   return strips;
 }
 
+// To find candidates takes a small part of the time that their registration takes.
+class NotesOnly final : public Progress {
+ public:
+  explicit NotesOnly(Progress& outer) : outer_(outer) {}
+  void begin(std::string_view, double) override {}
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel level, std::string_view text) override { outer_.note(level, text); }
+
+ private:
+  Progress& outer_;
+};
+
 }  // namespace
 
 Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
@@ -132,16 +146,22 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
                                     const registration::Witnesses& witnesses,
                                     const PairOptions& options, Progress& progress,
                                     std::stop_token stop) {
+  NotesOnly notes(progress);
   const Result<std::vector<pairing::PairCandidate>> candidates =
-      pairing::findCandidates(fronts, backs, options.candidates, progress, stop);
+      pairing::findCandidates(fronts, backs, options.candidates, notes, stop);
   if (!candidates) return candidates.error();
   const auto front_strips = stripsOf(fronts, options.registration.strip, options.threads);
   const auto back_strips = stripsOf(backs, options.registration.strip, options.threads);
 
   std::vector<Registered> registered(candidates->size());
   QuietProgress quiet;
+  std::atomic<std::int64_t> done = 0;
+  const std::thread::id own = std::this_thread::get_id();
   parallelFor(candidates->size(), options.threads, [&](std::size_t i) {
     if (stop.stop_requested()) return;
+    const std::int64_t before = done++;
+    if (std::this_thread::get_id() == own)
+      progress.report(before, static_cast<std::int64_t>(candidates->size()));
     const pairing::PairCandidate& candidate = (*candidates)[i];
     registered[i].candidate = &candidate;
     if (candidate.starts.empty()) return;

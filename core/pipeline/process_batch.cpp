@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -15,7 +14,10 @@
 #include "pairing/common_scale.h"
 #include "pipeline/candidate_table.h"
 #include "pipeline/no_plate.h"
+#include "pipeline/preflight.h"
 #include "pipeline/report.h"
+#include "pipeline/run_log.h"
+#include "pipeline/scan_folder.h"
 #include "pipeline/stillness.h"
 
 namespace ostraka::pipeline {
@@ -23,44 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-// Passes everything on and keeps the warnings.
-class WarningsKept final : public Progress {
- public:
-  explicit WarningsKept(Progress& outer) : outer_(outer) {}
-  void begin(std::string_view stage, double share) override { outer_.begin(stage, share); }
-  void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
-  void note(NoteLevel level, std::string_view text) override {
-    if (level == NoteLevel::Warning) warnings.emplace_back(text);
-    outer_.note(level, text);
-  }
-  std::vector<std::string> warnings;
-
- private:
-  Progress& outer_;
-};
-
-// Passes everything on and keeps OUT/log.txt, where the warnings come first that were given before.
-class LoggedProgress final : public Progress {
- public:
-  LoggedProgress(Progress& outer, const fs::path& file, const std::vector<std::string>& before)
-      : outer_(outer), log_(file, std::ios::app) {
-    for (const std::string& warning : before) log_ << "warning: " << warning << std::endl;
-  }
-  void begin(std::string_view stage, double share) override {
-    log_ << "stage " << stage << std::endl;
-    outer_.begin(stage, share);
-  }
-  void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
-  void note(NoteLevel level, std::string_view text) override {
-    log_ << (level == NoteLevel::Warning ? "warning: " : "") << text << std::endl;
-    outer_.note(level, text);
-  }
-
- private:
-  Progress& outer_;
-  std::ofstream log_;
-};
 
 std::string nameOf(const fs::path& file, const batch::Batch& batch) {
   return file.lexically_proximate(batch.folder).generic_string();
@@ -276,8 +240,9 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
 
 // The model of each pair, in their order, its part of the report and its line of the summary.
 Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided, const Sides& front,
-                        const Sides& back, ReportInput& report, ProcessSummary& summary) {
-  run.progress.begin("models", 0.12);
+                        const Sides& back, double share, ReportInput& report,
+                        ProcessSummary& summary) {
+  run.progress.begin("models", share);
   const std::string scans = front.scans.record.outputs_hash + back.scans.record.outputs_hash;
   for (std::size_t i = 0; i < decided.size(); ++i) {
     if (run.stop.stop_requested()) return Error::cancelled();
@@ -306,22 +271,20 @@ Result<void> writeReports(const fs::path& output, const Pairs& pairs, const Repo
   return writeJson(output / "report.json", reportJson(report));
 }
 
-// reading: the warnings about the batch itself.
-Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& reading) {
-  ReportInput report;
-  run.progress.begin("cameras", 0.05);
-  Result<Staged<Poses>> poses = poseStage(run);
-  if (!poses) return poses.error();
-  report.stages.push_back({"cameras", poses->record});
-  const Result<Sides> front = processSide(run, batch::Side::Front, *poses, report.stages);
-  if (!front) return front.error();
-  Result<Sides> back = processSide(run, batch::Side::Back, *poses, report.stages);
-  if (!back) return back.error();
-  run.progress.begin("pairs", 0.07);
-  const Result<double> back_scale = matchSizes(run, *poses, *front, *back, report.stages);
+// Expected parts of the whole job's time.
+struct Shares {
+  double pairs = 0.07, models = 0.12;
+};
+
+// From the scans of both sides on. reading: the warnings about the batch itself.
+Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const Sides& front,
+                                   Sides& back, ReportInput report, const Shares& shares,
+                                   const std::vector<std::string>& reading) {
+  run.progress.begin("pairs", shares.pairs);
+  const Result<double> back_scale = matchSizes(run, poses, front, back, report.stages);
   if (!back_scale) return back_scale.error();
   const Result<Staged<Pairs>> pairs =
-      pairStage(run, *poses, *back_scale, front->masks, back->masks, front->scans, back->scans);
+      pairStage(run, poses, *back_scale, front.masks, back.masks, front.scans, back.scans);
   if (!pairs) return pairs.error();
   report.stages.push_back({"pairs", pairs->record});
 
@@ -331,18 +294,19 @@ Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& 
   report.set_aside = pairs->value.set_aside;
   report.reshoot = pairs->value.reshoot;
   report.scale_doubts =
-      poses->record.notes.figures.value("scale_doubts", std::vector<std::string>());
-  report.poses = &poses->value;
-  report.front_masks = &front->masks.value;
-  report.back_masks = &back->masks.value;
+      poses.record.notes.figures.value("scale_doubts", std::vector<std::string>());
+  report.poses = &poses.value;
+  report.front_masks = &front.masks.value;
+  report.back_masks = &back.masks.value;
   ProcessSummary summary;
-  if (const auto r = makeModels(run, pairs->value.pairs, *front, *back, report, summary); !r)
-    return r.error();
   if (const auto r =
-          publishLone(run, report.unpaired_front, front->scans.value, batch::Side::Front);
+          makeModels(run, pairs->value.pairs, front, back, shares.models, report, summary);
       !r)
     return r.error();
-  if (const auto r = publishLone(run, report.unpaired_back, back->scans.value, batch::Side::Back);
+  if (const auto r = publishLone(run, report.unpaired_front, front.scans.value, batch::Side::Front);
+      !r)
+    return r.error();
+  if (const auto r = publishLone(run, report.unpaired_back, back.scans.value, batch::Side::Back);
       !r)
     return r.error();
   report.warnings = reading;
@@ -357,12 +321,55 @@ Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& 
   summary.set_aside = report.set_aside;
   summary.reshoot = report.reshoot;
   summary.warnings = report.warnings;
-  summary.moved = front->moved;
-  summary.moved.insert(summary.moved.end(), back->moved.begin(), back->moved.end());
-  summary.reprojection_rms_px = poses->record.notes.figures.value("reprojection_rms_px", 0.0);
+  summary.moved = front.moved;
+  summary.moved.insert(summary.moved.end(), back.moved.begin(), back.moved.end());
+  summary.reprojection_rms_px = poses.record.notes.figures.value("reprojection_rms_px", 0.0);
   summary.scale_doubts = report.scale_doubts;
   summary.report = run.options.output / "report.html";
   return summary;
+}
+
+Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& reading) {
+  ReportInput report;
+  run.progress.begin("cameras", 0.05);
+  Result<Staged<Poses>> poses = poseStage(run);
+  if (!poses) return poses.error();
+  report.stages.push_back({"cameras", poses->record});
+  const Result<Sides> front = processSide(run, batch::Side::Front, *poses, report.stages);
+  if (!front) return front.error();
+  Result<Sides> back = processSide(run, batch::Side::Back, *poses, report.stages);
+  if (!back) return back.error();
+  return finishChain(run, *poses, *front, *back, std::move(report), {}, reading);
+}
+
+// A batch whose shots are its scans, so that OUT knows whose it is.
+batch::Batch batchOf(const fs::path& folder, const ScanFolder& fronts, const ScanFolder& backs) {
+  batch::Batch batch;
+  batch.folder = fs::absolute(folder).lexically_normal();
+  const auto add = [&](batch::Side side, const ScanFolder& scans) {
+    for (std::size_t i = 0; i < scans.files.size(); ++i)
+      batch.shots.push_back({side,
+                             0,
+                             static_cast<int>(i),
+                             fs::absolute(scans.files[i]).lexically_normal(),
+                             {},
+                             0,
+                             0});
+  };
+  add(batch::Side::Front, fronts);
+  add(batch::Side::Back, backs);
+  if (standOnPlate(fronts.scans) && standOnPlate(backs.scans)) batch.plate = batch::Plate{};
+  return batch;
+}
+
+Result<Sides> importedSide(const Run& run, batch::Side side, const ScanFolder& folder,
+                           std::vector<ReportStage>& stages) {
+  const std::string name = batch::name(side);
+  run.progress.begin("scans of the " + name + " side", 0.02);
+  Result<Staged<std::vector<scan::Scan>>> scans = importStage(run, side, folder);
+  if (!scans) return scans.error();
+  stages.push_back({"scans, " + name, scans->record});
+  return Sides{{}, std::move(*scans), {}};
 }
 
 }  // namespace
@@ -410,6 +417,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   WarningsKept reading(progress);
   const Result<batch::Batch> batch = batch::readBatch(options.batch, {}, reading);
   if (!batch) return batch.error();
+  const Result<Preflight> ahead = preflight(*batch, options, freeMemoryMb());
+  if (!ahead) return ahead.error();
   const Result<Decisions> decisions = readDecisions(options.output);
   if (!decisions) return decisions.error();
   const Decisions holding = standing(*decisions);
@@ -418,9 +427,47 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (!held) return held.error();
   withdrawResults(options.output);
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
+  for (const std::string& line : ahead->lines) logged.note(NoteLevel::Info, line);
+  for (const std::string& warning : ahead->warnings) logged.note(NoteLevel::Warning, warning);
   const Run run{options, *batch, options.output / "work", sha256(hashes.dump()), holding,
                 logged,  stop};
   Result<ProcessSummary> summary = runChain(run, reading.warnings);
+  if (summary)
+    summary->seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return summary;
+}
+
+Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& progress,
+                                    std::stop_token stop) {
+  if (const Result<void> checked = options.check(); !checked) return checked.error();
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<ScanFolder> fronts = readScanFolder(options.batch / "front", options.threads);
+  if (!fronts) return fronts.error();
+  const Result<ScanFolder> backs = readScanFolder(options.batch / "back", options.threads);
+  if (!backs) return backs.error();
+  const batch::Batch batch = batchOf(options.batch, *fronts, *backs);
+  const Result<Decisions> decisions = readDecisions(options.output);
+  if (!decisions) return decisions.error();
+  const Decisions holding = standing(*decisions);
+  const ordered_json hashes = hashesOf(batch, options.threads);
+  const Result<FolderLock> held = claimOutput(options.output, batch, hashes);
+  if (!held) return held.error();
+  withdrawResults(options.output);
+  std::vector<std::string> reading = fronts->warnings;
+  reading.insert(reading.end(), backs->warnings.begin(), backs->warnings.end());
+  LoggedProgress logged(progress, options.output / "log.txt", {});
+  for (const std::string& warning : reading) logged.note(NoteLevel::Warning, warning);
+  const Run run{options, batch, options.output / "work", sha256(hashes.dump()), holding,
+                logged,  stop};
+  ReportInput report;
+  const Result<Sides> front = importedSide(run, batch::Side::Front, *fronts, report.stages);
+  if (!front) return front.error();
+  Result<Sides> back = importedSide(run, batch::Side::Back, *backs, report.stages);
+  if (!back) return back.error();
+  Staged<Poses> no_photographs;
+  Result<ProcessSummary> summary =
+      finishChain(run, no_photographs, *front, *back, std::move(report), {0.4, 0.5}, reading);
   if (summary)
     summary->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -13,6 +13,10 @@ namespace ostraka::pipeline {
 
 enum class DenseMethod { Builtin, Colmap, OpenMvs };
 
+/// For a quick look at both sides while they still lie on the plate: coarser, in a fraction of the
+/// time.
+constexpr double kDraftMegapixels = 0.8;
+
 struct ProcessOptions {
   std::filesystem::path batch;               ///< batch folder; nothing in it is ever written
   std::filesystem::path output;              ///< OUT; created, or continued when of the same batch
@@ -62,6 +66,12 @@ struct ProcessSummary {
 /// Errors: UnusableInput (the batch, or an OUT of another batch), CannotWrite, NotEnough,
 /// Cancelled.
 Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& progress,
+                                    std::stop_token stop);
+
+/// The same from scans that were split already: ProcessOptions::batch holds them as PLY files in
+/// front/ and back/, one a sherd, oriented points, mm. Without photographs nothing is looked at but
+/// rims and outlines. Scans that stand on no plate are turned so that their face is up.
+Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& progress,
                                     std::stop_token stop);
 
 }  // namespace ostraka::pipeline

@@ -16,6 +16,7 @@
 #include "pairing/common_scale.h"
 #include "pipeline/pair_sides.h"
 #include "pipeline/register_report.h"
+#include "pipeline/scan_folder.h"
 #include "scan/rim.h"
 
 namespace ostraka::pipeline {
@@ -23,100 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-struct ReadScans {
-  std::vector<scan::Scan> scans;
-  std::vector<std::string> warnings;
-  std::string hash;  ///< names and contents
-  int unusable = 0;
-};
-
-/// The *.ply of a folder in the order of their names.
-Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
-  std::error_code failed;
-  std::vector<fs::path> files;
-  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
-    if (lowerCase(it->path().extension().string()) == ".ply") files.push_back(it->path());
-  }
-  if (failed) {
-    return Error{ErrorCode::UnusableInput, "The folder cannot be read; name a folder of PLY files.",
-                 folder.string()};
-  }
-  if (files.empty()) {
-    return Error{ErrorCode::UnusableInput,
-                 "There is no PLY file in this folder; each sherd's scan must be one PLY file.",
-                 folder.string()};
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
-  const Result<std::string> bytes = readFile(file);
-  if (!bytes) return bytes.error();
-  Result<PlyContents> contents = parsePly(*bytes, file.string());
-  if (!contents) return contents.error();
-  if (contents->dropped_not_finite > 0) {
-    warning = file.string() + ": " + std::to_string(contents->dropped_not_finite) +
-              " points without finite coordinates were left out; check the export.";
-  }
-  scan::Scan scan;
-  scan.id = file.stem().string();
-  scan.cloud.points = std::move(contents->mesh.vertices);
-  scan.cloud.normals = std::move(contents->mesh.normals);
-  scan.cloud.colors = std::move(contents->mesh.colors);
-  if (scan.cloud.size() < 100) {
-    return Error{ErrorCode::NotEnough, "The scan has fewer than 100 points; scan this side again.",
-                 file.string()};
-  }
-  if (!scan.cloud.hasNormals()) {
-    return Error{ErrorCode::UnusableInput, "The scan has no normals; export it with nx, ny and nz.",
-                 file.string()};
-  }
-  scan.up = scan::estimateUp(scan.cloud);
-  return scan;
-}
-
-Result<ReadScans> readSide(const fs::path& folder, int threads) {
-  const Result<std::vector<fs::path>> files = plyFiles(folder);
-  if (!files) return files.error();
-  std::vector<std::optional<Result<scan::Scan>>> read(files->size());
-  std::vector<std::string> warnings(files->size()), hashes(files->size());
-  parallelFor(files->size(), threads, [&](std::size_t i) {
-    const Result<std::string> bytes = readFile((*files)[i]);
-    hashes[i] = (*files)[i].filename().string() + ":" + (bytes ? sha256(*bytes) : "unreadable");
-    read[i] = readScan((*files)[i], warnings[i]);
-  });
-  ReadScans side;
-  for (std::size_t i = 0; i < read.size(); ++i) {
-    side.hash += hashes[i] + "\n";
-    if (!warnings[i].empty()) side.warnings.push_back(warnings[i]);
-    Result<scan::Scan>& scan = *read[i];
-    if (scan) {
-      side.scans.push_back(std::move(*scan));
-    } else {
-      side.warnings.push_back(scan.error().sentence());
-      ++side.unusable;
-    }
-  }
-  if (side.scans.empty()) {
-    return Error{ErrorCode::UnusableInput,
-                 "None of the scans can be used: " + side.warnings.front(), folder.string()};
-  }
-  return side;
-}
-
-/// Whether the scans' frame is a plate's: all stand on z = 0 with their faces up. Scans stop up to
-/// 0.6 mm above the plate, and up to 4 mm where the lowest strip is hidden.
-bool standOnPlate(std::span<const scan::Scan> scans) {
-  return std::all_of(scans.begin(), scans.end(), [](const scan::Scan& scan) {
-    std::vector<float> heights;
-    for (const Eigen::Vector3f& p : scan.cloud.points) heights.push_back(p.z());
-    const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 200);
-    std::nth_element(heights.begin(), low, heights.end());
-    return *low > -0.3f && *low < 4.0f && scan.up.z() > 0.8;
-  });
-}
 
 PointCloud mergedCloud(const scan::Scan& front, const scan::Scan& back,
                        const registration::Registration& found) {
@@ -154,7 +61,8 @@ std::string numberOf(std::size_t i) {
   return digits.size() < 2 ? "0" + digits : digits;
 }
 
-RegisterSummary summaryOf(const PairTable& table, const ReadScans& fronts, const ReadScans& backs) {
+RegisterSummary summaryOf(const PairTable& table, const ScanFolder& fronts,
+                          const ScanFolder& backs) {
   RegisterSummary summary;
   for (std::size_t i = 0; i < table.pairs.size(); ++i) {
     const SherdPair& pair = table.pairs[i];
@@ -223,11 +131,12 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
                                       std::stop_token stop) {
   const auto begin = std::chrono::steady_clock::now();
   if (const Result<void> valid = options.check(); !valid) return valid.error();
-  const Result<ReadScans> fronts = readSide(options.front, options.threads);
+  progress.begin("pairs", 0.97);
+  const Result<ScanFolder> fronts = readScanFolder(options.front, options.threads);
   if (!fronts) return fronts.error();
-  const Result<ReadScans> backs = readSide(options.back, options.threads);
+  const Result<ScanFolder> backs = readScanFolder(options.back, options.threads);
   if (!backs) return backs.error();
-  for (const ReadScans* side : {&*fronts, &*backs})
+  for (const ScanFolder* side : {&*fronts, &*backs})
     for (const std::string& warning : side->warnings) progress.note(NoteLevel::Warning, warning);
   const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
   if (const Result<void> free = checkOutput(options, inputs_hash); !free) return free.error();

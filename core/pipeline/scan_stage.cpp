@@ -1,4 +1,5 @@
 // Scans: one cloud for each sherd of a side, as found and as people joined and cut them.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cloud/ply.h"
@@ -57,7 +58,52 @@ Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
   return readScans(run.work / name, *record);
 }
 
+// f001, f002 ... or b001 ...
+std::string importedName(batch::Side side, std::size_t index) {
+  const std::string digits = std::to_string(index + 1);
+  return (side == batch::Side::Front ? "f" : "b") +
+         std::string(3 - std::min<std::size_t>(3, digits.size()), '0') + digits;
+}
+
+// As on a plate: the face up, the lowest point on it. Where it lies there has no meaning.
+PointCloud laidFlat(const scan::Scan& scan) {
+  Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
+  turned.linear() =
+      Eigen::Quaterniond::FromTwoVectors(scan.up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  PointCloud cloud = transformed(scan.cloud, turned);
+  Eigen::Vector3f low = cloud.points.front(), high = low;
+  for (const Eigen::Vector3f& p : cloud.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const Eigen::Vector3f corner((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, low.z());
+  for (Eigen::Vector3f& p : cloud.points) p -= corner;
+  return cloud;
+}
+
 }  // namespace
+
+Result<Scans> importStage(const Run& run, batch::Side side, const ScanFolder& folder) {
+  const std::string name = std::string("scans_") + batch::name(side);
+  const bool on_plate = run.batch.plate.has_value();
+  const auto work = [&](const fs::path& into) -> Result<StageNotes> {
+    std::vector<scan::Scan> scans = folder.scans;
+    ordered_json files = ordered_json::object();
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      const std::string id = importedName(side, i);
+      files[id] = folder.files[i].filename().string();
+      scans[i].id = id;
+      if (!on_plate) scans[i].cloud = laidFlat(scans[i]);
+    }
+    const Result<ordered_json> points =
+        writeScans(into, scans, std::string("plate_") + batch::name(side));
+    if (!points) return points.error();
+    return StageNotes{{{"points", *points}, {"files", files}}, {}};
+  };
+  const Result<StageRecord> record = runStage(
+      run.work, name, {{"imported", folder.hash}, {"on_plate", on_plate}}, work, run.progress);
+  if (!record) return record.error();
+  Result<Scans> found = readScans(run.work / name, *record);
+  if (!found || !hasEdits(run.decisions, side)) return found;
+  return editStage(run, side, *found);
+}
 
 std::string scanFolder(const Run& run, batch::Side side) {
   return (hasEdits(run.decisions, side) ? "pieces_" : "scans_") + std::string(batch::name(side));

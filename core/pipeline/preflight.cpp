@@ -1,0 +1,100 @@
+#include "pipeline/preflight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <set>
+
+#include "rig/colmap_program.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+// Peaks of whole runs with 8 or 9 sherds: 0.68 GB with photographs of 0.75 megapixels, 1.59 with
+// 1.9, 2.65 with 3.2, 4.03 with 5, these averaged down from 27 (tests/bench/RESULTS.md).
+constexpr double kBase_mb = 80, kEachMegapixel_mb = 790;
+constexpr double kPixelsPerMegapixel = 1e6;
+
+std::string text(const char* form, double a, double b) {
+  std::array<char, 200> out;
+  std::snprintf(out.data(), out.size(), form, a, b);
+  return out.data();
+}
+
+std::string countOf(const batch::Batch& batch, batch::Side side) {
+  const auto n = std::count_if(batch.shots.begin(), batch.shots.end(),
+                               [&](const batch::Shot& s) { return s.side == side; });
+  return std::to_string(n) + " of the " + batch::name(side);
+}
+
+// The program that a later stage would miss; empty: none.
+std::string missingProgram(const batch::Batch& batch, const ProcessOptions& options) {
+  std::vector<std::string> wanted;
+  if (!batch.plate || options.dense == DenseMethod::Colmap) wanted.emplace_back("colmap");
+  if (options.dense == DenseMethod::OpenMvs)
+    wanted.insert(wanted.end(), {"InterfaceCOLMAP", "DensifyPointCloud"});
+  for (const std::string& name : wanted)
+    if (!rig::findProgram(name)) return name;
+  return {};
+}
+
+}  // namespace
+
+double freeMemoryMb() {
+  std::ifstream info("/proc/meminfo");
+  for (std::string key, rest; info >> key; std::getline(info, rest)) {
+    double kilobytes = 0;
+    if (key == "MemAvailable:" && info >> kilobytes) return kilobytes / 1024;
+  }
+  return 0;
+}
+
+Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
+                            double free_memory_mb) {
+  if (const std::string missing = missingProgram(batch, options); !missing.empty())
+    return Error{ErrorCode::Missing,
+                 batch.plate ? "The program " + missing +
+                                   " is not installed, and the stereo that was chosen needs it; "
+                                   "install it, or use the built-in stereo."
+                             : "The photographs show no plate with markers, so the program " +
+                                   missing + " must find the cameras, and it is not installed.",
+                 batch.folder.string()};
+  Preflight ahead;
+  double original = 0;
+  std::set<int> cameras, stops;
+  for (const batch::Shot& shot : batch.shots) {
+    original = std::max(original, static_cast<double>(shot.width) * shot.height);
+    cameras.insert(shot.camera);
+    stops.insert(shot.stop);
+  }
+  original /= kPixelsPerMegapixel;
+  ahead.megapixels = std::min(original, options.megapixels);
+  ahead.memory_mb = kBase_mb + kEachMegapixel_mb * ahead.megapixels;
+  ahead.lines.push_back("before: photographs: " + countOf(batch, batch::Side::Front) + ", " +
+                        countOf(batch, batch::Side::Back) + ", from " +
+                        std::to_string(cameras.size()) + " cameras at " +
+                        std::to_string(stops.size()) + " stops; " +
+                        text("%.1f megapixels, used with %.1f", original, ahead.megapixels));
+  ahead.lines.push_back(std::string("before: cameras: ") +
+                        (!batch.plate  ? "found by COLMAP"
+                         : options.rig ? "from the plate's markers, lenses from the calibrated rig"
+                         : batch.calibration.empty()
+                             ? "lenses and places from the plate's markers alone"
+                             : "from the plate's markers, lenses from " +
+                                   std::to_string(batch.calibration.size()) +
+                                   " photographs of the board"));
+  ahead.lines.push_back(text(free_memory_mb > 0
+                                 ? "before: memory: about %.1f GB at the peak, %.1f GB are free"
+                                 : "before: memory: about %.1f GB at the peak",
+                             ahead.memory_mb / 1000, free_memory_mb / 1000));
+  if (free_memory_mb > 0 && ahead.memory_mb > free_memory_mb)
+    ahead.warnings.push_back(
+        text("This will take about %.1f GB of memory, and only %.1f GB are free: the computer may "
+             "stop it or grow very slow. Close other programs, or compute a draft.",
+             ahead.memory_mb / 1000, free_memory_mb / 1000));
+  return ahead;
+}
+
+}  // namespace ostraka::pipeline

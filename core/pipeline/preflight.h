@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "batch/batch.h"
+#include "pipeline/process_batch.h"
+
+namespace ostraka::pipeline {
+
+/// What a run finds and will take, before its first stage.
+struct Preflight {
+  double megapixels = 0;              ///< of a photograph as masks and stereo will see it
+  double memory_mb = 0;               ///< at the run's peak, about (tests/bench/RESULTS.md)
+  std::vector<std::string> lines;     ///< what there is, whole sentences
+  std::vector<std::string> warnings;  ///< what is short, what follows and what to do
+};
+
+/// free_memory_mb: 0 when the system does not say. Errors: Missing for a program that a later
+/// stage would ask for.
+Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
+                            double free_memory_mb);
+
+/// What this computer can give to a program now, MB; 0 when the system does not say.
+double freeMemoryMb();
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,28 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "scan/scan.h"
+
+namespace ostraka::pipeline {
+
+/// Scans that were split already: one PLY per sherd, oriented points, mm.
+struct ScanFolder {
+  std::vector<scan::Scan> scans;  ///< in the order of their files' names, which they bear
+  std::vector<std::filesystem::path> files;  ///< of the scans
+  std::vector<std::string> warnings;         ///< a file that cannot be used costs that scan
+  std::string hash;                          ///< names and contents of all files
+  int unusable = 0;
+};
+
+/// Files are opened for reading only. Errors: UnusableInput, no PLY file or none that can be used.
+Result<ScanFolder> readScanFolder(const std::filesystem::path& folder, int threads);
+
+/// Whether the scans' frame is a plate's: all stand on z = 0 with their faces up. Scans stop up to
+/// 0.6 mm above the plate, and up to 4 mm where the lowest strip is hidden.
+bool standOnPlate(std::span<const scan::Scan> scans);
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,71 @@
+#include "pipeline/preflight.h"
+
+#include <gmock/gmock.h>
+
+namespace ostraka::pipeline {
+namespace {
+
+using testing::HasSubstr;
+
+batch::Batch batchOf(int width, int height) {
+  batch::Batch batch;
+  batch.plate = batch::Plate{};
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+    for (int camera = 0; camera < 3; ++camera)
+      for (int stop = 0; stop < 8; ++stop)
+        batch.shots.push_back({side, camera, stop, "a.jpg", {}, width, height});
+  return batch;
+}
+
+TEST(Preflight, SaysWhatThereIsAndWhatItWillTake) {
+  const Result<Preflight> ahead = preflight(batchOf(2592, 1944), {}, 8000);
+  ASSERT_TRUE(ahead.has_value()) << ahead.error().sentence();
+  EXPECT_NEAR(ahead->megapixels, 5.0, 0.05);
+  // Measured: 4.03 GB with 5 megapixels, 1.59 with 1.92 (tests/bench/RESULTS.md); a tenth is near.
+  EXPECT_NEAR(ahead->memory_mb, 4030, 400);
+  EXPECT_NEAR(preflight(batchOf(1600, 1200), {}, 0)->memory_mb, 1590, 160);
+  ASSERT_EQ(ahead->lines.size(), 3u);
+  EXPECT_THAT(ahead->lines[0], HasSubstr("24 of the front, 24 of the back, from 3 cameras at 8"));
+  EXPECT_THAT(ahead->lines[1], HasSubstr("from the plate's markers alone"));
+  EXPECT_THAT(ahead->lines[2], HasSubstr("8.0 GB are free"));
+  EXPECT_TRUE(ahead->warnings.empty());
+}
+
+TEST(Preflight, LargePhotographsAreReducedAndTakeLittleMore) {
+  const auto small = preflight(batchOf(2592, 1944), {}, 0);
+  const auto large = preflight(batchOf(6000, 4000), {}, 0);
+  ASSERT_TRUE(small && large);
+  EXPECT_DOUBLE_EQ(large->megapixels, 5);
+  EXPECT_NEAR(large->memory_mb, small->memory_mb, 50);
+  EXPECT_THAT(large->lines[0], HasSubstr("24.0 megapixels, used with 5.0"));
+  EXPECT_TRUE(large->warnings.empty()) << "free memory is not known";
+}
+
+TEST(Preflight, TooLittleMemoryIsSaidBeforeTheStartAndADraftTakesLess) {
+  const auto ahead = preflight(batchOf(2592, 1944), {}, 1200);
+  ASSERT_TRUE(ahead.has_value());
+  ASSERT_EQ(ahead->warnings.size(), 1u);
+  EXPECT_THAT(ahead->warnings[0], HasSubstr("1.2 GB are free"));
+  ProcessOptions draft;
+  draft.megapixels = kDraftMegapixels;
+  EXPECT_TRUE(preflight(batchOf(2592, 1944), draft, 1200)->warnings.empty());
+}
+
+TEST(Preflight, AProgramThatALaterStageWouldMissIsNamedAtOnce) {
+  ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
+  ProcessOptions options;
+  options.dense = DenseMethod::OpenMvs;
+  const auto openmvs = preflight(batchOf(800, 600), options, 0);
+  ASSERT_FALSE(openmvs.has_value());
+  EXPECT_EQ(openmvs.error().code, ErrorCode::Missing);
+  EXPECT_THAT(openmvs.error().what, HasSubstr("InterfaceCOLMAP"));
+  batch::Batch without_plate = batchOf(800, 600);
+  without_plate.plate.reset();
+  const auto colmap = preflight(without_plate, {}, 0);
+  ASSERT_FALSE(colmap.has_value());
+  EXPECT_THAT(colmap.error().what, HasSubstr("colmap"));
+  EXPECT_TRUE(preflight(batchOf(800, 600), {}, 0).has_value()) << "the built-in needs nothing";
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "cloud/ply.h"
+#include "pipeline/live_pairs.h"
+#include "pipeline/process_batch.h"
+#include "pipeline/scan_folder.h"
+#include "synthetic_out.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Three sherds whose true pairs are known, as another scanner's files.
+class ProcessScans : public testing::Test {
+ protected:
+  ProcessScans() {
+    std::string pattern = (fs::temp_directory_path() / "ostraka_scans_XXXXXX").string();
+    folder = ::mkdtemp(pattern.data());
+    SyntheticOptions options;
+    options.sherds = 3;
+    options.swapped_look_alikes = false;
+    truth = writeSyntheticOut(folder / "truth", options);
+    fs::create_directories(folder / "scans");
+    fs::copy(truth.output / "work/scans_front", folder / "scans/front");
+    fs::copy(truth.output / "work/scans_back", folder / "scans/back");
+  }
+  ~ProcessScans() override { fs::remove_all(folder); }
+
+  Result<ProcessSummary> process(const std::string& out, int threads = 2) {
+    ProcessOptions options;
+    options.batch = folder / "scans";
+    options.output = folder / out;
+    options.threads = threads;
+    return processScans(options, quiet, {});
+  }
+
+  fs::path folder;
+  SyntheticOut truth;
+  QuietProgress quiet;
+};
+
+TEST_F(ProcessScans, LeavesModelsPairsAndWhatTheReviewOpens) {
+  const Result<ProcessSummary> summary = process("out");
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_EQ(summary->sherds.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SherdSummary& sherd = summary->sherds[i];
+    EXPECT_EQ(sherd.front.substr(1), sherd.back.substr(1)) << "front i belongs to back i";
+    EXPECT_TRUE(sherd.has_model) << sherd.remark;
+    EXPECT_TRUE(fs::exists(folder / "out/sherds" / sherd.number / "model.ply"));
+  }
+  const auto report = readJson(folder / "out/report.json");
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(report->at("sherds").size(), 3u);
+  EXPECT_EQ(report->at("stages").at(0).at("figures").at("files").at("f001"), "f001.ply");
+  const auto live = LivePairs::open(folder / "out");
+  ASSERT_TRUE(live.has_value()) << live.error().sentence();
+  const auto picture = (*live)->picture(batch::Side::Front, 0, 0.2);
+  ASSERT_TRUE(picture.has_value()) << picture.error().sentence();
+  std::size_t drawn = 0;
+  for (std::size_t i = 3; i < picture->rgba.size(); i += 4) drawn += picture->rgba[i] != 0;
+  // A round sherd of 20 to 30 mm on its own frame covers about half of it.
+  EXPECT_GT(drawn, picture->rgba.size() / 4 / 3);
+  const auto view = (*live)->view(0, 0, truth.front_from_back[0]);
+  ASSERT_TRUE(view.has_value());
+  EXPECT_FALSE(view->front.rgba.empty());
+  EXPECT_FALSE(view->back.rgba.empty());
+}
+
+TEST_F(ProcessScans, GoesOnFromWholeStagesAndKnowsItsOwnOutput) {
+  ASSERT_TRUE(process("out", 1).has_value());
+  const auto first = readFile(folder / "out/pairs.json");
+  ASSERT_TRUE(process("out", 3).has_value());
+  EXPECT_EQ(*readFile(folder / "out/pairs.json"), *first) << "the same for any number of threads";
+  const std::string log = *readFile(folder / "out/log.txt");
+  EXPECT_NE(log.find("scans_front: whole from an earlier run"), std::string::npos);
+  fs::create_directories(folder / "taken");
+  ASSERT_TRUE(writeFileAtomically(folder / "taken/thesis.txt", "text").has_value());
+  EXPECT_FALSE(process("taken").has_value());
+}
+
+// A hand scanner knows no plate: each scan lies anyhow in its own frame.
+TEST_F(ProcessScans, ScansThatStandOnNoPlateAreTurnedFaceUp) {
+  int turn = 0;
+  for (const char* side : {"front", "back"})
+    for (const auto& entry : fs::directory_iterator(folder / "scans" / side)) {
+      PointCloud cloud = *readPlyCloud(entry.path());
+      Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
+      moved.rotate(
+          Eigen::AngleAxisd(0.7 + 0.5 * ++turn, Eigen::Vector3d(1, 0.3, 0.2).normalized()));
+      moved.translate(Eigen::Vector3d(10, 300, -50));
+      ASSERT_TRUE(writePly(entry.path(), transformed(cloud, moved), "scanner").has_value());
+    }
+  const Result<ProcessSummary> summary = process("out");
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_EQ(summary->sherds.size(), 3u);
+  const auto laid = readScanFolder(folder / "out" / "work" / "scans_front", 1);
+  ASSERT_TRUE(laid.has_value());
+  for (const scan::Scan& scan : laid->scans) EXPECT_GT(scan.up.z(), 0.95) << scan.id;
+}
+
+TEST_F(ProcessScans, AFolderWithoutScansSaysSo) {
+  fs::remove_all(folder / "scans/back");
+  fs::create_directories(folder / "scans/back");
+  const Result<ProcessSummary> summary = process("out");
+  ASSERT_FALSE(summary.has_value());
+  EXPECT_NE(summary.error().what.find("no PLY file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

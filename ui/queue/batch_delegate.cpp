@@ -51,89 +51,117 @@ QSize BatchDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
   return {option.fontMetrics.averageCharWidth() * 50, option.fontMetrics.height() * 9 / 2};
 }
 
-void BatchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
-                          const QModelIndex& index) const {
-  const QueueRow& row = queue_.row(index.row());
-  const int line = option.fontMetrics.height();
-  const bool selected = (option.state & QStyle::State_Selected) != 0;
-  const StateColours colours(option.palette);
-  const QColor ink = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
-  painter->save();
-  painter->setRenderHint(QPainter::SmoothPixmapTransform);
-  painter->fillRect(option.rect, selected          ? option.palette.highlight()
-                                 : index.row() % 2 ? option.palette.alternateBase()
-                                                   : option.palette.base());
-  if ((option.state & QStyle::State_HasFocus) != 0) {
-    painter->setPen(QPen(ink, lineWidth(*option.widget)));
-    painter->drawRect(option.rect.adjusted(1, 1, -2, -2));
+// One row while it is painted: what it shows, where, and in which inks.
+class BatchDelegate::Row {
+ public:
+  Row(QPainter& painter, const QStyleOptionViewItem& option, const QueueRow& row)
+      : painter_(painter),
+        option_(option),
+        row_(row),
+        line_(option.fontMetrics.height()),
+        selected_((option.state & QStyle::State_Selected) != 0),
+        ink_(option.palette.color(selected_ ? QPalette::HighlightedText : QPalette::Text)) {
+    const QRect inside = option.rect.adjusted(line_ / 2, line_ / 2, -line_ / 2, -line_ / 2);
+    frame_ = QRect(inside.left(), inside.top(), line_ * 4, line_ * 3);
+    text_ = QRect(frame_.right() + line_, inside.top(), inside.right() - frame_.right() - line_,
+                  inside.height());
+    lower_ = QRect(text_.left(), text_.top() + line_ * 5 / 4, text_.width(), line_ * 9 / 4);
   }
-  const QRect inside = option.rect.adjusted(line / 2, line / 2, -line / 2, -line / 2);
 
-  const QRect frame(inside.left(), inside.top(), line * 4, line * 3);
-  const double ratio = painter->device()->devicePixelRatioF();
-  const QPixmap picture =
-      thumbnails_ == nullptr
-          ? QPixmap()
-          : thumbnails_->get(row.picture, (QSizeF(frame.size()) * ratio).toSize());
-  if (!picture.isNull()) {
-    const QSize fit = picture.size().scaled(frame.size(), Qt::KeepAspectRatio);
-    painter->drawPixmap(QRect(frame.center() - QPoint(fit.width() / 2, fit.height() / 2), fit),
+  void ground(bool odd) const {
+    painter_.fillRect(option_.rect, selected_ ? option_.palette.highlight()
+                                    : odd     ? option_.palette.alternateBase()
+                                              : option_.palette.base());
+    if ((option_.state & QStyle::State_HasFocus) == 0) return;
+    painter_.setPen(QPen(ink_, lineWidth(*option_.widget)));
+    painter_.drawRect(option_.rect.adjusted(1, 1, -2, -2));
+  }
+
+  void picture(Thumbnails* thumbnails) const {
+    if (thumbnails == nullptr) return;
+    const double ratio = painter_.device()->devicePixelRatioF();
+    const QPixmap picture = thumbnails->get(row_.picture, (QSizeF(frame_.size()) * ratio).toSize());
+    if (picture.isNull()) return;
+    const QSize fit = picture.size().scaled(frame_.size(), Qt::KeepAspectRatio);
+    painter_.drawPixmap(QRect(frame_.center() - QPoint(fit.width() / 2, fit.height() / 2), fit),
                         picture);
   }
 
-  const QRect text(frame.right() + line, inside.top(), inside.right() - frame.right() - line,
-                   inside.height());
-  QFont bold = option.font;
-  bold.setBold(true);
-  painter->setFont(bold);
-  painter->setPen(ink);
-  painter->drawText(band(text, 0, line), Qt::AlignLeft | Qt::AlignVCenter, row.number);
-  const int number = QFontMetrics(bold).horizontalAdvance(row.number) + line;
-  painter->setFont(option.font);
-  const Mark mark = markOf(row.state);
-  const QRect state = band(text, 0, line).adjusted(number, 0, 0, 0);
-  icon(QString::fromLatin1(mark.icon))
-      .paint(painter, QRect(state.left(), state.top(), line, line), Qt::AlignCenter,
-             selected ? QIcon::Selected : QIcon::Normal);
-  painter->setPen(selected ? ink : colours.of(mark.colour));
-  const QRect words_at = state.adjusted(line * 3 / 2, 0, 0, 0);
-  const QString words_of_state = stateWords(row);
-  painter->drawText(words_at, Qt::AlignLeft | Qt::AlignVCenter, words_of_state);
-
-  const QRect lower(text.left(), text.top() + line * 5 / 4, text.width(), line * 9 / 4);
-  if (row.figures) {
-    // Beside the state, or below it where large letters leave no room.
-    const QString figures = figuresWords(*row.figures);
-    const int needed = option.fontMetrics.horizontalAdvance(words_of_state) + line +
-                       option.fontMetrics.horizontalAdvance(figures);
-    painter->setPen(ink);
-    if (needed <= words_at.width())
-      painter->drawText(words_at, Qt::AlignRight | Qt::AlignVCenter, figures);
-    else if (row.state == QueueState::Review || row.state == QueueState::Done)
-      painter->drawText(lower, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, figures);
+  // Number, state and figures; what finds no room beside the state stands below it.
+  void words() const {
+    QFont bold = option_.font;
+    bold.setBold(true);
+    painter_.setFont(bold);
+    painter_.setPen(ink_);
+    painter_.drawText(band(text_, 0, line_), Qt::AlignLeft | Qt::AlignVCenter, row_.number);
+    const int number = QFontMetrics(bold).horizontalAdvance(row_.number) + line_;
+    painter_.setFont(option_.font);
+    const Mark mark = markOf(row_.state);
+    const QRect state = band(text_, 0, line_).adjusted(number, 0, 0, 0);
+    icon(QString::fromLatin1(mark.icon))
+        .paint(&painter_, QRect(state.left(), state.top(), line_, line_), Qt::AlignCenter,
+               selected_ ? QIcon::Selected : QIcon::Normal);
+    painter_.setPen(selected_ ? ink_ : StateColours(option_.palette).of(mark.colour));
+    const QRect words_at = state.adjusted(line_ * 3 / 2, 0, 0, 0);
+    painter_.drawText(words_at, Qt::AlignLeft | Qt::AlignVCenter, stateWords(row_));
+    painter_.setPen(ink_);
+    QStringList below;
+    if (row_.figures) {
+      const QString figures = figuresWords(*row_.figures);
+      const int needed = option_.fontMetrics.horizontalAdvance(stateWords(row_)) + line_ +
+                         option_.fontMetrics.horizontalAdvance(figures);
+      if (needed <= words_at.width())
+        painter_.drawText(words_at, Qt::AlignRight | Qt::AlignVCenter, figures);
+      else if (row_.state == QueueState::Review || row_.state == QueueState::Done)
+        below << figures;
+    }
+    if (row_.state == QueueState::Review && !row_.scale_doubts.isEmpty())
+      below << row_.scale_doubts;
+    if (row_.state == QueueState::Failed) below << row_.failure;
+    painter_.drawText(lower_, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                      below.join(QLatin1Char('\n')));
   }
-  if (row.state == QueueState::Busy || row.state == QueueState::Paused) {
+
+  void progress() const {
+    if (row_.state != QueueState::Busy && row_.state != QueueState::Paused) return;
     QStyleOptionProgressBar bar;
-    bar.rect = QRect(lower.left(), lower.top(), lower.width(), line * 3 / 4);
+    bar.rect = QRect(lower_.left(), lower_.top(), lower_.width(), line_ * 3 / 4);
     bar.minimum = 0;
     bar.maximum = 1000;
-    bar.progress = static_cast<int>(1000 * row.progress.fraction);
+    bar.progress = static_cast<int>(1000 * row_.progress.fraction);
     bar.textVisible = false;
-    bar.palette = option.palette;
+    bar.palette = option_.palette;
     bar.state = QStyle::State_Enabled | QStyle::State_Horizontal;
-    QApplication::style()->drawControl(QStyle::CE_ProgressBar, &bar, painter, option.widget);
-    QString words = tr("%1, %2 %")
-                        .arg(stageWords(row.progress.stage))
-                        .arg(static_cast<int>(100 * row.progress.fraction));
-    if (const QString left = timeLeftWords(row.progress.seconds_left); !left.isEmpty())
+    QApplication::style()->drawControl(QStyle::CE_ProgressBar, &bar, &painter_, option_.widget);
+    QString words = BatchDelegate::tr("%1, %2 %")
+                        .arg(stageWords(row_.progress.stage))
+                        .arg(static_cast<int>(100 * row_.progress.fraction));
+    if (const QString left = timeLeftWords(row_.progress.seconds_left); !left.isEmpty())
       words += QStringLiteral(", ") + left;
-    painter->setPen(ink);
-    painter->drawText(lower.adjusted(0, line * 3 / 4, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+    painter_.setPen(ink_);
+    painter_.drawText(lower_.adjusted(0, line_ * 3 / 4, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                       words);
-  } else if (row.state == QueueState::Failed) {
-    painter->setPen(ink);
-    painter->drawText(lower, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, row.failure);
   }
+
+ private:
+  QPainter& painter_;
+  const QStyleOptionViewItem& option_;
+  const QueueRow& row_;
+  int line_;
+  bool selected_;
+  QColor ink_;
+  QRect frame_, text_, lower_;
+};
+
+void BatchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
+  painter->save();
+  painter->setRenderHint(QPainter::SmoothPixmapTransform);
+  const Row row(*painter, option, queue_.row(index.row()));
+  row.ground(index.row() % 2 != 0);
+  row.picture(thumbnails_);
+  row.words();
+  row.progress();
   painter->restore();
 }
 

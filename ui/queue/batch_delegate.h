@@ -20,6 +20,8 @@ class BatchDelegate final : public QStyledItemDelegate {
              const QModelIndex& index) const override;
 
  private:
+  class Row;
+
   const BatchQueue& queue_;
   Thumbnails* thumbnails_ = nullptr;
 };

@@ -26,6 +26,7 @@ std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& rows, const 
   figures.ask = kept[QStringLiteral("ask")].toInt();
   figures.uncertainty_mm = kept[QStringLiteral("uncertainty_mm")].toDouble();
   figures.seconds = kept[QStringLiteral("seconds")].toDouble();
+  figures.draft = kept[QStringLiteral("draft")].toBool();
   figures.counted = kept[QStringLiteral("counted")].toInt();
   return figures;
 }
@@ -39,6 +40,7 @@ Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
   kept[QStringLiteral("ask")] = figures.ask;
   kept[QStringLiteral("uncertainty_mm")] = figures.uncertainty_mm;
   kept[QStringLiteral("seconds")] = figures.seconds;
+  kept[QStringLiteral("draft")] = figures.draft;
   kept[QStringLiteral("counted")] = figures.counted;
   return rows.setSetting(keyOf(number),
                          QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());

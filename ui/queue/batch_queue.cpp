@@ -19,6 +19,7 @@ using catalogue::BatchState;
 
 constexpr int kKeptLogLines = 2000;
 constexpr const char* kPausedKey = "queue.paused";
+constexpr const char* kDraftsKey = "queue.drafts";
 
 std::string failureKey(const QString& number) {
   return "queue.failure." + number.toStdString();
@@ -108,6 +109,8 @@ void BatchQueue::setSession(ProjectSession* session) {
   if (session_ != nullptr) {
     const Result<std::string> paused = session_->project().catalogue().setting(kPausedKey);
     paused_ = paused && *paused == "yes";
+    const Result<std::string> drafts = session_->project().catalogue().setting(kDraftsKey);
+    drafts_ = drafts && *drafts == "yes";
     connect(session_, &ProjectSession::batchChanged, this, &BatchQueue::refresh);
   }
   refresh();
@@ -125,7 +128,7 @@ void BatchQueue::refresh() {
       row.number = QString::fromStdString(batch.number);
       row.batch_row = batch.row.value;
       row.state = stateOf(batch.state);
-      row.scale_doubtful = !batch.scale_doubts.empty();
+      row.scale_doubts = QString::fromStdString(batch.scale_doubts);
       if (row.number == busy_number_) {
         row.state = paused_ ? QueueState::Paused : QueueState::Busy;
         if (job_ != nullptr) row.progress = job_->progress();
@@ -181,6 +184,7 @@ QVariant BatchQueue::data(const QModelIndex& index, int role) const {
       QString words = tr("%1: %2").arg(shown.number, stateWords(shown));
       if (shown.figures) words += QStringLiteral(". ") + figuresWords(*shown.figures);
       if (!shown.failure.isEmpty()) words += QStringLiteral(". ") + shown.failure;
+      if (!shown.scale_doubts.isEmpty()) words += QStringLiteral(". ") + shown.scale_doubts;
       return words;
     }
     default:
@@ -215,6 +219,8 @@ void BatchQueue::startNext() {
   options.project = session_->folder();
   options.number = next->number.toStdString();
   options.threads = threads_;
+  // What has figures was computed before; now it is meant to become final.
+  options.draft = drafts_ && !next->figures;
   busy_number_ = next->number;
   busy_since_ = QDateTime::currentDateTime();
   cancel_asked_ = false;
@@ -297,6 +303,12 @@ void BatchQueue::setPaused(bool paused) {
   }
   emit workChanged();
   startNext();
+}
+
+void BatchQueue::setMakesDrafts(bool drafts) {
+  if (session_ == nullptr || drafts == drafts_) return;
+  drafts_ = drafts;
+  (void)session_->project().catalogue().setSetting(kDraftsKey, drafts ? "yes" : "");
 }
 
 void BatchQueue::cancel(const QString& number) {
@@ -390,7 +402,7 @@ QString queueStateWords(QueueState state) {
 }
 
 QString stateWords(const QueueRow& row) {
-  if (row.state == QueueState::Review && row.scale_doubtful)
+  if (row.state == QueueState::Review && !row.scale_doubts.isEmpty())
     return BatchQueue::tr("the scale is not right: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
     return BatchQueue::tr("decided; to be computed");
@@ -407,10 +419,12 @@ QString figuresWords(const BatchFigures& figures) {
       figures.ask == 0 && figures.decided == 0
           ? BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds)
           : BatchQueue::tr("%1: %2").arg(sherds, parts.join(QStringLiteral(", ")));
+  const QString shown =
+      figures.draft ? BatchQueue::tr("draft, to be computed again; %1").arg(pairs) : pairs;
   const QString counted =
       figures.counted == 0
-          ? pairs
-          : BatchQueue::tr("%1; but %n counted on the plate", nullptr, figures.counted).arg(pairs);
+          ? shown
+          : BatchQueue::tr("%1; but %n counted on the plate", nullptr, figures.counted).arg(shown);
   if (figures.uncertainty_mm <= 0) return counted;
   return BatchQueue::tr("%1; joined to %2 mm")
       .arg(counted, QLocale().toString(figures.uncertainty_mm, 'f', 2));

@@ -31,7 +31,8 @@ struct QueueRow {
   JobProgress progress;
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
-  bool scale_doubtful = false;  ///< known lengths contradict the plate: no measure is sure
+  QString
+      scale_doubts;  ///< known lengths contradict the plate, a sentence a line: no measure is sure
   std::optional<BatchFigures> figures;
   QString picture;  ///< a photograph of the front; empty when there is none
 };
@@ -60,6 +61,8 @@ class BatchQueue final : public QAbstractListModel {
   int rowOf(const QString& number) const;  ///< -1: none
 
   bool isPaused() const { return paused_; }
+  /// Each batch is computed as a draft first, and finally when it is computed again.
+  bool makesDrafts() const { return drafts_; }
   bool isBusy() const { return !busy_number_.isEmpty(); }
   /// The computation of a session that was closed has not ended yet; `left` follows.
   bool isLeaving() const { return leaving_ != nullptr; }
@@ -79,6 +82,7 @@ class BatchQueue final : public QAbstractListModel {
  public slots:
   void setPaused(bool paused);
   void togglePaused() { setPaused(!paused_); }
+  void setMakesDrafts(bool drafts);
   void cancel(const QString& number);
   void retry(const QString& number);
   /// The catalogue's batches changed.
@@ -107,7 +111,7 @@ class BatchQueue final : public QAbstractListModel {
   QString busy_number_;
   QDateTime busy_since_;
   bool cancel_asked_ = false;
-  bool paused_ = false;
+  bool paused_ = false, drafts_ = false;
   int threads_ = 0;
   QString trouble_;
   QStringList log_;

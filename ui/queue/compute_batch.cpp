@@ -7,7 +7,6 @@
 #include "catalogue/project.h"
 #include "pipeline/more_candidates.h"
 #include "pipeline/process_batch.h"
-#include "pipeline/register_scans.h"
 
 namespace ostraka::ui {
 namespace {
@@ -39,9 +38,10 @@ bool holdsScans(const fs::path& batch) {
   return false;
 }
 
-Result<BatchFigures> fromPhotographs(const ComputeOptions& options, const fs::path& batch,
-                                     const fs::path& output, Progress& progress,
-                                     const std::stop_token& stop) {
+// Photographs, or scans that were split already.
+Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& batch,
+                              const fs::path& output, Progress& progress,
+                              const std::stop_token& stop) {
   pipeline::ProcessOptions process;
   process.batch = batch;
   process.output = output;
@@ -49,10 +49,14 @@ Result<BatchFigures> fromPhotographs(const ComputeOptions& options, const fs::pa
   process.dense = options.dense == "colmap"    ? pipeline::DenseMethod::Colmap
                   : options.dense == "openmvs" ? pipeline::DenseMethod::OpenMvs
                                                : pipeline::DenseMethod::Builtin;
+  if (options.draft) process.megapixels = pipeline::kDraftMegapixels;
   if (fs::exists(batch / "rig.json")) process.rig = batch / "rig.json";
-  const Result<pipeline::ProcessSummary> done = pipeline::processBatch(process, progress, stop);
+  const Result<pipeline::ProcessSummary> done =
+      holdsScans(batch) ? pipeline::processScans(process, progress, stop)
+                        : pipeline::processBatch(process, progress, stop);
   if (!done) return done.error();
   BatchFigures figures;
+  figures.draft = options.draft && !holdsScans(batch);
   figures.sherds = static_cast<int>(done->sherds.size());
   figures.ask = done->ambiguous();
   for (const pipeline::SherdSummary& sherd : done->sherds)
@@ -61,26 +65,6 @@ Result<BatchFigures> fromPhotographs(const ComputeOptions& options, const fs::pa
   figures.seconds = done->seconds;
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);
-  return figures;
-}
-
-Result<BatchFigures> fromScans(const ComputeOptions& options, const fs::path& batch,
-                               const fs::path& output, Progress& progress,
-                               const std::stop_token& stop) {
-  pipeline::RegisterOptions scans;
-  scans.front = batch / "front";
-  scans.back = batch / "back";
-  scans.output = output;
-  scans.threads = options.threads;
-  const Result<pipeline::RegisterSummary> done = pipeline::registerScans(scans, progress, stop);
-  if (!done) return done.error();
-  BatchFigures figures;
-  figures.sherds = static_cast<int>(done->pairs.size());
-  figures.ask = done->ambiguous();
-  figures.sure = figures.sherds - figures.ask;
-  figures.seconds = done->seconds;
-  for (const pipeline::RegisterSummary::Pair& pair : done->pairs)
-    figures.uncertainty_mm = std::max(figures.uncertainty_mm, pair.uncertainty_mm);
   return figures;
 }
 
@@ -117,8 +101,7 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   const fs::path output = project->resultsFolder(options.number);
 
   const bool scans = holdsScans(batch);
-  Result<BatchFigures> figures = scans ? fromScans(options, batch, output, progress, stop)
-                                       : fromPhotographs(options, batch, output, progress, stop);
+  Result<BatchFigures> figures = computed(options, batch, output, progress, stop);
   if (!figures) return figures.error();
 
   // Who opens the review finds the candidates registered. Without them it compares them then.

@@ -13,6 +13,7 @@ struct ComputeOptions {
   std::string number;             ///< B0031
   std::string dense = "builtin";  ///< builtin, colmap or openmvs
   int threads = 0;                ///< 0: all
+  bool draft = false;             ///< a quick look at coarser photographs; final models come later
 };
 
 /// What the queue shows of a batch that was computed.
@@ -22,6 +23,7 @@ struct BatchFigures {
   double uncertainty_mm = 0;  ///< the largest of its sherds; 0: none has one
   double seconds = 0;         ///< of this run
   int decided = 0;            ///< by a person; besides sure and ask
+  bool draft = false;
   int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
 };
 

@@ -53,6 +53,12 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
   log_action_ =
       addAct(QStringLiteral("queueLog"), QStringLiteral("log"), tr("Log"), QKeySequence(Qt::Key_L));
   log_action_->setCheckable(true);
+  drafts_ = addAct(QStringLiteral("queueDrafts"), QStringLiteral("picture"), tr("Drafts first"),
+                   QKeySequence(Qt::Key_D));
+  drafts_->setCheckable(true);
+  drafts_->setToolTip(
+      tr("Computes each new batch quickly and coarsely, to be looked at while the "
+         "sherds still lie there; computed again it becomes final (D)"));
   buildLayout();
 
   connect(pause_, &QAction::triggered, queue_, &BatchQueue::togglePaused);
@@ -68,6 +74,7 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
     queue_->retry(batch);
   });
   connect(log_action_, &QAction::toggled, log_, &QWidget::setVisible);
+  connect(drafts_, &QAction::toggled, queue_, &BatchQueue::setMakesDrafts);
   connect(queue_, &BatchQueue::logged, log_, &QPlainTextEdit::appendPlainText);
   connect(queue_, &BatchQueue::workChanged, this, &QueueStation::follow);
   connect(queue_, &QAbstractItemModel::modelReset, this, &QueueStation::follow);
@@ -112,7 +119,8 @@ void QueueStation::buildLayout() {
           [this] { emit wantsStation(QStringLiteral("capture"), {}); });
 
   auto* bar = new FlowRow;
-  for (QAction* action : {pause_, again_, cancel_, report_, review_, masks_, log_action_}) {
+  for (QAction* action :
+       {pause_, again_, cancel_, report_, review_, masks_, drafts_, log_action_}) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setObjectName(action->objectName() + QStringLiteral("Button"));
@@ -162,6 +170,7 @@ void QueueStation::openProject(ProjectSession& session) {
   connect(thumbnails_, &Thumbnails::ready, list_->viewport(),
           [this] { list_->viewport()->update(); });
   queue_->setSession(&session);
+  drafts_->setChecked(queue_->makesDrafts());
   log_->setPlainText(queue_->log().join(QLatin1Char('\n')));
   if (queue_->rowCount() > 0) list_->setCurrentIndex(queue_->index(0));
   follow();
@@ -246,6 +255,10 @@ void QueueStation::showMasks() {
   pages_->setCurrentWidget(masks_page_);
   masks_page_->setFocus();
   follow();
+}
+
+QWidget* QueueStation::masksPage() const {
+  return masks_page_;
 }
 
 void QueueStation::leaveMasks() {

@@ -35,6 +35,7 @@ class QueueStation final : public Station {
 
   QAction* pauseAction() const { return pause_; }
   QAction* logAction() const { return log_action_; }
+  QWidget* masksPage() const;
 
  private:
   void buildLayout();
@@ -59,7 +60,7 @@ class QueueStation final : public Station {
   MessagePanel* message_;
   QStackedWidget* pages_;
   MaskPage* masks_page_;
-  QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_;
+  QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_, *drafts_;
 };
 
 }  // namespace ostraka::ui

@@ -116,6 +116,7 @@ class BatchQueueTest : public QObject {
       bench.queue.setSession(&bench.session);
       QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
       QVERIFY(stateWords(bench.queue.row(0)).contains(QLatin1String("scale")));
+      QVERIFY(bench.queue.row(0).scale_doubts.contains(QLatin1String("49.5 mm")));
     }
     Bench again(folder(), jobs);
     again.queue.setSession(&again.session);
@@ -124,6 +125,38 @@ class BatchQueueTest : public QObject {
     QVERIFY2(figures.contains(QLatin1String("but 4 counted")), qPrintable(figures));
     QVERIFY(stateWords(again.queue.row(0)).contains(QLatin1String("scale")));
     QVERIFY(again.computed.isEmpty());
+  }
+
+  void aDraftComesFirstAndIsFinalWhenItIsComputedAgain() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    QVector<bool> drafts;
+    bench.queue.setWork(
+        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
+          drafts << options.draft;
+          catalogue::Catalogue& rows = bench.session.project().catalogue();
+          catalogue::BatchRecord record = *rows.batchByNumber(options.number);
+          record.state = BatchState::Done;
+          (void)rows.saveBatch(record, {});
+          BatchFigures figures;
+          figures.sherds = figures.sure = 3;
+          figures.draft = options.draft;
+          return figures;
+        });
+    bench.queue.setSession(&bench.session);
+    bench.queue.setMakesDrafts(true);
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    bench.session.tellBatchChanged(number);
+    QTRY_COMPARE(drafts, QVector<bool>{true});
+    QTRY_COMPARE(bench.queue.row(0).state, QueueState::Done);
+    const auto words = [&] { return figuresWords(*bench.queue.row(0).figures); };
+    QVERIFY2(words().contains(QLatin1String("draft")), qPrintable(words()));
+    bench.queue.retry(number);
+    QTRY_COMPARE(drafts, (QVector<bool>{true, false}));
+    QTRY_VERIFY(!words().contains(QLatin1String("draft")));
+    Bench again(folder(), jobs);
+    again.queue.setSession(&again.session);
+    QVERIFY2(again.queue.makesDrafts(), "the project remembers it");
   }
 
   void aPausedQueueStaysPausedWhenTheProjectIsOpenedAgain() {

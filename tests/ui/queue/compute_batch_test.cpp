@@ -1,0 +1,61 @@
+// What the queue's work leaves in a project, with real scans and without a display.
+#include "ui/queue/compute_batch.h"
+
+#include <QtTest>
+
+#include "catalogue/project.h"
+#include "synthetic_out.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class ComputeBatchTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // From another scanner's files to rows with models and measures, as photographs do.
+  void importedScansBecomeSherdsOfTheCatalogue() {
+    const QTemporaryDir folder;
+    const std::filesystem::path place = folder.path().toStdString();
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    record.title = "Trial";
+    auto project = catalogue::Project::create(place / "project", record);
+    QVERIFY2(project.has_value(), project ? "" : project.error().sentence().c_str());
+    catalogue::Catalogue& rows = project->catalogue();
+    catalogue::BatchRecord queued;
+    queued.state = catalogue::BatchState::Queued;
+    const auto batch = rows.addBatch(queued, {});
+    QVERIFY(batch.has_value());
+    const std::string number = rows.batch(*batch)->number;
+    pipeline::SyntheticOptions options;
+    options.sherds = 2;
+    options.swapped_look_alikes = false;
+    const auto truth = pipeline::writeSyntheticOut(place / "truth", options);
+    std::filesystem::create_directories(project->batchFolder(number));
+    for (const char* side : {"front", "back"})
+      std::filesystem::copy(truth.output / "work" / (std::string("scans_") + side),
+                            project->batchFolder(number) / side);
+    QuietProgress quiet;
+    const auto figures = computeBatch({place / "project", number}, quiet, {});
+    QVERIFY2(figures.has_value(), figures ? "" : figures.error().sentence().c_str());
+    QCOMPARE(figures->sherds, 2);
+    const auto sherds = rows.sherdRows(*batch);
+    QVERIFY(sherds.has_value());
+    QCOMPARE(sherds->size(), std::size_t{2});
+    const auto records = rows.sherds(*sherds);
+    QVERIFY(records.has_value());
+    for (const catalogue::SherdRecord& sherd : *records) {
+      QVERIFY(!sherd.model_path.empty());
+      QVERIFY(std::filesystem::exists(place / "project" / sherd.model_path));
+      const auto measured = rows.measurements(sherd.row);
+      QVERIFY(std::any_of(measured->begin(), measured->end(),
+                          [](const auto& m) { return m.kind == "length" && m.value > 15; }));
+    }
+    const catalogue::BatchState state = rows.batch(*batch)->state;
+    QCOMPARE(state, figures->ask > 0 ? catalogue::BatchState::Review : catalogue::BatchState::Done);
+  }
+};
+
+QTEST_GUILESS_MAIN(ComputeBatchTest)
+#include "compute_batch_test.moc"

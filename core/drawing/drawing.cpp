@@ -65,9 +65,10 @@ class Composer {
     if (options_.rim != RimChoice::No) out_.rim = findRim(walls);
     decide();
     if (options_.rim == RimChoice::Yes && !out_.drawn_as_rim)
-      return Error{ErrorCode::UnusableInput,
-                   "No stretch of the edge can be a piece of a rim; draw this sherd without --rim.",
-                   out_.id};
+      return Error{
+          ErrorCode::UnusableInput,
+          "No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.",
+          out_.id};
     outer_ = out_.drawn_as_rim ? out_.rim->vessel_from_model : frameByAxes(walls);
     draw();
     return std::move(out_);
@@ -91,7 +92,7 @@ class Composer {
           words("Drawn as a rim, which is likely (%.0f %%); check it.", 100 * p));
     else if (!out_.drawn_as_rim && p >= kPossible)
       out_.remarks.push_back(
-          words("May be a rim (%.0f %%); if it is, draw it again with --rim.", 100 * p));
+          words("May be a rim (%.0f %%); if it is one, say so and draw it again.", 100 * p));
   }
 
   ViewOptions viewOptions() const {

@@ -7,6 +7,7 @@
 #include <QSet>
 #include <QTextBrowser>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/frame/look.h"
 
@@ -38,6 +39,18 @@ class ManualText final : public QTextBrowser {
     return image;
   }
 };
+
+// A page within a station has a list of its own.
+bool isOfAnInnerScreen(const QAction& action,
+                       const std::vector<std::pair<QString, const QWidget*>>& screens,
+                       const QWidget* screen) {
+  return std::any_of(screens.begin(), screens.end(), [&](const auto& other) {
+    const QWidget* inner = other.second;
+    if (inner == screen || !screen->isAncestorOf(inner)) return false;
+    const auto* owner = qobject_cast<const QWidget*>(action.parent());
+    return owner == inner || inner->isAncestorOf(owner);
+  });
+}
 
 }  // namespace
 
@@ -82,7 +95,8 @@ void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*
   for (const auto& [title, screen] : screens) {
     QString rows;
     for (const QAction* action : screen->findChildren<QAction*>()) {
-      if (action->shortcut().isEmpty() || action->text().isEmpty() || listed.contains(action))
+      if (action->shortcut().isEmpty() || action->text().isEmpty() || listed.contains(action) ||
+          isOfAnInnerScreen(*action, screens, screen))
         continue;
       listed.insert(action);
       rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")

@@ -295,7 +295,11 @@ void MainWindow::showManual() {
 
 void MainWindow::showShortcuts() {
   std::vector<std::pair<QString, const QWidget*>> screens;
-  for (const Station* station : stations_) screens.emplace_back(station->title(), station);
+  for (const Station* station : stations_) {
+    screens.emplace_back(station->title(), station);
+    if (station == queue_station_)
+      screens.emplace_back(tr("Queue: mending masks"), queue_station_->masksPage());
+  }
   screens.emplace_back(tr("Everywhere"), this);
   help_->showShortcuts(screens);
   all_->setCurrentWidget(help_);

@@ -790,6 +790,11 @@
         <numerusform>%1; aber %n auf dem Teller gezählt</numerusform>
       </translation>
     </message>
+    <message>
+      <source>draft, to be computed again; %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entwurf, noch endgültig zu berechnen; %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -2343,6 +2348,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Berechnung wird angehalten; sie geht weiter, sobald das Projekt wieder geöffnet wird. Das Fenster schließt gleich.</translation>
     </message>
+    <message>
+      <source>Queue: mending masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Warteschlange: Masken ausbessern</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
@@ -2905,6 +2915,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken ausbessern</translation>
     </message>
+    <message>
+      <source>Drafts first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erst Entwürfe</translation>
+    </message>
+    <message>
+      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Berechnet jede neue Ladung schnell und grob, um sie anzusehen, solange die Scherben noch daliegen; noch einmal berechnet wird sie endgültig (D)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3156,6 +3176,16 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durchsicht</translation>
+    </message>
+    <message>
+      <source>Where its report is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zu ihrem Bericht</translation>
+    </message>
+    <message>
+      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Maßstab von %1 ist zweifelhaft, keines ihrer Maße ist sicher. %2</translation>
     </message>
   </context>
   <context>
@@ -3551,7 +3581,7 @@
     <message>
       <source>%1: the scale of batch %2 is in doubt; its report says why and what to do.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Der Maßstab von Charge %2 ist zweifelhaft; ihr Bericht sagt, warum und was zu tun ist.</translation>
+      <translation>%1: Der Maßstab von Ladung %2 ist zweifelhaft; ihr Bericht sagt, warum und was zu tun ist.</translation>
     </message>
   </context>
   <context>
@@ -3734,6 +3764,11 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abstand der Seiten am Rand entlang</translation>
+    </message>
+    <message>
+      <source>grey: not met by the other side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>grau: die andere Seite reicht nicht heran</translation>
     </message>
   </context>
   <context>

@@ -790,6 +790,11 @@
         <numerusform>%1· αλλά %n μετρήθηκαν στον δίσκο</numerusform>
       </translation>
     </message>
+    <message>
+      <source>draft, to be computed again; %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προσχέδιο, να υπολογιστεί ξανά· %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -2343,6 +2348,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο υπολογισμός σταματά· συνεχίζει όταν ανοίξει ξανά το έργο. Το παράθυρο κλείνει σε λίγο.</translation>
     </message>
+    <message>
+      <source>Queue: mending masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ουρά: διόρθωση μασκών</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
@@ -2905,6 +2915,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διόρθωση μασκών</translation>
     </message>
+    <message>
+      <source>Drafts first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρώτα προσχέδια</translation>
+    </message>
+    <message>
+      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπολογίζει κάθε νέα παρτίδα γρήγορα και χονδρικά, για να τη δείτε όσο τα όστρακα είναι ακόμη εκεί· αν υπολογιστεί ξανά γίνεται οριστική (D)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3156,6 +3176,16 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έλεγχος</translation>
+    </message>
+    <message>
+      <source>Where its report is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Προς την αναφορά της</translation>
+    </message>
+    <message>
+      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κλίμακα της %1 είναι αμφίβολη, καμία μέτρησή της δεν είναι βέβαιη. %2</translation>
     </message>
   </context>
   <context>
@@ -3734,6 +3764,11 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κενό μεταξύ των όψεων κατά μήκος της ακμής</translation>
+    </message>
+    <message>
+      <source>grey: not met by the other side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γκρι: η άλλη πλευρά δεν φτάνει εδώ</translation>
     </message>
   </context>
   <context>

@@ -790,6 +790,11 @@
         <numerusform>%1; pero %n contados en el plato</numerusform>
       </translation>
     </message>
+    <message>
+      <source>draft, to be computed again; %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>borrador, por calcular de nuevo; %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -2343,6 +2348,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se está deteniendo el cálculo; continúa cuando el proyecto se abra otra vez. La ventana se cierra en un momento.</translation>
     </message>
+    <message>
+      <source>Queue: mending masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cola: corregir las máscaras</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
@@ -2905,6 +2915,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Corregir las máscaras</translation>
     </message>
+    <message>
+      <source>Drafts first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Primero borradores</translation>
+    </message>
+    <message>
+      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calcula cada tanda nueva deprisa y sin detalle, para verlo mientras los fragmentos siguen ahí; calculada de nuevo es definitiva (D)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3156,6 +3176,16 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Revisión</translation>
+    </message>
+    <message>
+      <source>Where its report is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A su informe</translation>
+    </message>
+    <message>
+      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La escala de %1 es dudosa: ninguna de sus medidas es segura. %2</translation>
     </message>
   </context>
   <context>
@@ -3734,6 +3764,11 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>hueco entre los lados a lo largo del borde</translation>
+    </message>
+    <message>
+      <source>grey: not met by the other side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>gris: la otra cara no llega aquí</translation>
     </message>
   </context>
   <context>

@@ -790,6 +790,11 @@
         <numerusform>%1 ; mais %n comptés sur le plateau</numerusform>
       </translation>
     </message>
+    <message>
+      <source>draft, to be computed again; %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ébauche, à recalculer ; %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -2343,6 +2348,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le calcul s’arrête ; il reprendra à la réouverture du projet. La fenêtre se ferme dans un instant.</translation>
     </message>
+    <message>
+      <source>Queue: mending masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>File : corriger les masques</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
@@ -2905,6 +2915,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Corriger les masques</translation>
     </message>
+    <message>
+      <source>Drafts first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ébauches d’abord</translation>
+    </message>
+    <message>
+      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calcule chaque nouveau lot vite et grossièrement, pour le voir tant que les tessons sont encore là ; recalculé, il devient définitif (D)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3156,6 +3176,16 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vérification</translation>
+    </message>
+    <message>
+      <source>Where its report is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vers son rapport</translation>
+    </message>
+    <message>
+      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’échelle de %1 est douteuse : aucune de ses mesures n’est sûre. %2</translation>
     </message>
   </context>
   <context>
@@ -3734,6 +3764,11 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>écart entre les faces le long du bord</translation>
+    </message>
+    <message>
+      <source>grey: not met by the other side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>gris : l’autre face ne touche pas ici</translation>
     </message>
   </context>
   <context>

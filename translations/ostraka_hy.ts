@@ -790,6 +790,11 @@
         <numerusform>%1. սակայն սկավառակի վրա հաշվվել է %n</numerusform>
       </translation>
     </message>
+    <message>
+      <source>draft, to be computed again; %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սևագիր, պետք է նորից հաշվել. %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -2343,6 +2348,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաշվարկը կանգնեցվում է. կշարունակվի, երբ նախագիծը նորից բացվի։ Պատուհանը շուտով կփակվի։</translation>
     </message>
+    <message>
+      <source>Queue: mending masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հերթ. դիմակների ուղղում</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
@@ -2905,6 +2915,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ուղղել դիմակները</translation>
     </message>
+    <message>
+      <source>Drafts first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախ սևագրեր</translation>
+    </message>
+    <message>
+      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Յուրաքանչյուր նոր խմբաքանակ հաշվում է արագ և կոպիտ, որ նայեք, քանի դեռ բեկորները տեղում են. նորից հաշվելիս դառնում է վերջնական (D)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3156,6 +3176,16 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ստուգում</translation>
+    </message>
+    <message>
+      <source>Where its report is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեպի նրա հաշվետվությունը</translation>
+    </message>
+    <message>
+      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի մասշտաբը կասկածելի է, նրա ոչ մի չափը վստահելի չէ։ %2</translation>
     </message>
   </context>
   <context>
@@ -3734,6 +3764,11 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>երեսների միջև բացվածքը եզրի երկայնքով</translation>
+    </message>
+    <message>
+      <source>grey: not met by the other side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մոխրագույն. մյուս կողմը չի հասնում</translation>
     </message>
   </context>
   <context>

@@ -780,6 +780,11 @@
         <numerusform>%1; ama tablada %n sayıldı</numerusform>
       </translation>
     </message>
+    <message>
+      <source>draft, to be computed again; %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>taslak, yeniden hesaplanacak; %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -2312,6 +2317,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hesap durduruluyor; proje yeniden açılınca sürer. Pencere birazdan kapanır.</translation>
     </message>
+    <message>
+      <source>Queue: mending masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kuyruk: maskeleri düzeltme</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>
@@ -2871,6 +2881,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maskeleri düzelt</translation>
     </message>
+    <message>
+      <source>Drafts first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önce taslaklar</translation>
+    </message>
+    <message>
+      <source>Computes each new batch quickly and coarsely, to be looked at while the sherds still lie there; computed again it becomes final (D)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her yeni partiyi hızlı ve kaba hesaplar; parçalar hâlâ oradayken bakılabilsin diye. Yeniden hesaplanınca kesinleşir (D)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3121,6 +3141,16 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İnceleme</translation>
+    </message>
+    <message>
+      <source>Where its report is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Raporuna git</translation>
+    </message>
+    <message>
+      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ölçeği kuşkulu; hiçbir ölçüsü kesin değil. %2</translation>
     </message>
   </context>
   <context>
@@ -3698,6 +3728,11 @@
       <source>gap between the sides along the rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yüzler arasında kenar boyunca aralık</translation>
+    </message>
+    <message>
+      <source>grey: not met by the other side</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>gri: öteki yüz buraya değmiyor</translation>
     </message>
   </context>
   <context>

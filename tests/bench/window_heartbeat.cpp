@@ -1,13 +1,17 @@
 // window_heartbeat BATCH PROJECT [SECONDS]: makes a new project with this batch of photographs in
-// its queue, opens the window with it and measures, while both processors compute, how late the
-// window's events come: a timer of 5 ms, and a key press every 200 ms until it was handled. Prints
-// the time to a usable window, the delays' median, 99 % and maximum in ms, and how many were above
-// 50 ms. Beside it how late a bare thread wakes that sleeps for 5 ms, which is what the machine
-// takes; what the window's own thread computed during its latest beats; and the single events that
-// kept it for longer than 10 ms of processor time, which are the window's own stalls.
+// its queue (or adds the batch to a project that is there, so that review, masks, map and catalogue
+// have contents), opens the window with it and measures, while both processors compute, how late
+// the window's events come: a timer of 5 ms, and an act every 200 ms until it was handled: the next
+// station, the next pair, the next sherd, the settings, the masks and a stroke of their brush.
+// Prints the time to a usable window, the delays' median, 99 % and maximum in ms, and how many were
+// above 50 ms. Beside it how late a bare thread wakes that sleeps for 5 ms, which is what the
+// machine takes; what the window's own thread computed during its latest beats; and the single
+// events that kept it for longer than 10 ms of processor time, which are the window's own stalls.
+#include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QTimer>
 #include <algorithm>
 #include <atomic>
@@ -15,6 +19,8 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -73,13 +79,19 @@ void print(const char* what, std::vector<double> delays) {
               delays.size(), at(0.5), at(0.99), delays.back(), static_cast<long>(late));
 }
 
-// A project with one batch in its queue.
-bool makeProject(const std::filesystem::path& batch, const std::filesystem::path& folder) {
+ostraka::Result<ostraka::catalogue::Project> projectIn(const std::filesystem::path& folder) {
   using namespace ostraka;
+  if (catalogue::Project::isProject(folder)) return catalogue::Project::open(folder);
   catalogue::ProjectRecord record;
   record.code = "BENCH";
   record.title = "Bench";
-  auto project = catalogue::Project::create(folder, record);
+  return catalogue::Project::create(folder, record);
+}
+
+// A project with one batch more in its queue.
+bool makeProject(const std::filesystem::path& batch, const std::filesystem::path& folder) {
+  using namespace ostraka;
+  auto project = projectIn(folder);
   if (!project) {
     std::fprintf(stderr, "%s\n", project.error().sentence().c_str());
     return false;
@@ -93,6 +105,62 @@ bool makeProject(const std::filesystem::path& batch, const std::filesystem::path
                         std::filesystem::copy_options::recursive);
   std::filesystem::remove_all(project->batchFolder(number) / "truth");
   return true;
+}
+
+void press(QWidget* receiver, int key) {
+  if (receiver == nullptr) return;
+  for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
+    QKeyEvent event(type, key, Qt::NoModifier);
+    QApplication::sendEvent(receiver, &event);
+  }
+}
+
+// What a person does with the mouse: across the middle of the photograph.
+void stroke(QWidget* view) {
+  if (view == nullptr || !view->isVisible()) return;
+  const QPointF from = view->rect().center();
+  const auto send = [&](QEvent::Type type, double share, Qt::MouseButtons held) {
+    const QPointF at = from + QPointF(40 * share, 15 * share);
+    const auto button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, at, view->mapToGlobal(at), button, held, Qt::NoModifier);
+    QApplication::sendEvent(view, &event);
+  };
+  send(QEvent::MouseButtonPress, 0, Qt::LeftButton);
+  for (int i = 1; i <= 10; ++i) send(QEvent::MouseMove, 0.1 * i, Qt::LeftButton);
+  send(QEvent::MouseButtonRelease, 1, Qt::NoButton);
+}
+
+void trigger(QWidget& window, const char* name) {
+  if (auto* action = window.findChild<QAction*>(name); action != nullptr && action->isEnabled())
+    action->trigger();
+}
+
+// Each is one act of a person; the screens one after the other, again and again.
+std::vector<std::pair<const char*, std::function<void()>>> actsOn(ostraka::ui::MainWindow& window) {
+  const auto child = [&window](const char* name) { return window.findChild<QWidget*>(name); };
+  std::vector<std::pair<const char*, std::function<void()>>> acts;
+  static constexpr const char* kStations[] = {"capture", "queue",     "review",
+                                              "map",     "catalogue", "export"};
+  for (int i = 0; i < 6; ++i) {
+    acts.emplace_back(kStations[i], [&window, i] { window.showStation(i); });
+    if (i == 1) {
+      acts.emplace_back("the batch below", [child] { press(child("queueList"), Qt::Key_Down); });
+      acts.emplace_back("masks", [&window] { trigger(window, "queueMasks"); });
+      acts.emplace_back("(masks come)", [] {});
+      for (int k = 0; k < 3; ++k)
+        acts.emplace_back("a stroke", [child] { stroke(child("maskView")); });
+      acts.emplace_back("undo", [&window] { trigger(window, "undo"); });
+      acts.emplace_back("next photograph", [&window] { trigger(window, "masksNext"); });
+    }
+    if (i == 2)
+      for (int k = 0; k < 3; ++k)
+        acts.emplace_back("next pair", [&window] { trigger(window, "next"); });
+    if (i == 4)
+      for (int k = 0; k < 3; ++k)
+        acts.emplace_back("next sherd", [child] { press(child("sherds"), Qt::Key_Down); });
+  }
+  acts.emplace_back("settings", [&window] { window.showSettings(); });
+  return acts;
 }
 
 }  // namespace
@@ -143,14 +211,18 @@ int main(int argc, char** argv) {
   });
   beat.start(kBeat_ms);
   QTimer key;
-  int pressed = 0;
+  std::size_t pressed = 0;
+  const auto acts = actsOn(window);
+  std::map<std::string, std::vector<double>> by_act;
   QObject::connect(&key, &QTimer::timeout, &window, [&] {
+    const auto& [name, act] = acts[pressed++ % acts.size()];
     QElapsedTimer handled;
     handled.start();
-    const int station = pressed++ % static_cast<int>(window.stations().size());
-    window.showStation(station);
+    const double before = ownTime_ms();
+    act();
     window.repaint();
     keys.push_back(static_cast<double>(handled.nsecsElapsed()) / 1e6);
+    by_act[name].push_back(ownTime_ms() - before);
   });
   key.start(kKeyEvery_ms);
   const int seconds = argc > 3 ? std::atoi(argv[3]) : 120;
@@ -166,7 +238,9 @@ int main(int argc, char** argv) {
   print("beats", beats);
   print("a bare thread beside it", bare);
   print("computed by the window's thread between two beats", own);
-  print("switching stations and painting", keys);
+  print("acts, each handled and painted", keys);
+  for (const auto& [name, own_ms] : by_act)
+    print(("  " + name + ", computed by the window's thread").c_str(), own_ms);
   std::sort(application.stalls.rbegin(), application.stalls.rend());
   std::printf("events of more than %.0f ms of the window's own: %zu\n", kStall_ms,
               application.stalls.size());

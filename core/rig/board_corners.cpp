@@ -95,13 +95,20 @@ Result<TargetView> findGrid(const cv::Mat& photograph, const MarkerGrid& grid) {
   const FoundMarkers found = findMarkers(grey, *dictionary, parameters);
   TargetView view;
   const double step = grid.marker_mm + grid.gap_mm;
+  // The bands in which edges are looked for must end before the next marker.
+  const int cells = std::max((*dictionary)->markerSize,
+                             static_cast<int>(std::ceil(grid.marker_mm / grid.gap_mm)) - 2);
   for (std::size_t i = 0; i < found.ids.size(); ++i) {
     const int index = found.ids[i] - grid.first_id;
     if (index < 0 || index >= grid.markers_x * grid.markers_y) continue;
+    // Edges, as on the plate: windows around corners would be of a fixed number of pixels, and find
+    // them inside of the black by some tenths of the blur.
+    const Quad start = toQuad(found.corners[i]);
+    const Quad corners = refineByEdges(grey, start, cells).value_or(start);
     const Eigen::Vector3d origin(index % grid.markers_x * step, index / grid.markers_x * step, 0);
-    for (int c = 0; c < 4; ++c) {
+    for (std::size_t c = 0; c < 4; ++c) {
       view.points.push_back(origin + grid.marker_mm * Eigen::Vector3d(c == 1 || c == 2, c >= 2, 0));
-      view.pixels.emplace_back(found.corners[i][c].x, found.corners[i][c].y);
+      view.pixels.push_back(corners[c]);
     }
   }
   if (!spansAPlane(view.points)) view = {};

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "batch/photograph.h"
 
@@ -129,6 +128,12 @@ Eigen::Vector2d middle(const Quad& q) {
 }
 
 }  // namespace
+
+Quad toQuad(const std::vector<cv::Point2f>& corners) {
+  Quad quad;
+  for (std::size_t c = 0; c < 4; ++c) quad[c] = Eigen::Vector2d(corners[c].x, corners[c].y);
+  return quad;
+}
 
 std::optional<Quad> refineByEdges(const cv::Mat& grey, const Quad& start, int bits) {
   std::array<Line, 4> edges;

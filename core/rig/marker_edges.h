@@ -2,11 +2,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
 #include <optional>
+#include <vector>
 
 namespace ostraka::rig {
 
 using Quad = std::array<Eigen::Vector2d, 4>;  ///< pixels, in the order around the marker
+Quad toQuad(const std::vector<cv::Point2f>& corners);
 
 /// Corners of a black marker on white paper as the intersections of its four edges, each fitted by
 /// a blurred step over all pixels beside it, in linear light (the sRGB curve undone): in stored

@@ -17,12 +17,6 @@ namespace {
 constexpr double kEdgeSdPx = 0.06;
 constexpr double kContourSdPx = 0.5;
 
-Quad toQuad(const std::vector<cv::Point2f>& corners) {
-  Quad quad;
-  for (int c = 0; c < 4; ++c) quad[c] = Eigen::Vector2d(corners[c].x, corners[c].y);
-  return quad;
-}
-
 }  // namespace
 
 Result<std::vector<SeenMarker>> findPlateMarkers(const cv::Mat& photograph,

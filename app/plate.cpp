@@ -51,7 +51,9 @@ int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem
   std::printf("plate.json and board.json beside it describe them%s.\n",
               options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
   if (print->markers_cut > 0)
-    std::printf("%d marker(s) lie on a seam; glue those with care.\n", print->markers_cut);
+    std::printf(print->markers_cut == 1 ? "%d marker lies on a seam; glue it with care.\n"
+                                        : "%d markers lie on a seam; glue those with care.\n",
+                print->markers_cut);
   if (options.ruler_measured_mm == 0)
     std::printf(
         "Print at 100 %% (not 'fit to page'), glue the sheets, and measure both rulers: %.0f mm.\n"

@@ -59,12 +59,17 @@ void printTable(const ProcessSummary& summary) {
   printNames("To be photographed again", summary.reshoot);
   printNames("Pushed while photographed", summary.moved);
   printNames("Set aside", summary.set_aside);
-  std::printf("%zu sherds, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
-              summary.reprojection_rms_px, summary.seconds, summary.report.c_str());
+  std::printf("%zu %s, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
+              summary.sherds.size() == 1 ? "sherd" : "sherds", summary.reprojection_rms_px,
+              summary.seconds, summary.report.c_str());
   if (!summary.warnings.empty())
-    std::printf("%zu warning(s); the report names them.\n", summary.warnings.size());
+    std::printf(summary.warnings.size() == 1 ? "%zu warning; the report names it.\n"
+                                             : "%zu warnings; the report names them.\n",
+                summary.warnings.size());
   if (summary.ambiguous() > 0)
-    std::printf("%d pair(s) need a person's eye; the report shows the alternatives.\n",
+    std::printf(summary.ambiguous() == 1
+                    ? "%d pair needs a person's eye; the report shows the alternatives.\n"
+                    : "%d pairs need a person's eye; the report shows the alternatives.\n",
                 summary.ambiguous());
   for (const std::string& doubt : summary.scale_doubts)
     std::printf("A person must decide before anything is measured here: %s\n", doubt.c_str());

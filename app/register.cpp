@@ -37,11 +37,16 @@ void printTable(const RegisterSummary& summary) {
                 p.uncertainty_mm, p.ambiguous ? "AMBIGUOUS " : "", p.reason.c_str());
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);
-  std::printf("%zu pairs in %.1f s: %s\n", summary.pairs.size(), summary.seconds,
+  std::printf("%zu %s in %.1f s: %s\n", summary.pairs.size(),
+              summary.pairs.size() == 1 ? "pair" : "pairs", summary.seconds,
               summary.pairs_file.c_str());
-  if (summary.unusable > 0) std::printf("%d file(s) could not be used.\n", summary.unusable);
+  if (summary.unusable > 0)
+    std::printf("%d %s could not be used.\n", summary.unusable,
+                summary.unusable == 1 ? "file" : "files");
   if (summary.ambiguous() > 0)
-    std::printf("%d pair(s) need a person's eye.\n", summary.ambiguous());
+    std::printf(summary.ambiguous() == 1 ? "%d pair needs a person's eye.\n"
+                                         : "%d pairs need a person's eye.\n",
+                summary.ambiguous());
 }
 
 int runRegister(const RegisterOptions& options, Session& session) {

@@ -103,6 +103,11 @@ void judge(CalibrationReport& report) {
     report.verdict_in_words = "Usable; what is named below would make it better.";
 }
 
+std::string onlyPictures(int count) {
+  if (count == 0) return "no picture shows";
+  return "only " + std::to_string(count) + (count == 1 ? " picture shows" : " pictures show");
+}
+
 std::string lensWords(const CameraCalibration& c) {
   std::string text = cameraName(c.camera) + ": focal length " + fixed(c.focal_px, 1) + " +- " +
                      fixed(c.focal_sd_px, 1) + " px (" + percent(c.focal_sd_px, c.focal_px) + ")";
@@ -135,8 +140,8 @@ void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& mi
     return;
   }
   if (camera.pictures < kFewPictures)
-    missing.push_back(name + ": only " + std::to_string(camera.pictures) +
-                      " pictures show the board; take at least 8, better 12.");
+    missing.push_back(name + ": " + onlyPictures(camera.pictures) +
+                      " the board; take at least 8, better 12.");
   constexpr const char* kRegions[] = {"upper left",  "upper middle", "upper right",
                                       "left middle", "middle",       "right middle",
                                       "lower left",  "lower middle", "lower right"};
@@ -148,9 +153,9 @@ void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& mi
                       " of the picture; add pictures with the board there.");
   if (camera.tilted_pictures < kFewTilted)
     missing.push_back(
-        name + ": only " + std::to_string(camera.tilted_pictures) +
-        " pictures show the board tilted by more than 20 degrees; take at least four, "
-        "tilted to different sides.");
+        name + ": " + onlyPictures(camera.tilted_pictures) +
+        " the board tilted by more than 20 degrees; take at least four, tilted to different "
+        "sides.");
 }
 
 void adviseOnPlate(const BatchPoses& poses, CalibrationReport& report) {
@@ -169,7 +174,8 @@ std::vector<std::string> inWords(const CalibrationReport& report) {
   for (const MeasuredLength& m : report.lengths)
     lines.push_back("Scale: markers " + std::to_string(m.length.first) + " and " +
                     std::to_string(m.length.second) + ", " + fixed(m.length.mm, 2) +
-                    " mm by hand, lie " + fixed(m.found_mm, 2) + " mm apart in the photographs (" +
+                    " mm by hand between the middles of their outer edges, lie " +
+                    fixed(m.found_mm, 2) + " mm apart in the photographs (" +
                     fixed(100 * (m.found_mm / m.length.mm - 1), 3) + " %).");
   for (const std::string& one : report.set_aside) lines.push_back("Set aside: " + one);
   lines.push_back(report.verdict_in_words);

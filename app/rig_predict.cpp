@@ -103,7 +103,8 @@ void addRigPredict(CLI::App& rig, Command& chosen) {
       "models are compared with the truth. 90 % of a model's surface lie within 'accuracy' of\n"
       "the truth; 'completeness' is the share of the truth within 0.25 mm of the model. 'seen',\n"
       "and which camera to move, comes from rays: by three photographs of a side; breaks by both\n"
-      "sides. With a smaller --width accuracy and seconds are extrapolated: errors with the size\n"
+      "sides. The advice is not simulated: calibrate and predict again once the camera stands\n"
+      "there. With a smaller --width accuracy and seconds are extrapolated: errors with the size\n"
       "of a pixel, time with its square. Depth of field, gloss and an unsteady turntable are not\n"
       "simulated: real figures can only be worse. Small sherds vary most: two of them may differ\n"
       "by a third, --sherds-per-size 4 tells more.");

@@ -32,7 +32,8 @@ struct CameraAdvice {
   double gain = 0;       ///< more of the broken edge seen, share
 };
 /// Every camera raised and lowered by 10 and 20 degrees, alone, as far as it stays between 10 and
-/// 85 degrees above the plate; the best of these when it shows at least one per cent more of the
+/// 85 degrees above the plate and opens no wider step between the cameras' elevations than 26
+/// degrees or what is there; the best of these when it shows at least one per cent more of the
 /// breaks, else raise_rad = 0. Errors: Cancelled.
 Result<CameraAdvice> bestMove(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
                               const CoverageOptions& options, std::stop_token stop);

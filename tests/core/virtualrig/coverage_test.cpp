@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "virtualrig/predict.h"
 
@@ -64,6 +66,20 @@ TEST(Coverage, LowersACameraWhenAllLookDownSteeply) {
   ASSERT_TRUE(advice.has_value());
   EXPECT_LT(advice->raise_rad, 0);
   EXPECT_GT(advice->gain, 0.01);
+}
+
+// Rays alone would lower the middle camera beside the lowest: pictures 40 degrees apart do not
+// match.
+TEST(Coverage, OpensNoStepBetweenTheCamerasThatPicturesDoNotMatchOver) {
+  const VirtualRig rig = standardRig();
+  const auto advice = bestMove(twoSherds(), rig, quick(), {});
+  ASSERT_TRUE(advice.has_value());
+  std::vector<double> elevations;
+  for (int c = 0; c < rig.cameras(); ++c)
+    elevations.push_back(elevation(rig, c) + (c == advice->camera ? advice->raise_rad : 0));
+  std::sort(elevations.begin(), elevations.end());
+  for (std::size_t c = 1; c < elevations.size(); ++c)
+    EXPECT_LT(elevations[c] - elevations[c - 1], 26.1 * std::numbers::pi / 180);
 }
 
 TEST(Coverage, KnowsWhereACameraStands) {

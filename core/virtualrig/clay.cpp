@@ -9,11 +9,11 @@ namespace {
 
 // Linear albedos of fired clays: orange, buff, red, brown, grey, pale.
 const std::array<Eigen::Vector3f, 6> kBodies{
-    Eigen::Vector3f(0.46f, 0.19f, 0.08f),  Eigen::Vector3f(0.52f, 0.38f, 0.22f),
+    Eigen::Vector3f(0.42f, 0.17f, 0.07f),  Eigen::Vector3f(0.44f, 0.31f, 0.17f),
     Eigen::Vector3f(0.33f, 0.09f, 0.05f),  Eigen::Vector3f(0.24f, 0.15f, 0.09f),
-    Eigen::Vector3f(0.16f, 0.16f, 0.165f), Eigen::Vector3f(0.55f, 0.48f, 0.36f)};
+    Eigen::Vector3f(0.16f, 0.16f, 0.165f), Eigen::Vector3f(0.46f, 0.39f, 0.28f)};
 const std::array<Eigen::Vector3f, 3> kSlips{Eigen::Vector3f(0.24f, 0.05f, 0.03f),
-                                            Eigen::Vector3f(0.60f, 0.52f, 0.40f),
+                                            Eigen::Vector3f(0.50f, 0.42f, 0.31f),
                                             Eigen::Vector3f(0.10f, 0.08f, 0.07f)};
 const std::array<Eigen::Vector3f, 3> kPaints{Eigen::Vector3f(0.04f, 0.035f, 0.03f),
                                              Eigen::Vector3f(0.16f, 0.05f, 0.03f),
@@ -21,6 +21,10 @@ const std::array<Eigen::Vector3f, 3> kPaints{Eigen::Vector3f(0.04f, 0.035f, 0.03
 const std::array<Eigen::Vector3f, 4> kTempers{
     Eigen::Vector3f(0.55f, 0.53f, 0.50f), Eigen::Vector3f(0.07f, 0.065f, 0.06f),
     Eigen::Vector3f(0.30f, 0.10f, 0.06f), Eigen::Vector3f(0.32f, 0.29f, 0.25f)};
+
+constexpr float kSoil = 0.65f;  // share of light that a break's own roughness and soil leave
+// Of one sample of a pixel; the mean of four has half of it.
+constexpr float kFaceGlitter = 0.13f, kBreakGlitter = 0.2f;
 
 float smoothStep(float low, float high, float x) {
   const float t = std::clamp((x - low) / (high - low), 0.f, 1.f);
@@ -87,10 +91,10 @@ Clay makeClay(bool plain, Random& random) {
   clay.paint_width_mm = static_cast<float>(random.uniform(1, 4));
   clay.paint_phase_mm = static_cast<float>(random.uniform(0, 20));
   clay.grain = static_cast<float>(random.uniform(0.17, 0.28));
-  clay.mottle = static_cast<float>(random.uniform(0.12, 0.25));
+  clay.mottle = static_cast<float>(random.uniform(0.2, 0.4));
   clay.temper = static_cast<float>(random.uniform(0.06, 0.25));
   clay.temper_mm = static_cast<float>(random.uniform(1.2, 2.6));
-  clay.roughness = static_cast<float>(random.uniform(0.25, 0.45));
+  clay.roughness = static_cast<float>(random.uniform(0.34, 0.6));
   if (plain) {
     clay.slip_outside = clay.slip_inside = false;
     clay.paint = Paint::None;
@@ -125,14 +129,20 @@ ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p, const ClayPlac
     if (clay.paint != Paint::None && outside)
       albedo += 0.9f * painted(clay, place, p) * (clay.paint_color - albedo);
   }
-  const float clouds = fractalNoise(p / 9, clay.seed + 21, 3);
+  const float clouds = fractalNoise(p / 9, clay.seed + 21, 5);
   const NoiseValue grain = noiseWithGradient(p / 0.42f, clay.seed + 22);
   const NoiseValue fine = noiseWithGradient(p / 0.21f, clay.seed + 23);
-  const float dirt = broken ? 0.82f : 1.f;  // breaks hold soil and self-shadow below the mesh
-  albedo *= dirt * std::max(0.25f, 1 + clay.mottle * clouds +
-                                       clay.grain * (2.2f * grain.value + 1.4f * fine.value));
-  const float slope = clay.roughness * (broken ? 1.f : 0.3f);
-  return {albedo, slope * (0.8f * grain.gradient + 0.35f * fine.gradient)};
+  albedo *= std::max(
+      0.25f, 1 + clay.mottle * clouds + clay.grain * (2.2f * grain.value + 1.4f * fine.value));
+  if (!broken)
+    return {albedo, 0.22f * clay.roughness * (0.8f * grain.gradient + 0.35f * fine.gradient),
+            kFaceGlitter};
+  // A break is rough at every scale, about as steep at each; its pits hold soil and see less light.
+  const NoiseValue pits = noiseWithGradient(p / 0.84f, clay.seed + 24);
+  const float height_mm = 0.84f * pits.value + 0.42f * grain.value + 0.21f * fine.value;
+  albedo *= kSoil * std::exp(clay.pits_per_mm * height_mm);
+  return {albedo, clay.roughness * (pits.gradient + grain.gradient + 0.7f * fine.gradient),
+          kBreakGlitter};
 }
 
 }  // namespace ostraka::virtualrig

@@ -23,11 +23,12 @@ struct Clay {
   float slip_worn = 0.3f;  ///< share of the slip that has flaked off
   Paint paint = Paint::None;
   float paint_period_mm = 12, paint_width_mm = 2, paint_phase_mm = 0;
-  float grain = 0.1f;       ///< relative brightness of the finest grain
-  float mottle = 0.12f;     ///< relative brightness of clouds of some mm
-  float temper = 0.08f;     ///< share of cells with an inclusion
-  float temper_mm = 1.6f;   ///< cell of the coarse temper
-  float roughness = 0.25f;  ///< slope of the relief finer than the mesh, on the break
+  float grain = 0.1f;        ///< relative brightness of the finest grain
+  float mottle = 0.12f;      ///< relative brightness of clouds of some mm
+  float temper = 0.08f;      ///< share of cells with an inclusion
+  float temper_mm = 1.6f;    ///< cell of the coarse temper
+  float roughness = 0.45f;   ///< slope of the relief finer than the mesh, on the break
+  float pits_per_mm = 1.3f;  ///< darkening of that relief's pits, per mm of its height at slope 1
   std::uint32_t seed = 0;
 };
 
@@ -37,6 +38,7 @@ Clay makeClay(bool plain, Random& random);
 struct ClaySample {
   Eigen::Vector3f albedo;
   Eigen::Vector3f slope;  ///< to be taken from the unit normal before normalising: fine relief
+  float glitter = 0;      ///< relative SD of one sample's light from view to view
 };
 /// p_model: mm in the sherd's model frame.
 ClaySample sampleClay(const Clay& clay, const Eigen::Vector3f& p_model, const ClayPlace& place);

@@ -64,12 +64,12 @@ NoiseValue noiseWithGradient(const Eigen::Vector3f& p, std::uint32_t seed) {
   return {mix(y0, y1, s.z()), {dx * ds.x(), dy * ds.y(), (y1 - y0) * ds.z()}};
 }
 
-float fractalNoise(const Eigen::Vector3f& p, std::uint32_t seed, int octaves) {
+float fractalNoise(const Eigen::Vector3f& p, std::uint32_t seed, int octaves, float share) {
   float sum = 0, weight = 1;
   Eigen::Vector3f q = p;
   for (int o = 0; o < octaves; ++o) {
     sum += weight * noise(q, seed + static_cast<std::uint32_t>(o) * 101u);
-    weight *= 0.5f;
+    weight *= share;
     q = q * 2.03f + Eigen::Vector3f(17.3f, 5.1f, 9.7f);
   }
   return sum;

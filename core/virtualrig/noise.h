@@ -52,8 +52,9 @@ struct NoiseValue {
 /// Smooth value noise on the unit lattice with its analytic gradient.
 NoiseValue noiseWithGradient(const Eigen::Vector3f& p, std::uint32_t seed);
 float noise(const Eigen::Vector3f& p, std::uint32_t seed);
-/// Octaves of doubling frequency and halving weight, not normalised: the first has weight 1.
-float fractalNoise(const Eigen::Vector3f& p, std::uint32_t seed, int octaves);
+/// Octaves of doubling frequency, each of `share` of the last one's weight, not normalised: the
+/// first has weight 1.
+float fractalNoise(const Eigen::Vector3f& p, std::uint32_t seed, int octaves, float share = 0.5f);
 /// Three independent bits fields of a lattice cell, uniform in [0, 1).
 std::uint32_t cellHash(int x, int y, int z, std::uint32_t seed);
 

@@ -22,7 +22,8 @@ struct Ray {
 
 class Renderer {
  public:
-  Renderer(const View& view, const LensRays& lens) : view_(view), lens_(lens) {
+  Renderer(const View& view, const LensRays& lens, std::uint64_t seed)
+      : view_(view), lens_(lens), seed_(seed) {
     const Eigen::Isometry3d plate_from_camera = view.camera_from_plate.inverse();
     origin_ = plate_from_camera.translation().cast<float>();
     turn_ = plate_from_camera.linear().cast<float>();
@@ -50,7 +51,7 @@ class Renderer {
     if (same && hits[0].sherd < 0) return openPixel(x, y, centre);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     if (same) {
-      for (int k = 0; k < 4; ++k) sum += sherdLight(hits[k]);
+      for (int k = 0; k < 4; ++k) sum += sherdLight(hits[k], sampleHash(x, y, k));
       label = static_cast<std::uint8_t>(hits[0].sherd + 1);
       return sum / 4;
     }
@@ -92,7 +93,7 @@ class Renderer {
           ray(x, y, (static_cast<float>(k % 4) - 1.5f) / 4, (static_cast<float>(k / 4) - 1.5f) / 4);
       const Scene::Hit hit = view_.scene.nearest(r.origin, r.direction);
       seen[k] = hit.sherd;
-      sum += hit.sherd < 0 ? surroundings(r) : sherdLight(hit);
+      sum += hit.sherd < 0 ? surroundings(r) : sherdLight(hit, sampleHash(x, y, k));
     }
     for (const int s : seen)
       if (s >= 0 && std::count(seen.begin(), seen.end(), s) > 8)
@@ -172,7 +173,15 @@ class Renderer {
     return Eigen::Vector3f(0.0145f, 0.0142f, 0.0148f) * ((0.15f + 0.85f * open) * folds);
   }
 
-  Eigen::Vector3f sherdLight(const Scene::Hit& hit) const {
+  std::uint64_t sampleHash(int x, int y, int sample) const {
+    const auto pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(lens_.intrinsics().width) +
+        static_cast<std::uint64_t>(x);
+    return mixed(seed_, 16 * pixel + static_cast<std::uint64_t>(sample));
+  }
+
+  // hash: of this look at the clay, for what glitters.
+  Eigen::Vector3f sherdLight(const Scene::Hit& hit, std::uint64_t hash) const {
     const VirtualSherd& sherd = view_.scene.sherds()[hit.sherd];
     const auto& t = sherd.mesh.triangles[hit.triangle];
     const std::array<float, 3> w{1 - hit.u - hit.v, hit.u, hit.v};
@@ -197,11 +206,14 @@ class Renderer {
     const Eigen::Vector3f slope = model_turns_[hit.sherd] * clay.slope;
     const Eigen::Vector3f bent = (normal - (slope - normal * normal.dot(slope))).normalized();
     irradiance += directLight(view_.room_plate, p, bent, shares);
-    return clay.albedo.cwiseProduct(irradiance) * handShare(p);
+    // Facets of grains finer than a pixel flash up in one view and not in the next.
+    const float flash = 1 + clay.glitter * quickNormal(hash);
+    return clay.albedo.cwiseProduct(irradiance) * (handShare(p) * std::max(0.f, flash));
   }
 
   const View& view_;
   const LensRays& lens_;
+  const std::uint64_t seed_;
   Eigen::Vector3f origin_;
   Eigen::Matrix3f turn_;
   Eigen::Matrix2f room_turn_;
@@ -223,7 +235,7 @@ LensRays::LensRays(const rig::Intrinsics& intrinsics) : intrinsics_(intrinsics) 
 Photograph photograph(const View& view, const LensRays& lens, const Sensor& sensor,
                       std::uint64_t seed, std::stop_token stop) {
   const int width = lens.intrinsics().width, height = lens.intrinsics().height;
-  const Renderer renderer(view, lens);
+  const Renderer renderer(view, lens, seed + 2);
   std::vector<float> linear(static_cast<std::size_t>(width) * height * 3);
   Photograph out;
   out.labels.create(height, width, CV_8UC1);

@@ -10,11 +10,11 @@ namespace ostraka::virtualrig {
 
 /// What lens and sensor do to the light.
 struct Sensor {
-  double blur_px = 0.57;          ///< standard deviation of the lens's blur
-  double sampling_noise = 0.055;  ///< relative, per pixel and before the blur: the clay's glitter
-  double shot_noise = 4e-5;       ///< variance per brightness: 1.4 % at a brightness of 0.2
-  double read_noise = 0.0009;     ///< standard deviation, of full scale
-  double vignette = 0.2;          ///< light lost in the corners
+  double blur_px = 0.57;       ///< standard deviation of the lens's blur
+  double shot_noise = 8.5e-5;  ///< variance per brightness: full scale is 12,000 electrons, each
+                               ///< pixel for itself, after the blur; 2.1 % at a brightness of 0.2
+  double read_noise = 0.0003;  ///< standard deviation, of full scale: 3.5 electrons
+  double vignette = 0.2;       ///< light lost in the corners
 };
 
 /// A camera with the direction of each pixel, computed once.

@@ -182,12 +182,12 @@ Room makeRoom(Random& random) {
                s = static_cast<float>(strength);
     return Eigen::Vector3f(s * (1 + t), s, s * (1 - t));
   };
-  room.lights[0] = softbox(key, random.uniform(0.75, 1.0), 750, 190, 150, warm(0.52));
+  room.lights[0] = softbox(key, random.uniform(0.75, 1.0), 750, 190, 150, warm(0.44));
   room.lights[1] = softbox(key + random.uniform(1.7, 2.4), random.uniform(0.65, 0.85), 800, 220,
-                           150, warm(0.28));
+                           150, warm(0.24));
   room.lights[2] =
-      softbox(key - random.uniform(1.5, 2.3), random.uniform(0.7, 1.1), 900, 150, 200, warm(0.18));
-  room.sky = warm(0.22);
+      softbox(key - random.uniform(1.5, 2.3), random.uniform(0.7, 1.1), 900, 150, 200, warm(0.15));
+  room.sky = warm(0.19);
   return room;
 }
 

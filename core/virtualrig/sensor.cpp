@@ -74,9 +74,7 @@ cv::Mat develop(std::vector<float>& linear, int width, int height, const Sensor&
     for (int x = 0; x < width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * width + x;
       const float dx = static_cast<float>(x) - cx, dy = static_cast<float>(y) - cy;
-      const float gain =
-          (1 - static_cast<float>(sensor.vignette) * (dx * dx + dy * dy) / corner) *
-          (1 + static_cast<float>(sensor.sampling_noise) * quickNormal(mixed(seed, i)));
+      const float gain = 1 - static_cast<float>(sensor.vignette) * (dx * dx + dy * dy) / corner;
       for (int c = 0; c < 3; ++c) linear[3 * i + c] *= gain;
     }
   blur(linear, width, height, sensor.blur_px);

@@ -170,7 +170,7 @@ Result<std::vector<VirtualSherd>> makeSherds(const SimulateOptions& options) {
     const double part = random.uniform();
     order.plan.part = part < 0.6 ? SherdPart::Wall : part < 0.85 ? SherdPart::Rim : SherdPart::Base;
     order.plan.radius_mm = radii[i];
-    order.plan.relief_mm = random.uniform(0.15, 0.35);
+    order.plan.relief_mm = random.uniform(0.35, 0.7);
     order.plan.tilt_rad = random.uniform(0.25, 0.5);
     order.plan.outline_seed = random.next();
     order.plan.relief_seed = random.next();

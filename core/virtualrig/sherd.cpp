@@ -6,6 +6,9 @@
 namespace ostraka::virtualrig {
 namespace {
 
+// Of one octave's height in that of the next coarser: fractured surfaces are self-affine with an
+// exponent of about 0.8 (Bouchaud, "Scaling properties of cracks", 1997), so 2^-0.8.
+constexpr float kFractureShare = 0.57f;
 constexpr int kMostFaces = 55'000;  // an estimate; a truth mesh holds at most 60 000
 
 // The plane in which a piece is drawn: unrolled wall (a along the parallel, b up the profile), or
@@ -111,6 +114,7 @@ class Builder {
         chart_(vessel, plan),
         outline_(plan),
         relief_seed_(static_cast<std::uint32_t>(mixed(plan.relief_seed))),
+        worn_mm_(Random(mixed(plan.relief_seed, 3)).uniform(0.03, 0.18)),
         rim_b_(plan.part == SherdPart::Rim ? vessel.length() - plan.s_mm : 1e9) {}
 
   VirtualSherd build() {
@@ -173,10 +177,11 @@ class Builder {
       const double through = (depth - 0.5) * wall;
       const Eigen::Vector3f q(static_cast<float>(middle * d.x()),
                               static_cast<float>(middle * d.y()), static_cast<float>(depth * wall));
-      const double relief = plan_.relief_mm * (1.5 * noise(q / 5.5f, relief_seed_ + 9) +
-                                               1.2 * fractalNoise(q / 2.2f, relief_seed_, 3));
+      const double relief =
+          plan_.relief_mm * (1.5 * noise(q / 5.5f, relief_seed_ + 9) +
+                             1.2 * fractalNoise(q / 2.2f, relief_seed_, 3, kFractureShare));
       const double worn =
-          0.18 * (std::exp(-depth * wall / 0.4) + std::exp((depth - 1) * wall / 0.4));
+          worn_mm_ * (std::exp(-depth * wall / 0.4) + std::exp((depth - 1) * wall / 0.4));
       double r = outline_.radius(c.angle, through) + through * c.lean + relief - worn;
       // The lip: half an ellipse across the wall, its top on the vessel's upper edge.
       const double lip =
@@ -315,6 +320,7 @@ class Builder {
   Chart chart_;
   Outline outline_;
   std::uint32_t relief_seed_;
+  double worn_mm_;  // off the creases: fresh breaks are sharp, long buried ones are not
   double rim_b_;
   double edge_ = 0.5;
   int rows_ = 0, rings_ = 0;

@@ -159,18 +159,23 @@ Eigen::Vector3d Vessel::place(double s, double theta, double depth) const {
   return {r * std::cos(theta), r * std::sin(theta), at(height_, s) - depth * at(normal_z_, s)};
 }
 
+double Vessel::weathering(const Eigen::Vector3d& p, std::uint32_t face) const {
+  const double deep = 0.22 * fractalNoise((p / 4).cast<float>(), seed_ + face, 4, 0.57f);
+  return deep > 0 ? deep : 0.3 * deep;  // what stands out is rubbed off
+}
+
 Eigen::Vector3d Vessel::outer(double s, double theta) const {
   const Eigen::Vector3d p = place(s, theta, 0);
   const double uneven = 0.09 * fractalNoise((p / 14).cast<float>(), seed_, 3);
   const double ridge = 0.35 * ridge_mm_ * std::sin(2 * std::numbers::pi * s / ridge_period_);
-  return place(s, theta, uneven + ridge);
+  return place(s, theta, uneven + ridge + weathering(p, 13));
 }
 
 Eigen::Vector3d Vessel::inner(double s, double theta) const {
   const Eigen::Vector3d p = place(s, theta, 0);
   const double uneven = 0.16 * fractalNoise((p / 11).cast<float>(), seed_ + 7, 3);
   const double ridge = ridge_mm_ * std::sin(2 * std::numbers::pi * s / ridge_period_ + theta * 0.5);
-  return place(s, theta, at(thickness_, s) + uneven + ridge);
+  return place(s, theta, at(thickness_, s) + uneven + ridge + weathering(p, 17));
 }
 
 }  // namespace ostraka::virtualrig

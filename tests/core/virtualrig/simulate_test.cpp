@@ -199,42 +199,41 @@ TEST(SimulatedScans, ComeWithTheirTruthAndSitOnTheMesh) {
   fs::remove_all(root);
 }
 
-// Of one simulated front: points of the broken edge, and how far their normals scatter about each
-// other within a millimetre.
-struct Edge {
-  int points = 0;
-  double scatter = 0;
-};
-Edge edgeOf(const fs::path& root, ScanNoise noise) {
+// The points of one simulated front's broken edge.
+PointCloud edgeOf(const fs::path& root, ScanNoise noise) {
   SimulateOptions options = tiny(root / (noise == ScanNoise::Stereo ? "stereo" : "scanner"));
   options.scans_only = true;
   options.scan_noise = noise;
   QuietProgress quiet;
   EXPECT_TRUE(simulateBatch(options, quiet, {}));
   const PointCloud cloud = *readPlyCloud(options.output / "front" / "f001.ply");
-  const KdTree tree(cloud.points);
-  Edge edge;
-  std::vector<Neighbour> near;
+  PointCloud edge;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (std::abs(cloud.normals[i].z()) > 0.4f) continue;
-    tree.within(cloud.points[i], 1.0f, near);
-    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-    for (const Neighbour& n : near) mean += cloud.points[static_cast<std::size_t>(n.index)];
-    mean /= static_cast<float>(near.size());
-    edge.scatter += std::abs(cloud.normals[i].dot(cloud.points[i] - mean));
-    ++edge.points;
+    edge.points.push_back(cloud.points[i]);
+    edge.normals.push_back(cloud.normals[i]);
   }
-  edge.scatter /= std::max(1, edge.points);
   return edge;
 }
 
 TEST(SimulatedScans, WithTheNoiseOfStereoLoseEdgeAndRoughenIt) {
   std::string pattern = (fs::temp_directory_path() / "virtualrig_XXXXXX").string();
   const fs::path root = mkdtemp(pattern.data());
-  const Edge scanner = edgeOf(root, ScanNoise::Scanner), stereo = edgeOf(root, ScanNoise::Stereo);
-  EXPECT_LT(stereo.points, 0.85 * scanner.points);  // a fifth to two fifths are missing
-  EXPECT_GT(stereo.points, 0.4 * scanner.points);
-  EXPECT_GT(stereo.scatter, 1.1 * scanner.scatter);  // most of it is the relief of the break
+  const PointCloud scanner = edgeOf(root, ScanNoise::Scanner),
+                   stereo = edgeOf(root, ScanNoise::Stereo);
+  const auto of_scanner = static_cast<double>(scanner.size());
+  EXPECT_LT(static_cast<double>(stereo.size()), 0.85 * of_scanner);  // 20 to 40 % are missing
+  EXPECT_GT(static_cast<double>(stereo.size()), 0.4 * of_scanner);
+  // Against the scanner's surface, as the break's own relief is as rough as the noise: 0.11 to
+  // 0.16 mm of it and up to 0.1 mm outwards are, in the mean of absolute values, about 0.12 mm.
+  const KdTree tree(scanner.points);
+  double off_mm = 0;
+  for (const Eigen::Vector3f& p : stereo.points) {
+    const auto nearest = static_cast<std::size_t>(tree.nearest(p).index);
+    off_mm += std::abs(scanner.normals[nearest].dot(p - scanner.points[nearest]));
+  }
+  EXPECT_GT(off_mm / static_cast<double>(stereo.size()), 0.08);
+  EXPECT_LT(off_mm / static_cast<double>(stereo.size()), 0.2);
   fs::remove_all(root);
 }
 

@@ -23,6 +23,8 @@ PairReviewModel::PairReviewModel(JobRunner& runner, QUndoStack& undo, QObject* p
 
 void PairReviewModel::open(OpenedBatch batch) {
   beginResetModel();
+  dropJobs();  // of the batch before: its fronts and backs are others
+  candidates_.clear();
   live_ = std::move(batch.live);
   decisions_ = std::move(batch.decisions);
   thumbnails_.clear();
@@ -52,12 +54,17 @@ void PairReviewModel::open(OpenedBatch batch) {
   selectRow(0);
 }
 
-void PairReviewModel::close() {
-  beginResetModel();
+void PairReviewModel::dropJobs() {
   for (const QPointer<JobHandle>& job :
        {scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_})
     if (job) job->deleteLater();
   scene_job_ = fit_job_ = more_job_ = thumbnails_job_ = model_job_ = nullptr;
+  busy_ = scene_wanted_ = clouds_wanted_ = false;
+}
+
+void PairReviewModel::close() {
+  beginResetModel();
+  dropJobs();
   live_.reset();
   review_ = {};
   rows_.clear();

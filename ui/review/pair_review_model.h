@@ -137,6 +137,8 @@ class PairReviewModel final : public QAbstractListModel {
   std::vector<pipeline::ReviewCandidate> candidates_;
   Trial trial_;
   pipeline::LiveFit fit_;
+  void dropJobs();
+
   QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;
   bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;
 };

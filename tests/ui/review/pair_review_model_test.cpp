@@ -33,6 +33,7 @@ class PairReviewModelTest : public QObject {
   void theStartPointStepsByOneSampleAndToTheNextGoodOne();
   void threeCandidatesAreOfferedAndAnyOtherBackOnDemand();
   void piecesAreJoinedAndCut();
+  void aSmallerBatchTakesThePlaceOfALargerOne();
   void aDamagedFileOfDecisionsIsSaidAndKept();
 
  private:
@@ -233,6 +234,31 @@ void PairReviewModelTest::piecesAreJoinedAndCut() {
   const Eigen::Vector2d centre = 0.5 * (cut.cut_mm[0] + cut.cut_mm[1]);
   QVERIFY((centre - out_.table.backs[2].place_mm).norm() < 1);
   QVERIFY(std::abs((cut.cut_mm[1] - cut.cut_mm[0]).norm() - 20) < 0.01);
+}
+
+// Whoever hears of the new batch must not be handed candidates of the one before.
+void PairReviewModelTest::aSmallerBatchTakesThePlaceOfALargerOne() {
+  waitForScene();
+  model_->selectRow(model_->rowCount() - 1);
+  pipeline::SyntheticOptions options;
+  options.sherds = 1;
+  options.swapped_look_alikes = false;
+  const auto small = pipeline::writeSyntheticOut(folder_.path().toStdString() + "/small", options);
+  const auto batch = openBatch(small.output);
+  QVERIFY(batch.has_value());
+  bool all_there = true;
+  const auto look = [&] {
+    for (const pipeline::ReviewCandidate& c : model_->candidates())
+      all_there &= c.back < static_cast<int>(model_->live()->table().backs.size());
+  };
+  connect(model_.get(), &PairReviewModel::waitingChanged, this, look);
+  connect(model_.get(), &PairReviewModel::candidatesChanged, this, look);
+  connect(model_.get(), &PairReviewModel::cardChanged, this, look);
+  model_->open(*batch);
+  QVERIFY(all_there);
+  QCOMPARE(model_->rowCount(), 1);
+  waitForScene();
+  QVERIFY(all_there);
 }
 
 void PairReviewModelTest::aDamagedFileOfDecisionsIsSaidAndKept() {

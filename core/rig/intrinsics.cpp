@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "base/median.h"
+#include "rig/rounded.h"
 
 namespace ostraka::rig {
 namespace {
@@ -25,6 +26,21 @@ std::string inPixels(double value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.2f px", value);
   return text;
+}
+
+void round(cv::Mat& values, double step) {
+  values.forEach<double>([step](double& value, const int*) { value = rounded(value, step); });
+}
+
+// Pixels to a ten-thousandth, terms of the distortion to a hundredth of a millionth.
+void round(Solution& s) {
+  round(s.matrix, 1e-4);
+  round(s.distortion, 1e-8);
+  round(s.sd_intrinsics, 1e-8);
+  round(s.rms_per_view, 1e-6);
+  for (cv::Mat& rotation : s.rotations) round(rotation, 1e-7);
+  for (cv::Mat& translation : s.translations) round(translation, 1e-7);
+  s.rms_px = rounded(s.rms_px, 1e-6);
 }
 
 Result<Solution> solve(std::span<const TargetView* const> views, cv::Size size, int flags) {
@@ -50,6 +66,7 @@ Result<Solution> solve(std::span<const TargetView* const> views, cv::Size size, 
   }
   if (!std::isfinite(s.rms_px) || !cv::checkRange(s.matrix) || !cv::checkRange(s.distortion))
     return Error{ErrorCode::Failed, "No camera explains the calibration pictures.", {}};
+  round(s);
   return s;
 }
 

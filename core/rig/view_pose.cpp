@@ -4,6 +4,8 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
+#include "rig/rounded.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -32,11 +34,11 @@ std::vector<char> agreeing(const std::vector<cv::Point3f>& points,
 }
 
 Eigen::Isometry3d toIsometry(const cv::Mat& turn, const cv::Mat& shift) {
-  const Eigen::Vector3d w(turn.at<double>(0), turn.at<double>(1), turn.at<double>(2));
+  const auto at = [](const cv::Mat& values, int k) { return rounded(values.at<double>(k), 1e-7); };
+  const Eigen::Vector3d w(at(turn, 0), at(turn, 1), at(turn, 2));
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   if (w.norm() > 0) pose.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
-  pose.translation() =
-      Eigen::Vector3d(shift.at<double>(0), shift.at<double>(1), shift.at<double>(2));
+  pose.translation() = Eigen::Vector3d(at(shift, 0), at(shift, 1), at(shift, 2));
   return pose;
 }
 

@@ -69,7 +69,7 @@ TEST(CalibrateFolder, NamesTheWorstPictureOfARealBoard) {
   EXPECT_FALSE(report.rig.has_value());
   EXPECT_THAT(report.verdict_in_words, HasSubstr("the cameras' places are not"));
   EXPECT_THAT(report.missing, Contains(HasSubstr("Photograph the plate")));
-  EXPECT_THAT(inWords(report), Contains(HasSubstr("worst 32.jpg with 0.7")));
+  EXPECT_THAT(inWords(report), Contains(HasSubstr("worst 32.jpg with 0.69")));
 }
 
 TEST(CalibrateFolder, SaysThatPicturesOfOneDistanceDoNotDetermineALens) {

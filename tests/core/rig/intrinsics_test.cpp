@@ -9,7 +9,8 @@ namespace {
 
 std::vector<TargetView> boardViews(double tilt, double noise_px) {
   std::mt19937 random(5);
-  std::normal_distribution<double> noise(0, noise_px);
+  std::normal_distribution<double> normal(0, 1);
+  const auto noise = [&](auto& generator) { return noise_px * normal(generator); };
   const Intrinsics camera = lens(2600);
   std::vector<TargetView> views;
   for (int k = 0; k < 10; ++k) {

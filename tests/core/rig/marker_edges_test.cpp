@@ -15,7 +15,7 @@ double encoded(double linear) {
 // A black square on white paper in linear light, blurred, then stored by the sRGB curve.
 cv::Mat photographOf(const Quad& quad, double blur_px, double noise) {
   std::mt19937 random(1);
-  std::normal_distribution<double> normal(0, noise);
+  std::normal_distribution<double> normal(0, 1);
   const Eigen::Vector2d centre = (quad[0] + quad[1] + quad[2] + quad[3]) / 4;
   cv::Mat image(static_cast<int>(centre.y() * 2), static_cast<int>(centre.x() * 2), CV_8U);
   for (int y = 0; y < image.rows; ++y)
@@ -30,7 +30,7 @@ cv::Mat photographOf(const Quad& quad, double blur_px, double noise) {
       }
       const double linear = 0.02 * inside + 0.6 * (1 - inside);
       image.at<unsigned char>(y, x) =
-          cv::saturate_cast<unsigned char>(encoded(linear * (1 + normal(random))));
+          cv::saturate_cast<unsigned char>(encoded(linear * (1 + noise * normal(random))));
     }
   return image;
 }

@@ -36,6 +36,7 @@ ordered_json asJson(const ProcessSummary& summary, int status) {
           {"reshoot", summary.reshoot},
           {"moved", summary.moved},
           {"scale_doubts", summary.scale_doubts},
+          {"draft", summary.draft},
           {"warnings", summary.warnings},
           {"reprojection_rms_px", summary.reprojection_rms_px},
           {"seconds", summary.seconds},
@@ -62,6 +63,8 @@ void printTable(const ProcessSummary& summary) {
   std::printf("%zu %s, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
               summary.sherds.size() == 1 ? "sherd" : "sherds", summary.reprojection_rms_px,
               summary.seconds, summary.report.c_str());
+  if (summary.draft)
+    std::printf("This is a draft: its measures are coarse until it is computed without --draft.\n");
   if (!summary.warnings.empty())
     std::printf(summary.warnings.size() == 1 ? "%zu warning; the report names it.\n"
                                              : "%zu warnings; the report names them.\n",

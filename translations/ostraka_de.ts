@@ -654,6 +654,11 @@
       </translation>
     </message>
     <message>
+      <source>a draft: look, then compute it again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ein Entwurf: ansehen, dann neu berechnen</translation>
+    </message>
+    <message>
       <source>the scale is not right: see the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>der Maßstab stimmt nicht: siehe Bericht</translation>
@@ -3183,9 +3188,9 @@
       <translation>Zu ihrem Bericht</translation>
     </message>
     <message>
-      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Maßstab von %1 ist zweifelhaft, keines ihrer Maße ist sicher. %2</translation>
+      <translation>Keines der Maße von %1 ist sicher. %2</translation>
     </message>
   </context>
   <context>
@@ -3515,9 +3520,9 @@
       <translation>%1 Es ist %2.</translation>
     </message>
     <message>
-      <source>%1; scale in doubt</source>
+      <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1; Maßstab zweifelhaft</translation>
+      <translation>%1; zweifelhaft</translation>
     </message>
   </context>
   <context>

@@ -654,6 +654,11 @@
       </translation>
     </message>
     <message>
+      <source>a draft: look, then compute it again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προσχέδιο: δείτε το και υπολογίστε ξανά</translation>
+    </message>
+    <message>
       <source>the scale is not right: see the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η κλίμακα δεν είναι σωστή: δείτε την αναφορά</translation>
@@ -3183,9 +3188,9 @@
       <translation>Προς την αναφορά της</translation>
     </message>
     <message>
-      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η κλίμακα της %1 είναι αμφίβολη, καμία μέτρησή της δεν είναι βέβαιη. %2</translation>
+      <translation>Καμία μέτρηση της %1 δεν είναι βέβαιη. %2</translation>
     </message>
   </context>
   <context>
@@ -3515,9 +3520,9 @@
       <translation>%1 Είναι το %2.</translation>
     </message>
     <message>
-      <source>%1; scale in doubt</source>
+      <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1· αμφίβολη κλίμακα</translation>
+      <translation>%1· αμφίβολο</translation>
     </message>
   </context>
   <context>

@@ -654,6 +654,11 @@
       </translation>
     </message>
     <message>
+      <source>a draft: look, then compute it again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>un borrador: mírelo y vuelva a calcularlo</translation>
+    </message>
+    <message>
       <source>the scale is not right: see the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>la escala no es correcta: vea el informe</translation>
@@ -3183,9 +3188,9 @@
       <translation>A su informe</translation>
     </message>
     <message>
-      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La escala de %1 es dudosa: ninguna de sus medidas es segura. %2</translation>
+      <translation>Ninguna de las medidas de %1 es segura. %2</translation>
     </message>
   </context>
   <context>
@@ -3515,9 +3520,9 @@
       <translation>%1 Es %2.</translation>
     </message>
     <message>
-      <source>%1; scale in doubt</source>
+      <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1; escala dudosa</translation>
+      <translation>%1; dudoso</translation>
     </message>
   </context>
   <context>

@@ -654,6 +654,11 @@
       </translation>
     </message>
     <message>
+      <source>a draft: look, then compute it again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>une ébauche : à regarder, puis à recalculer</translation>
+    </message>
+    <message>
       <source>the scale is not right: see the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>l’échelle n’est pas juste : voir le rapport</translation>
@@ -3183,9 +3188,9 @@
       <translation>Vers son rapport</translation>
     </message>
     <message>
-      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’échelle de %1 est douteuse : aucune de ses mesures n’est sûre. %2</translation>
+      <translation>Aucune des mesures de %1 n’est sûre. %2</translation>
     </message>
   </context>
   <context>
@@ -3515,9 +3520,9 @@
       <translation>%1 C’est %2.</translation>
     </message>
     <message>
-      <source>%1; scale in doubt</source>
+      <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ; échelle douteuse</translation>
+      <translation>%1 ; douteux</translation>
     </message>
   </context>
   <context>

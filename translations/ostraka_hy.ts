@@ -654,6 +654,11 @@
       </translation>
     </message>
     <message>
+      <source>a draft: look, then compute it again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սևագիր. նայեք, ապա նորից հաշվեք</translation>
+    </message>
+    <message>
       <source>the scale is not right: see the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մասշտաբը ճիշտ չէ. տե՛ս զեկույցը</translation>
@@ -3183,9 +3188,9 @@
       <translation>Դեպի նրա հաշվետվությունը</translation>
     </message>
     <message>
-      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի մասշտաբը կասկածելի է, նրա ոչ մի չափը վստահելի չէ։ %2</translation>
+      <translation>%1-ի ոչ մի չափը վստահելի չէ։ %2</translation>
     </message>
   </context>
   <context>
@@ -3515,9 +3520,9 @@
       <translation>%1 Դա %2-ն է։</translation>
     </message>
     <message>
-      <source>%1; scale in doubt</source>
+      <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. մասշտաբը կասկածելի է</translation>
+      <translation>%1. կասկածելի է</translation>
     </message>
   </context>
   <context>

@@ -648,6 +648,11 @@
       </translation>
     </message>
     <message>
+      <source>a draft: look, then compute it again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>taslak: bakın, sonra yeniden hesaplayın</translation>
+    </message>
+    <message>
       <source>the scale is not right: see the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ölçek doğru değil: rapora bakın</translation>
@@ -3148,9 +3153,9 @@
       <translation>Raporuna git</translation>
     </message>
     <message>
-      <source>The scale of %1 is in doubt, so none of its measures is sure. %2</source>
+      <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ölçeği kuşkulu; hiçbir ölçüsü kesin değil. %2</translation>
+      <translation>%1 partisinin hiçbir ölçüsü kesin değil. %2</translation>
     </message>
   </context>
   <context>
@@ -3480,9 +3485,9 @@
       <translation>%1 O, %2.</translation>
     </message>
     <message>
-      <source>%1; scale in doubt</source>
+      <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1; ölçek şüpheli</translation>
+      <translation>%1; şüpheli</translation>
     </message>
   </context>
   <context>

@@ -88,6 +88,11 @@ class Reading {
       for (const json& doubt : report.value("scale_doubts", json::array()))
         results_.scale_doubts +=
             (results_.scale_doubts.empty() ? "" : "\n") + doubt.get<std::string>();
+      if (report.value("draft", false))
+        results_.scale_doubts += (results_.scale_doubts.empty() ? "" : "\n") +
+                                 std::string(
+                                     "This is a draft from coarser photographs; compute "
+                                     "the batch again for measures that stay.");
     } catch (const json::exception&) {
       refuse("These are no whole results of 'ostraka process'; run it again.", out_.string());
     }

@@ -97,7 +97,7 @@ struct BatchRecord {
   std::optional<std::int64_t> started_ms, ended_ms;
   std::optional<double> reprojection_px;
   std::optional<double> scale_error_pct;  ///< the worst of the known lengths that took no part
-  std::string scale_doubts;  ///< why the scale is in doubt, a sentence a line; empty: it is not
+  std::string scale_doubts;  ///< why its measures are in doubt, a sentence a line; empty: not
   std::string rig_sha256, program, settings_sha256, note;
 };
 

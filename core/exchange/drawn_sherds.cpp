@@ -45,7 +45,7 @@ Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
   const auto withDoubt = [&](Result<drawing::SherdDrawing> drawing) {
     if (drawing && sherd.scale_doubtful)
       drawing->remarks.push_back(
-          "The scale of its batch is in doubt: the drawing may be too large or too small.");
+          "The measures of its batch are in doubt: so is the size of this drawing.");
     return drawing;
   };
   Result<drawing::SherdDrawing> drawn = drawing::drawSherd(model->mesh, id, how);

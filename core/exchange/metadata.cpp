@@ -73,9 +73,9 @@ Result<std::string> readMe(const Catalogue& catalogue, const std::set<BatchRow>&
   }
   if (doubts.empty()) return std::string(kReadMe);
   return std::string(kReadMe) +
-         "\nScale in doubt\n"
-         "--------------\n"
-         "The models and measures of these batches may have a wrong size (in sherds.csv their\n"
+         "\nMeasures in doubt\n"
+         "-----------------\n"
+         "The models and measures of these batches may be wrong (in sherds.csv their\n"
          "column scale says doubtful, in the models' files a comment does):\n\n" +
          doubts;
 }

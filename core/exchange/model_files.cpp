@@ -28,7 +28,7 @@ std::string comments(const ModelLabel& label, const std::string& begin) {
   std::string lines = begin + oneLine(text) + "\n";
   std::istringstream doubts(label.scale_doubts);
   for (std::string doubt; std::getline(doubts, doubt);)
-    if (!doubt.empty()) lines += begin + "scale in doubt: " + oneLine(doubt) + "\n";
+    if (!doubt.empty()) lines += begin + "measures in doubt: " + oneLine(doubt) + "\n";
   return lines;
 }
 
@@ -43,7 +43,7 @@ void append(std::string& out, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> (8 * i) & 0xFF);
 }
 
-constexpr std::string_view kPlyDoubt = "comment scale in doubt: ";
+constexpr std::string_view kPlyDoubt = "comment measures in doubt: ";
 constexpr std::uint32_t kGlb = 0x46546C67, kJson = 0x4E4F534A;
 
 }  // namespace

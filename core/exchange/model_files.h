@@ -9,7 +9,7 @@ namespace ostraka::exchange {
 /// What travels inside a model's file.
 struct ModelLabel {
   std::string id, number, licence, program;
-  std::string scale_doubts;  ///< why its true size is in doubt, a sentence a line; empty: it is not
+  std::string scale_doubts;  ///< why its measures are in doubt, a sentence a line; empty: not
 };
 
 /// The PLY with a comment that names sherd, number, unit and licence, and one for each doubt about

@@ -295,6 +295,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   report.reshoot = pairs->value.reshoot;
   report.scale_doubts =
       poses.record.notes.figures.value("scale_doubts", std::vector<std::string>());
+  report.draft = poses.record.notes.figures.value("draft", false);
   report.poses = &poses.value;
   report.front_masks = &front.masks.value;
   report.back_masks = &back.masks.value;
@@ -325,6 +326,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   summary.moved.insert(summary.moved.end(), back.moved.begin(), back.moved.end());
   summary.reprojection_rms_px = poses.record.notes.figures.value("reprojection_rms_px", 0.0);
   summary.scale_doubts = report.scale_doubts;
+  summary.draft = report.draft;
   summary.report = run.options.output / "report.html";
   return summary;
 }

@@ -55,6 +55,7 @@ struct ProcessSummary {
   /// what plate.json makes of it: the batch is held until a person has found out why. Sentences,
   /// which stand among the warnings too.
   std::vector<std::string> scale_doubts;
+  bool draft = false;  ///< from photographs averaged down to kDraftMegapixels or less
   double seconds = 0;  ///< of this run, not of stages done earlier
   std::filesystem::path report;
   int ambiguous() const;

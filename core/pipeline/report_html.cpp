@@ -287,6 +287,10 @@ std::string reportHtml(const ReportInput& input) {
   for (const std::string& doubt : input.scale_doubts)
     html += "<p class=\"ask\">A person must decide before anything is measured here: " +
             markupText(doubt) + "</p>";
+  if (input.draft)
+    html +=
+        "<p class=\"ask\">This is a draft from photographs averaged down: its measures are coarse. "
+        "Compute the batch again without it before anything is numbered or published.</p>";
   if (!input.warnings.empty()) {
     html += "<h2>Warnings</h2><ul>";
     for (const std::string& warning : input.warnings)

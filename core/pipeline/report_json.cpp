@@ -32,6 +32,7 @@ ordered_json reportJson(const ReportInput& input) {
           {"unit", "mm"},
           {"has_scale", input.poses == nullptr || input.poses->has_scale},
           {"scale_doubts", input.scale_doubts},
+          {"draft", input.draft},
           {"batch", input.batch_name},
           {"stages", stages},
           {"sherds", sherds},

@@ -15,12 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool isPly(const fs::path& file) {
+  return lowerCase(file.extension().string()) == ".ply";
+}
+
 /// The *.ply of a folder in the order of their names.
 Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
   std::error_code failed;
   std::vector<fs::path> files;
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
-    if (lowerCase(it->path().extension().string()) == ".ply") files.push_back(it->path());
+    if (isPly(it->path())) files.push_back(it->path());
   }
   if (failed) {
     return Error{ErrorCode::UnusableInput, "The folder cannot be read; name a folder of PLY files.",
@@ -91,6 +95,14 @@ Result<ScanFolder> readScanFolder(const fs::path& folder, int threads) {
                  "None of the scans can be used: " + side.warnings.front(), folder.string()};
   }
   return side;
+}
+
+bool holdsScans(const fs::path& batch) {
+  std::error_code error;
+  for (fs::directory_iterator at(batch / "front", error), end; !error && at != end;
+       at.increment(error))
+    if (isPly(at->path())) return true;
+  return false;
 }
 
 bool standOnPlate(std::span<const scan::Scan> scans) {

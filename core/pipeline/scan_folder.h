@@ -21,6 +21,9 @@ struct ScanFolder {
 /// Files are opened for reading only. Errors: UnusableInput, no PLY file or none that can be used.
 Result<ScanFolder> readScanFolder(const std::filesystem::path& folder, int threads);
 
+/// Whether a batch folder holds split scans (PLY files in front/) instead of photographs.
+bool holdsScans(const std::filesystem::path& batch);
+
 /// Whether the scans' frame is a plate's: all stand on z = 0 with their faces up. Scans stop up to
 /// 0.6 mm above the plate, and up to 4 mm where the lowest strip is hidden.
 bool standOnPlate(std::span<const scan::Scan> scans);

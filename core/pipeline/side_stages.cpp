@@ -243,6 +243,7 @@ Staged<Poses> atWorkingSize(const Run& run, Poses poses, StageRecord record) {
     any = any || image.intrinsics.width != width;
   }
   if (any) record.outputs_hash = sha256(record.outputs_hash + fixed(run.options.megapixels, 3));
+  record.notes.figures["draft"] = any && run.options.megapixels <= kDraftMegapixels;
   return {std::move(poses), std::move(record)};
 }
 

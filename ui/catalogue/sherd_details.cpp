@@ -252,7 +252,7 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
       auto* item = new QTreeWidgetItem(
           measures_,
           {measureLabel(m.kind), measureText(m.value),
-           doubtful ? tr("%1; scale in doubt").arg(methodLabel(m.method)) : methodLabel(m.method)});
+           doubtful ? tr("%1; in doubt").arg(methodLabel(m.method)) : methodLabel(m.method)});
       item->setFont(1, tabularFont(font()));
       item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }

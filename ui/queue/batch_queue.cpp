@@ -402,6 +402,8 @@ QString queueStateWords(QueueState state) {
 }
 
 QString stateWords(const QueueRow& row) {
+  if (row.state == QueueState::Review && row.figures && row.figures->draft)
+    return BatchQueue::tr("a draft: look, then compute it again");
   if (row.state == QueueState::Review && !row.scale_doubts.isEmpty())
     return BatchQueue::tr("the scale is not right: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)

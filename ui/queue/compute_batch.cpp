@@ -7,6 +7,7 @@
 #include "catalogue/project.h"
 #include "pipeline/more_candidates.h"
 #include "pipeline/process_batch.h"
+#include "pipeline/scan_folder.h"
 
 namespace ostraka::ui {
 namespace {
@@ -30,14 +31,6 @@ double sizeOf(const fs::path& folder) {
   return bytes;
 }
 
-bool holdsScans(const fs::path& batch) {
-  std::error_code error;
-  for (fs::directory_iterator at(batch / "front", error), end; !error && at != end;
-       at.increment(error))
-    if (at->path().extension() == ".ply") return true;
-  return false;
-}
-
 // Photographs, or scans that were split already.
 Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& batch,
                               const fs::path& output, Progress& progress,
@@ -52,11 +45,11 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
   if (options.draft) process.megapixels = pipeline::kDraftMegapixels;
   if (fs::exists(batch / "rig.json")) process.rig = batch / "rig.json";
   const Result<pipeline::ProcessSummary> done =
-      holdsScans(batch) ? pipeline::processScans(process, progress, stop)
-                        : pipeline::processBatch(process, progress, stop);
+      pipeline::holdsScans(batch) ? pipeline::processScans(process, progress, stop)
+                                  : pipeline::processBatch(process, progress, stop);
   if (!done) return done.error();
   BatchFigures figures;
-  figures.draft = options.draft && !holdsScans(batch);
+  figures.draft = done->draft;
   figures.sherds = static_cast<int>(done->sherds.size());
   figures.ask = done->ambiguous();
   for (const pipeline::SherdSummary& sherd : done->sherds)
@@ -100,7 +93,7 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   const fs::path batch = project->batchFolder(options.number);
   const fs::path output = project->resultsFolder(options.number);
 
-  const bool scans = holdsScans(batch);
+  const bool scans = pipeline::holdsScans(batch);
   Result<BatchFigures> figures = computed(options, batch, output, progress, stop);
   if (!figures) return figures.error();
 

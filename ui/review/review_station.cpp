@@ -102,8 +102,7 @@ void ReviewStation::showScale() {
     if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
       doubts = QString::fromStdString(batch->scale_doubts);
   doubts.replace(QLatin1Char('\n'), QLatin1Char(' '));
-  scale_words_->setText(
-      tr("The scale of %1 is in doubt, so none of its measures is sure. %2").arg(batch_, doubts));
+  scale_words_->setText(tr("None of the measures of %1 is sure. %2").arg(batch_, doubts));
   QPalette look;  // the one colour only: all others follow the theme
   look.setColor(QPalette::Window, StateColours(QApplication::palette()).behind(State::Ask));
   scale_->setPalette(look);

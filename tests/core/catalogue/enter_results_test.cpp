@@ -108,6 +108,21 @@ TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
   EXPECT_EQ(valueOf(row, "scale"), "");
 }
 
+TEST_F(Entering, ADraftIsHeldAndItsMeasuresAreMarkedUntilItIsComputedAgain) {
+  out.draft = true;
+  out.write();
+  enter();
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review) << "no pair is open";
+  EXPECT_NE(catalogue().batch(batch)->scale_doubts.find("draft"), std::string::npos);
+  const SherdRow row = sherds().front().row;
+  EXPECT_TRUE(catalogue().sherd(row)->doubtful.contains("width"));
+  out.draft = false;
+  out.write();
+  enter();
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  EXPECT_TRUE(catalogue().sherd(row)->doubtful.empty());
+}
+
 TEST_F(Entering, KeepsWhatAPersonDecided) {
   enter();
   PairDecision swap;

@@ -26,6 +26,7 @@ class ResultFolder {
   double length_mm = 50;
   bool has_scale = true;
   std::vector<std::string> scale_doubts;
+  bool draft = false;
 
   void write() const {
     using nlohmann::ordered_json;
@@ -74,6 +75,7 @@ class ResultFolder {
             {{"format", "ostraka-report/1"},
              {"has_scale", has_scale},
              {"scale_doubts", scale_doubts},
+             {"draft", draft},
              {"stages",
               {{{"stage", "cameras"},
                 {"figures",

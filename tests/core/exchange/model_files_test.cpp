@@ -85,13 +85,13 @@ TEST(ModelFiles, ADoubtfulScaleStandsInEachKindOfFileAndGoesWhenItIsSettled) {
   const std::string plain = formatPly(tetrahedron(), "plate_front");
   const Result<std::string> ply = labelledPly(plain, doubtful, "m");
   ASSERT_TRUE(ply);
-  EXPECT_NE(ply->find("\ncomment scale in doubt: 50 mm measure 49.5 mm.\n"
-                      "comment scale in doubt: 80 mm measure 79.2 mm.\n"),
+  EXPECT_NE(ply->find("\ncomment measures in doubt: 50 mm measure 49.5 mm.\n"
+                      "comment measures in doubt: 80 mm measure 79.2 mm.\n"),
             std::string::npos);
   EXPECT_EQ(parsePly(*ply, "m")->mesh.vertices, tetrahedron().vertices);
   const Result<std::string> obj = labelledObj(plain, doubtful, "m");
   ASSERT_TRUE(obj);
-  EXPECT_NE(obj->find("\n# scale in doubt: 50 mm measure 49.5 mm.\n"), std::string::npos);
+  EXPECT_NE(obj->find("\n# measures in doubt: 50 mm measure 49.5 mm.\n"), std::string::npos);
   const Result<std::string> glb = labelledGlb(*formatGlb(tetrahedron(), {}), doubtful, "m");
   ASSERT_TRUE(glb);
   EXPECT_NE(glb->find(R"("scale_doubts":"50 mm measure 49.5 mm.\n80 mm measure 79.2 mm.")"),

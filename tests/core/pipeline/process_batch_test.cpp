@@ -155,6 +155,10 @@ TEST_F(ProcessBatch, AveragesLargePhotographsDownForAllButTheCameras) {
   ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
   ASSERT_EQ(summary->sherds.size(), 2u);
   EXPECT_TRUE(summary->whole());
+  EXPECT_TRUE(summary->draft) << "averaged down, and to less than kDraftMegapixels";
+  EXPECT_EQ(readJson(options.output / "report.json")->at("draft"), true);
+  EXPECT_EQ(readJson(folder_ / "out" / "report.json")->at("draft"), false)
+      << "small photographs, but all of their pixels";
   const cv::Mat mask = *batch::readMask(options.output / "work" / "masks_front" / "cam0_pos00.png");
   EXPECT_EQ(mask.size(), cv::Size(1600, 1200)) << "a mask is laid upon its photograph";
   const auto sizes = [](const fs::path& output) {

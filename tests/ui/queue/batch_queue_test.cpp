@@ -136,7 +136,8 @@ class BatchQueueTest : public QObject {
           drafts << options.draft;
           catalogue::Catalogue& rows = bench.session.project().catalogue();
           catalogue::BatchRecord record = *rows.batchByNumber(options.number);
-          record.state = BatchState::Done;
+          record.state = options.draft ? BatchState::Review : BatchState::Done;
+          record.scale_doubts = options.draft ? "This is a draft." : "";
           (void)rows.saveBatch(record, {});
           BatchFigures figures;
           figures.sherds = figures.sure = 3;
@@ -148,7 +149,8 @@ class BatchQueueTest : public QObject {
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.session.tellBatchChanged(number);
     QTRY_COMPARE(drafts, QVector<bool>{true});
-    QTRY_COMPARE(bench.queue.row(0).state, QueueState::Done);
+    QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
+    QVERIFY(stateWords(bench.queue.row(0)).contains(QLatin1String("draft")));
     const auto words = [&] { return figuresWords(*bench.queue.row(0).figures); };
     QVERIFY2(words().contains(QLatin1String("draft")), qPrintable(words()));
     bench.queue.retry(number);

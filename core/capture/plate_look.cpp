@@ -92,9 +92,39 @@ void judgeLight(const cv::Mat& picture, const cv::Mat1b& sherds, PlateLook& look
   look.bright_share = static_cast<double>(bright) / static_cast<double>(all);
 }
 
+std::vector<PlateMark> marksOf(const std::vector<rig::SeenMarker>& seen, double whole_per_work) {
+  std::vector<PlateMark> marks;
+  for (const rig::SeenMarker& marker : seen) {
+    PlateMark mark{marker.id, {}, true};
+    for (std::size_t c = 0; c < 4; ++c)
+      mark.corners_px[c] =
+          ((marker.corners[c].array() + 0.5) * whole_per_work - 0.5).cast<float>().matrix();
+    marks.push_back(mark);
+  }
+  return marks;
+}
+
 Eigen::Vector2f projected(const Eigen::Matrix3d& h, const Eigen::Vector2d& p) {
   const Eigen::Vector3d q = h * Eigen::Vector3d(p.x(), p.y(), 1);
   return (q.head<2>() / q.z()).cast<float>();
+}
+
+// Where a marker that is not seen should be, as far as it lies within the picture.
+void addHidden(const batch::Plate& plate, const Eigen::Matrix3d& pixel_from_plate,
+               PlateLook& look) {
+  const auto within = [&](const Eigen::Vector2f& p) {
+    return p.x() >= 0 && p.y() >= 0 && p.x() < static_cast<float>(look.width) &&
+           p.y() < static_cast<float>(look.height);
+  };
+  for (const batch::Marker& marker : plate.markers) {
+    const auto same = [&](const PlateMark& mark) { return mark.id == marker.id; };
+    if (std::any_of(look.marks.begin(), look.marks.end(), same)) continue;
+    PlateMark mark{marker.id, {}, false};
+    for (std::size_t c = 0; c < 4; ++c)
+      mark.corners_px[c] = projected(pixel_from_plate, marker.corners[c].head<2>());
+    if (std::all_of(mark.corners_px.begin(), mark.corners_px.end(), within))
+      look.marks.push_back(mark);
+  }
 }
 
 PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_plate,
@@ -137,6 +167,10 @@ Result<void> LookOptions::check() const {
   return {};
 }
 
+int markersNeeded(int on_plate) {
+  return std::max(kLeastMarkers, (on_plate + 1) / 2);
+}
+
 Result<PlateLook> lookAtPlate(std::string_view picture, const batch::Plate& plate,
                               const LookOptions& options) {
   Result<MappedLook> mapped = lookAndMap(picture, plate, options);
@@ -164,11 +198,13 @@ Result<MappedLook> lookAndMap(std::string_view picture, const batch::Plate& plat
   const auto seen = markersOf(work, plate);
   if (!seen) return seen.error();
   look.markers_seen = static_cast<int>(seen->size());
+  look.marks = marksOf(*seen, whole_per_work);
   look.sharpness = sharpnessOf(*whole, *seen, whole_per_work);
   const std::optional<Eigen::Matrix3d> plane = planeOf(*seen, plate);
   if (!plane) return mapped;
   mapped.map = findSherds(work, *plane, plate, options, whole_per_work, look);
   look.pixel_from_plate = Eigen::Vector3d(whole_per_work, whole_per_work, 1).asDiagonal() * *plane;
+  addHidden(plate, *look.pixel_from_plate, look);
   return mapped;
 }
 

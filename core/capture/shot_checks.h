@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <stop_token>
@@ -37,10 +38,19 @@ struct SeenSherd {
   bool cut_off = false;
 };
 
+/// A marker of the plate: seen, or where it should be seen.
+struct PlateMark {
+  int id = 0;
+  std::array<Eigen::Vector2f, 4> corners_px;  ///< in pixels of the picture looked at
+  bool seen = false;
+};
+
 /// What one picture (a preview or a photograph) shows of the plate.
 struct PlateLook {
   int width = 0, height = 0;  ///< pixels of the picture
   int markers_seen = 0, markers_on_plate = 0;
+  /// Those that are seen and, once the plate's place is known, those within the frame that are not.
+  std::vector<PlateMark> marks;
   std::vector<SeenSherd> sherds;  ///< from left to right
   /// Indices into sherds: so close that one hides the other's foot. Twice the same: one outline
   /// that looks like two sherds.
@@ -64,6 +74,10 @@ struct LookOptions {
 /// Looks at an encoded picture (JPEG, PNG, TIFF). Errors: UnusableInput, not decodable or cut off.
 Result<PlateLook> lookAtPlate(std::string_view picture, const batch::Plate& plate,
                               const LookOptions& options);
+
+/// How many of a plate's markers a picture must show before anybody shoots: half of them, so that a
+/// hand or a sherd before some does no harm, and never fewer than the plate's place takes.
+int markersNeeded(int on_plate);
 
 /// By how many degrees the plate turned, counter-clockwise from above, between two pictures of one
 /// camera that stands still; -180..180. No calibration is needed: the plate turns in its own plane.

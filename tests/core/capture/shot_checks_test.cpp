@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "capture/sequence.h"
@@ -124,6 +128,95 @@ TEST(LookAtPlate, MeasuresTheWidthOfEdges) {
   // Contrast over slope of an edge blurred by sigma is sigma times the root of 2 pi: 5.2 pixels.
   EXPECT_NEAR(wide, 5.2, 0.6);
   EXPECT_LT(sharp, 0.6 * wide);
+}
+
+// A picture of the plate, worse in a way that laboratories know.
+using Worsen = std::function<void(cv::Mat3b&)>;
+
+PlateLook lookAtWorse(const Worsen& worsen) {
+  FlatScene scene;
+  scene.width = 1280;
+  const std::string jpeg = flatPicture(scene, 1, 0, "");
+  cv::Mat3b picture = cv::imdecode(std::vector<uchar>(jpeg.begin(), jpeg.end()), cv::IMREAD_COLOR);
+  worsen(picture);
+  std::vector<uchar> bytes;
+  cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 92});
+  const auto look =
+      lookAtPlate({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, flatPlate(), {});
+  EXPECT_TRUE(look.has_value());
+  return look ? *look : PlateLook{};
+}
+
+// Twice the stops are four times the light; pixels hold its 2.2th root.
+void expose(cv::Mat3b& picture, double stops) {
+  picture.convertTo(picture, -1, std::pow(2, stops / 2.2));
+}
+
+// The corners of the worse picture against those of the good one, pixels.
+void expectMarksInPlace(const PlateLook& worse, double within_px) {
+  const PlateLook good = lookAtWorse([](cv::Mat3b&) {});
+  ASSERT_EQ(good.marks.size(), 12u);
+  ASSERT_EQ(worse.marks.size(), 12u);
+  for (const PlateMark& mark : worse.marks) {
+    const auto same = std::find_if(good.marks.begin(), good.marks.end(),
+                                   [&](const PlateMark& other) { return other.id == mark.id; });
+    ASSERT_NE(same, good.marks.end());
+    ASSERT_TRUE(same->seen);
+    for (std::size_t c = 0; c < 4; ++c)
+      EXPECT_LT((mark.corners_px[c] - same->corners_px[c]).norm(), within_px) << mark.id;
+  }
+}
+
+TEST(LookAtPlate, FindsTheMarkersTwoStopsTooDarkAndTwoTooBright) {
+  for (const double stops : {-2.0, 2.0}) {
+    const PlateLook look = lookAtWorse([&](cv::Mat3b& picture) { expose(picture, stops); });
+    EXPECT_EQ(look.markers_seen, 12) << stops;
+    expectMarksInPlace(look, 2);  // burnt-out paper eats into the black: 1.5 px of a mark's 60
+  }
+}
+
+TEST(LookAtPlate, FindsTheMarkersInABlurredPicture) {
+  const PlateLook look = lookAtWorse([](cv::Mat3b& picture) {
+    cv::GaussianBlur(picture, picture, {0, 0}, 3);
+  });
+  EXPECT_GE(look.markers_seen, markersNeeded(12));
+  expectMarksInPlace(look, 2);  // half of the blur
+}
+
+TEST(LookAtPlate, ShowsWhereTheMarkersAreThatGlareHides) {
+  const PlateLook good = lookAtWorse([](cv::Mat3b&) {});
+  const Eigen::Vector2f at = good.marks[2].corners_px[0];
+  const PlateLook look = lookAtWorse([&](cv::Mat3b& picture) {
+    cv::Mat3f glare(picture.size(), cv::Vec3f(0, 0, 0));
+    cv::circle(glare, cv::Point(cvRound(at.x()), cvRound(at.y())), 70, {700, 700, 700}, cv::FILLED);
+    cv::GaussianBlur(glare, glare, {0, 0}, 25);
+    cv::Mat3f lit;
+    picture.convertTo(lit, CV_32F);
+    lit += glare;
+    lit.convertTo(picture, CV_8U);
+  });
+  EXPECT_LT(look.markers_seen, 12);  // the light really hides one
+  EXPECT_GE(look.markers_seen, markersNeeded(12));
+  expectMarksInPlace(look, 1.5);
+}
+
+TEST(LookAtPlate, ShowsWhereTheMarkersAreWithAThirdOfThemHidden) {
+  const PlateLook good = lookAtWorse([](cv::Mat3b&) {});
+  const std::vector<int> hidden{1, 4, 5, 9};
+  const PlateLook look = lookAtWorse([&](cv::Mat3b& picture) {
+    for (const PlateMark& mark : good.marks) {
+      if (std::find(hidden.begin(), hidden.end(), mark.id) == hidden.end()) continue;
+      std::vector<cv::Point> cloth;
+      for (const Eigen::Vector2f& p : mark.corners_px)
+        cloth.emplace_back(cvRound(p.x()), cvRound(p.y()));
+      cv::fillConvexPoly(picture, cloth, {90, 90, 90});
+    }
+  });
+  EXPECT_EQ(look.markers_seen, 8);
+  for (const PlateMark& mark : look.marks)
+    EXPECT_EQ(mark.seen, std::find(hidden.begin(), hidden.end(), mark.id) == hidden.end())
+        << mark.id;
+  expectMarksInPlace(look, 1.5);  // of hidden ones: the plane through the others'
 }
 
 TEST(LookAtPlate, RefusesWhatIsCutOff) {

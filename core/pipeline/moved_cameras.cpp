@@ -1,0 +1,73 @@
+#include "pipeline/moved_cameras.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "rig/calibrate.h"
+#include "rig/rig.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<int> numbersOf(const rig::Rig& rig) {
+  std::vector<int> numbers;
+  for (const rig::RigCamera& camera : rig.cameras) numbers.push_back(camera.camera);
+  return numbers;
+}
+
+// RIG.before-1.json, the first name that is free.
+fs::path nameForTheOld(const fs::path& rig_file) {
+  for (int n = 1;; ++n) {
+    fs::path name = rig_file;
+    name.replace_filename(rig_file.stem().string() + ".before-" + std::to_string(n) +
+                          rig_file.extension().string());
+    if (std::error_code ignored; !fs::exists(name, ignored)) return name;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<MovedCamera>> movedCameras(const fs::path& output) {
+  const fs::path file = output / "work" / "rig" / "stage.json";
+  const Result<nlohmann::json> stage = readJson(file);
+  if (!stage) return stage.error();
+  const double most_px = rig::PoseOptions().max_known_rig_residual_px;
+  std::vector<MovedCamera> moved;
+  try {
+    for (const nlohmann::json& camera :
+         stage->at("figures").value("cameras", nlohmann::json::array())) {
+      const double residual_px = camera.at("known_rig_residual_px").get<double>();
+      if (residual_px <= most_px) continue;
+      moved.push_back({camera.at("camera").get<int>(), residual_px,
+                       camera.at("moved_mm").get<double>(), camera.at("turned_rad").get<double>()});
+    }
+  } catch (const nlohmann::json::exception&) {
+    return Error::unusable("This file does not say how well the rig fitted.", file.string());
+  }
+  return moved;
+}
+
+Result<fs::path> calibrateFrom(const fs::path& output, const fs::path& rig_file) {
+  const Result<rig::Rig> fresh = rig::readRig(output / "work" / "rig" / "rig.json");
+  if (!fresh) return fresh.error();
+  const Result<rig::Rig> old = rig::readRig(rig_file);
+  if (!old) return old.error();
+  if (numbersOf(*fresh) != numbersOf(*old))
+    return Error::unusable(
+        "This calibration is of other cameras than the batch was photographed with; calibrate the "
+        "rig by its own photographs.",
+        rig_file.string());
+  const Result<std::string> bytes = readFile(rig_file);
+  if (!bytes) return bytes.error();
+  const fs::path kept = nameForTheOld(rig_file);
+  if (const Result<void> written = writeFileAtomically(kept, *bytes); !written)
+    return written.error();
+  if (const Result<void> written = rig::writeRig(rig_file, *fresh); !written)
+    return written.error();
+  return kept;
+}
+
+}  // namespace ostraka::pipeline

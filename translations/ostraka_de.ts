@@ -800,6 +800,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entwurf, noch endgültig zu berechnen; %1</translation>
     </message>
+    <message>
+      <source>%1 waits for the draft of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wartet auf den Entwurf von %2.</translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 wurde angestoßen: Sie verfehlt die Marken um %2 px, %3 mm neben dem Ort ihrer Kalibrierung.</translation>
+    </message>
+    <message>
+      <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für diese Ladung wurden die Kameras neu gefunden; kalibrieren Sie den Messplatz neu (C).</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1083,6 +1098,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nummern der Scherben eingeben</translation>
     </message>
+    <message>
+      <source>Say how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sagen, wie viele Scherben da liegen</translation>
+    </message>
+    <message>
+      <source>This project photographs with no calibrated rig of its own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt fotografiert mit keinem eigenen, kalibrierten Messplatz.</translation>
+    </message>
+    <message>
+      <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz ist nach %1 kalibriert; die Kalibrierung davor liegt als %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1350,6 +1380,26 @@
       <source>Make the desktop let go</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera vom Schreibtisch lösen</translation>
+    </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie haben %1 Scherben gezählt, die Fotos zeigen %2: Suchen Sie eine, die verdeckt ist, eine andere berührt oder gar nicht hingelegt wurde.</translation>
+    </message>
+    <message>
+      <source>You counted %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie haben %1 gezählt</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2, %3 are needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marken %1 von %2, nötig sind %3</translation>
+    </message>
+    <message>
+      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihre Scherben stehen in der Durchsicht (Strg+3): Sehen Sie nach, solange sie noch hier liegen</translation>
     </message>
   </context>
   <context>
@@ -1957,6 +2007,26 @@
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilder, Masken, Posen für COLMAP und OpenMVS</translation>
+    </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feinheit der Modelle</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von PLY, GLB und OBJ: Mit weniger Dreiecken sind die Dateien um ein Vielfaches kleiner. Wie weit sie abweichen, wird gemessen und steht in jeder.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wie berechnet</translation>
+    </message>
+    <message>
+      <source>lighter, %1 mm off at most</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>leichter, höchstens %1 mm daneben</translation>
     </message>
   </context>
   <context>
@@ -2717,6 +2787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Rückseite allein hat kein geschlossenes Modell.</translation>
     </message>
+    <message>
+      <source>Stopped; the back stays where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Angehalten; die Rückseite bleibt, wo sie war.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
@@ -2930,6 +3005,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Berechnet jede neue Ladung schnell und grob, um sie anzusehen, solange die Scherben noch daliegen; noch einmal berechnet wird sie endgültig (D)</translation>
     </message>
+    <message>
+      <source>Calibrate the rig again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Messplatz neu kalibrieren</translation>
+    </message>
+    <message>
+      <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Kamera wurde angestoßen: Die Fotos dieser Ladung sagen, wo die Kameras jetzt stehen (C)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3072,9 +3157,9 @@
       <translation>Dieses   Eingabe</translation>
     </message>
     <message>
-      <source>The rims are compared …</source>
+      <source>The rims are compared … Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ränder werden verglichen …</translation>
+      <translation>Die Ränder werden verglichen … Esc hält an.</translation>
     </message>
     <message>
       <source>… and the other end</source>
@@ -3097,14 +3182,19 @@
       <translation>Rückseiten verbinden</translation>
     </message>
     <message>
-      <source>Join and cut nothing</source>
+      <source>Settle, join and cut nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nichts verbinden oder schneiden</translation>
+      <translation>Nichts einpassen, verbinden oder schneiden</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Stück zerschneiden, das in Wahrheit zwei Scherben ist, entlang einer Linie über seinem Bild (K)</translation>
+    </message>
+    <message>
+      <source>The rims settle: %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ränder finden sich: %1. Esc hält an.</translation>
     </message>
   </context>
   <context>
@@ -3274,6 +3364,11 @@
       <source>Rig (*.json)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Messplatz (*.json)</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leertaste</translation>
     </message>
   </context>
   <context>
@@ -4086,6 +4181,37 @@
       <source>surface</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Oberfläche</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CountEdit</name>
+    <message>
+      <source>&amp;Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Scherben</translation>
+    </message>
+    <message>
+      <source>not counted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nicht gezählt</translation>
+    </message>
+    <message>
+      <source>How many sherds you counted onto the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wie viele Scherben Sie auf die Platte gezählt haben</translation>
+    </message>
+    <message>
+      <source>Count them if you like: you are asked when the photographs show another number (S)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zählen Sie sie, wenn Sie mögen: Sie werden gefragt, wenn die Fotos eine andere Zahl zeigen (S)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigRenewal</name>
+    <message>
+      <source>Calibration by %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kalibrierung nach %1</translation>
     </message>
   </context>
 </TS>

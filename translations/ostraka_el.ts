@@ -800,6 +800,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>προσχέδιο, να υπολογιστεί ξανά· %1</translation>
     </message>
+    <message>
+      <source>%1 waits for the draft of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 περιμένει το προσχέδιο του %2.</translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 μετακινήθηκε: χάνει τα σημάδια κατά %2 px, %3 mm από τη θέση βαθμονόμησης.</translation>
+    </message>
+    <message>
+      <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για αυτή την παρτίδα οι κάμερες βρέθηκαν εκ νέου· βαθμονομήστε ξανά τη διάταξη (C).</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1083,6 +1098,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πληκτρολόγηση των αριθμών των οστράκων</translation>
     </message>
+    <message>
+      <source>Say how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δήλωση του αριθμού των οστράκων</translation>
+    </message>
+    <message>
+      <source>This project photographs with no calibrated rig of its own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο δεν φωτογραφίζει με δική του βαθμονομημένη διάταξη.</translation>
+    </message>
+    <message>
+      <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη βαθμονομήθηκε από το %1· η προηγούμενη φυλάσσεται ως %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1350,6 +1380,26 @@
       <source>Make the desktop let go</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Απελευθέρωση της κάμερας</translation>
+    </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: ψάξτε ένα που κρύβεται, αγγίζει άλλο ή δεν τοποθετήθηκε.</translation>
+    </message>
+    <message>
+      <source>You counted %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρήσατε %1</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2, %3 are needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σημάδια %1 από %2, χρειάζονται %3</translation>
+    </message>
+    <message>
+      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακά της είναι στον έλεγχο (Ctrl+3): δείτε τα όσο είναι ακόμη εδώ</translation>
     </message>
   </context>
   <context>
@@ -1957,6 +2007,26 @@
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνες, μάσκες, θέσεις για COLMAP και OpenMVS</translation>
+    </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λεπτομέρεια των μοντέλων</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για PLY, GLB και OBJ: με λιγότερα τρίγωνα τα αρχεία είναι πολύ μικρότερα. Η απόκλισή τους μετριέται και γράφεται σε καθένα.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όπως υπολογίστηκαν</translation>
+    </message>
+    <message>
+      <source>lighter, %1 mm off at most</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ελαφρύτερα, απόκλιση έως %1 mm</translation>
     </message>
   </context>
   <context>
@@ -2717,6 +2787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια πίσω όψη μόνη δεν έχει κλειστό μοντέλο.</translation>
     </message>
+    <message>
+      <source>Stopped; the back stays where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακόπηκε· η πίσω πλευρά μένει όπου ήταν.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
@@ -2930,6 +3005,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπολογίζει κάθε νέα παρτίδα γρήγορα και χονδρικά, για να τη δείτε όσο τα όστρακα είναι ακόμη εκεί· αν υπολογιστεί ξανά γίνεται οριστική (D)</translation>
     </message>
+    <message>
+      <source>Calibrate the rig again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέα βαθμονόμηση της διάταξης</translation>
+    </message>
+    <message>
+      <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια κάμερα μετακινήθηκε: οι φωτογραφίες της παρτίδας δείχνουν πού είναι τώρα (C)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3072,9 +3157,9 @@
       <translation>Αυτό   Enter</translation>
     </message>
     <message>
-      <source>The rims are compared …</source>
+      <source>The rims are compared … Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σύγκριση των ακμών …</translation>
+      <translation>Σύγκριση των ακμών … Το Esc διακόπτει.</translation>
     </message>
     <message>
       <source>… and the other end</source>
@@ -3097,14 +3182,19 @@
       <translation>Ένωση πίσω όψεων</translation>
     </message>
     <message>
-      <source>Join and cut nothing</source>
+      <source>Settle, join and cut nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία ένωση ή κοπή</translation>
+      <translation>Καμία προσαρμογή, ένωση ή κοπή</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κοπή κομματιού που στην πραγματικότητα είναι δύο όστρακα, κατά μήκος γραμμής πάνω στην εικόνα του (K)</translation>
+    </message>
+    <message>
+      <source>The rims settle: %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές προσαρμόζονται: %1. Το Esc διακόπτει.</translation>
     </message>
   </context>
   <context>
@@ -3274,6 +3364,11 @@
       <source>Rig (*.json)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διάταξη (*.json)</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διάστημα</translation>
     </message>
   </context>
   <context>
@@ -4086,6 +4181,37 @@
       <source>surface</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>επιφάνεια</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CountEdit</name>
+    <message>
+      <source>&amp;Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό&amp;στρακα</translation>
+    </message>
+    <message>
+      <source>not counted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>δεν μετρήθηκαν</translation>
+    </message>
+    <message>
+      <source>How many sherds you counted onto the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πόσα όστρακα μετρήσατε στον δίσκο</translation>
+    </message>
+    <message>
+      <source>Count them if you like: you are asked when the photographs show another number (S)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρήστε τα αν θέλετε: ερωτάστε όταν οι φωτογραφίες δείχνουν άλλον αριθμό (S)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigRenewal</name>
+    <message>
+      <source>Calibration by %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Βαθμονόμηση από το %1</translation>
     </message>
   </context>
 </TS>

@@ -800,6 +800,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>borrador, por calcular de nuevo; %1</translation>
     </message>
+    <message>
+      <source>%1 waits for the draft of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 espera el borrador de %2.</translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 recibió un golpe: yerra las marcas por %2 px, a %3 mm de donde se calibró.</translation>
+    </message>
+    <message>
+      <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En esta tanda se hallaron de nuevo las cámaras; calibre otra vez el equipo (C).</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1083,6 +1098,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escribir los números de los fragmentos</translation>
     </message>
+    <message>
+      <source>Say how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Decir cuántos fragmentos hay</translation>
+    </message>
+    <message>
+      <source>This project photographs with no calibrated rig of its own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto no fotografía con un equipo calibrado propio.</translation>
+    </message>
+    <message>
+      <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo está calibrado según %1; la calibración anterior se guarda como %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1350,6 +1380,26 @@
       <source>Make the desktop let go</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hacer que el escritorio la suelte</translation>
+    </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ha contado %1 fragmentos, las fotos muestran %2: busque uno que esté oculto, toque a otro o no se haya colocado.</translation>
+    </message>
+    <message>
+      <source>You counted %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ha contado %1</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2, %3 are needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marcas %1 de %2, hacen falta %3</translation>
+    </message>
+    <message>
+      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sus fragmentos están en la revisión (Ctrl+3): mire mientras aún están aquí</translation>
     </message>
   </context>
   <context>
@@ -1957,6 +2007,26 @@
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imágenes, máscaras y poses para COLMAP y OpenMVS</translation>
+    </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detalle de los modelos</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De PLY, GLB y OBJ: con menos triángulos los archivos son mucho menores. Su desviación se mide y consta en cada uno.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>como se calcularon</translation>
+    </message>
+    <message>
+      <source>lighter, %1 mm off at most</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>más ligeros, %1 mm de desviación como mucho</translation>
     </message>
   </context>
   <context>
@@ -2717,6 +2787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un reverso solo no tiene modelo cerrado.</translation>
     </message>
+    <message>
+      <source>Stopped; the back stays where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido; el reverso queda donde estaba.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
@@ -2930,6 +3005,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Calcula cada tanda nueva deprisa y sin detalle, para verlo mientras los fragmentos siguen ahí; calculada de nuevo es definitiva (D)</translation>
     </message>
+    <message>
+      <source>Calibrate the rig again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calibrar otra vez el equipo</translation>
+    </message>
+    <message>
+      <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cámara recibió un golpe: las fotos de esta tanda dicen dónde están ahora las cámaras (C)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3072,9 +3157,9 @@
       <translation>Esta   Intro</translation>
     </message>
     <message>
-      <source>The rims are compared …</source>
+      <source>The rims are compared … Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparando los bordes …</translation>
+      <translation>Comparando los bordes … Esc detiene.</translation>
     </message>
     <message>
       <source>… and the other end</source>
@@ -3097,14 +3182,19 @@
       <translation>Unir reversos</translation>
     </message>
     <message>
-      <source>Join and cut nothing</source>
+      <source>Settle, join and cut nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No unir ni cortar nada</translation>
+      <translation>No asentar, unir ni cortar nada</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cortar una pieza que en realidad son dos fragmentos, por una línea sobre su imagen (K)</translation>
+    </message>
+    <message>
+      <source>The rims settle: %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los bordes se asientan: %1. Esc detiene.</translation>
     </message>
   </context>
   <context>
@@ -3274,6 +3364,11 @@
       <source>Rig (*.json)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Equipo (*.json)</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espacio</translation>
     </message>
   </context>
   <context>
@@ -4086,6 +4181,37 @@
       <source>surface</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>superficie</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CountEdit</name>
+    <message>
+      <source>&amp;Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Fragmentos</translation>
+    </message>
+    <message>
+      <source>not counted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sin contar</translation>
+    </message>
+    <message>
+      <source>How many sherds you counted onto the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cuántos fragmentos ha contado sobre el plato</translation>
+    </message>
+    <message>
+      <source>Count them if you like: you are asked when the photographs show another number (S)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cuéntelos si quiere: se le pregunta cuando las fotos muestran otro número (S)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigRenewal</name>
+    <message>
+      <source>Calibration by %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calibración según %1</translation>
     </message>
   </context>
 </TS>

@@ -800,6 +800,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ébauche, à recalculer ; %1</translation>
     </message>
+    <message>
+      <source>%1 waits for the draft of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 attend l'ébauche de %2.</translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra %1 a été heurtée : elle manque les repères de %2 px, à %3 mm de l'endroit de sa calibration.</translation>
+    </message>
+    <message>
+      <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pour ce lot, les caméras ont été retrouvées ; calibrez de nouveau le banc (C).</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1083,6 +1098,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Saisir les numéros des tessons</translation>
     </message>
+    <message>
+      <source>Say how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dire combien de tessons sont là</translation>
+    </message>
+    <message>
+      <source>This project photographs with no calibrated rig of its own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet ne photographie avec aucun banc calibré qui lui soit propre.</translation>
+    </message>
+    <message>
+      <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc est calibré d'après %1 ; la calibration précédente est gardée sous %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1350,6 +1380,26 @@
       <source>Make the desktop let go</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Libérer l’appareil du bureau</translation>
+    </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous avez compté %1 tessons, les photos en montrent %2 : cherchez celui qui est caché, qui en touche un autre ou qui n'a pas été posé.</translation>
+    </message>
+    <message>
+      <source>You counted %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous en avez compté %1</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2, %3 are needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Repères %1 sur %2, il en faut %3</translation>
+    </message>
+    <message>
+      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ses tessons sont dans la vérification (Ctrl+3) : regardez tant qu'ils sont encore là</translation>
     </message>
   </context>
   <context>
@@ -1957,6 +2007,26 @@
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Images, masques, poses pour COLMAP et OpenMVS</translation>
+    </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Détail des modèles</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pour PLY, GLB et OBJ : avec moins de triangles, les fichiers sont bien plus petits. Leur écart est mesuré et inscrit dans chacun.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>comme calculés</translation>
+    </message>
+    <message>
+      <source>lighter, %1 mm off at most</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>allégés, %1 mm d'écart au plus</translation>
     </message>
   </context>
   <context>
@@ -2717,6 +2787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une face arrière seule n’a pas de modèle fermé.</translation>
     </message>
+    <message>
+      <source>Stopped; the back stays where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêté ; le revers reste où il était.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
@@ -2930,6 +3005,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Calcule chaque nouveau lot vite et grossièrement, pour le voir tant que les tessons sont encore là ; recalculé, il devient définitif (D)</translation>
     </message>
+    <message>
+      <source>Calibrate the rig again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calibrer de nouveau le banc</translation>
+    </message>
+    <message>
+      <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une caméra a été heurtée : les photos de ce lot disent où sont les caméras à présent (C)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3072,9 +3157,9 @@
       <translation>Celle-ci   Entrée</translation>
     </message>
     <message>
-      <source>The rims are compared …</source>
+      <source>The rims are compared … Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparaison des bords …</translation>
+      <translation>Comparaison des bords … Échap arrête.</translation>
     </message>
     <message>
       <source>… and the other end</source>
@@ -3097,14 +3182,19 @@
       <translation>Joindre les faces arrière</translation>
     </message>
     <message>
-      <source>Join and cut nothing</source>
+      <source>Settle, join and cut nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ne rien joindre ni couper</translation>
+      <translation>Ne rien caler, joindre ni couper</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Couper un morceau qui est en réalité deux tessons, le long d'une ligne sur son image (K)</translation>
+    </message>
+    <message>
+      <source>The rims settle: %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords se calent : %1. Échap arrête.</translation>
     </message>
   </context>
   <context>
@@ -3274,6 +3364,11 @@
       <source>Rig (*.json)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Banc (*.json)</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espace</translation>
     </message>
   </context>
   <context>
@@ -4086,6 +4181,37 @@
       <source>surface</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>surface</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CountEdit</name>
+    <message>
+      <source>&amp;Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Tessons</translation>
+    </message>
+    <message>
+      <source>not counted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>non comptés</translation>
+    </message>
+    <message>
+      <source>How many sherds you counted onto the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Combien de tessons vous avez comptés sur le plateau</translation>
+    </message>
+    <message>
+      <source>Count them if you like: you are asked when the photographs show another number (S)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comptez-les si vous voulez : on vous interroge quand les photos montrent un autre nombre (S)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigRenewal</name>
+    <message>
+      <source>Calibration by %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Calibration d'après %1</translation>
     </message>
   </context>
 </TS>

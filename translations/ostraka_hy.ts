@@ -800,6 +800,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>սևագիր, պետք է նորից հաշվել. %1</translation>
     </message>
+    <message>
+      <source>%1 waits for the draft of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը սպասում է %2-ի սևագրին։</translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկը տեղաշարժվել է. վրիպում է նշաններից %2 px, տրամաչափման տեղից %3 մմ հեռու։</translation>
+    </message>
+    <message>
+      <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի համար տեսախցիկները նորից գտնվել են. նորից տրամաչափեք սարքակազմը (C)։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1083,6 +1098,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մուտքագրել խեցաբեկորների համարները</translation>
     </message>
+    <message>
+      <source>Say how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ասել, թե քանի բեկոր կա</translation>
+    </message>
+    <message>
+      <source>This project photographs with no calibrated rig of its own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծը չունի սեփական տրամաչափված սարքակազմ։</translation>
+    </message>
+    <message>
+      <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը տրամաչափված է ըստ %1-ի. նախորդը պահված է որպես %2։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1350,6 +1380,26 @@
       <source>Make the desktop let go</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ազատել տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. փնտրեք մեկը, որ թաքնված է, դիպչում է մյուսին կամ չի դրվել։</translation>
+    </message>
+    <message>
+      <source>You counted %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք հաշվել եք %1</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2, %3 are needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշաններ՝ %1 %2-ից, պետք է %3</translation>
+    </message>
+    <message>
+      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրա բեկորները ստուգման մեջ են (Ctrl+3). նայեք, քանի դեռ այստեղ են</translation>
     </message>
   </context>
   <context>
@@ -1957,6 +2007,26 @@
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերներ, դիմակներ, դիրքեր COLMAP-ի և OpenMVS-ի համար</translation>
+    </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելների մանրամասնությունը</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY, GLB և OBJ. քիչ եռանկյուններով նիշքերը շատ ավելի փոքր են։ Շեղումը չափվում և գրվում է յուրաքանչյուրում։</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչպես հաշվարկվել է</translation>
+    </message>
+    <message>
+      <source>lighter, %1 mm off at most</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>թեթև, առավելագույնը %1 մմ շեղում</translation>
     </message>
   </context>
   <context>
@@ -2717,6 +2787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միայնակ հետևի երեսը փակ մոդել չունի։</translation>
     </message>
+    <message>
+      <source>Stopped; the back stays where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցված է. հետևի կողմը մնում է իր տեղում։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
@@ -2930,6 +3005,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Յուրաքանչյուր նոր խմբաքանակ հաշվում է արագ և կոպիտ, որ նայեք, քանի դեռ բեկորները տեղում են. նորից հաշվելիս դառնում է վերջնական (D)</translation>
     </message>
+    <message>
+      <source>Calibrate the rig again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նորից տրամաչափել սարքակազմը</translation>
+    </message>
+    <message>
+      <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ է տեղաշարժվել. այս խմբաքանակի լուսանկարները ցույց են տալիս, թե որտեղ են հիմա տեսախցիկները (C)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3072,9 +3157,9 @@
       <translation>Այս մեկը   Enter</translation>
     </message>
     <message>
-      <source>The rims are compared …</source>
+      <source>The rims are compared … Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Եզրերը համեմատվում են …</translation>
+      <translation>Եզրերը համեմատվում են … Esc-ը կանգնեցնում է։</translation>
     </message>
     <message>
       <source>… and the other end</source>
@@ -3097,14 +3182,19 @@
       <translation>Միացնել հետևի երեսները</translation>
     </message>
     <message>
-      <source>Join and cut nothing</source>
+      <source>Settle, join and cut nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ոչինչ չմիացնել և չկտրել</translation>
+      <translation>Ոչինչ չհարմարեցնել, չմիացնել և չկտրել</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կտրել կտորը, որն իրականում երկու բեկոր է, նրա նկարի վրայի գծով (K)</translation>
+    </message>
+    <message>
+      <source>The rims settle: %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրերը համընկնում են՝ %1։ Esc-ը կանգնեցնում է։</translation>
     </message>
   </context>
   <context>
@@ -3274,6 +3364,11 @@
       <source>Rig (*.json)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմ (*.json)</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացատ</translation>
     </message>
   </context>
   <context>
@@ -4086,6 +4181,37 @@
       <source>surface</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մակերես</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CountEdit</name>
+    <message>
+      <source>&amp;Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Բեկորներ</translation>
+    </message>
+    <message>
+      <source>not counted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>չի հաշվված</translation>
+    </message>
+    <message>
+      <source>How many sherds you counted onto the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Քանի բեկոր եք հաշվել սկուտեղի վրա</translation>
+    </message>
+    <message>
+      <source>Count them if you like: you are asked when the photographs show another number (S)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվեք, եթե ուզում եք. ձեզ կհարցնեն, երբ լուսանկարները այլ թիվ ցույց տան (S)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigRenewal</name>
+    <message>
+      <source>Calibration by %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տրամաչափում ըստ %1-ի</translation>
     </message>
   </context>
 </TS>

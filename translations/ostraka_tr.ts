@@ -790,6 +790,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>taslak, yeniden hesaplanacak; %1</translation>
     </message>
+    <message>
+      <source>%1 waits for the draft of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2 taslağını bekliyor.</translation>
+    </message>
+    <message>
+      <source>Camera %1 was bumped: it misses the marks by %2 px, %3 mm from where it was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 çarpılmış: işaretleri %2 px kaçırıyor, ayarlandığı yerden %3 mm uzakta.</translation>
+    </message>
+    <message>
+      <source>This batch's cameras were found anew; calibrate the rig again (C).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parti için kameralar yeniden bulundu; düzeneği yeniden ayarlayın (C).</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1070,6 +1085,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçaların numaralarını yaz</translation>
     </message>
+    <message>
+      <source>Say how many sherds lie there</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaç parça olduğunu söyle</translation>
+    </message>
+    <message>
+      <source>This project photographs with no calibrated rig of its own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje kendine ait ayarlanmış bir düzenekle çekim yapmıyor.</translation>
+    </message>
+    <message>
+      <source>The rig is calibrated by %1; the calibration before is kept as %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düzenek %1 ile ayarlandı; önceki ayar %2 olarak saklandı.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1332,6 +1362,26 @@
       <source>Make the desktop let go</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masaüstüne bıraktır</translation>
+    </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: gizlenen, başkasına değen ya da hiç konmamış birini arayın.</translation>
+    </message>
+    <message>
+      <source>You counted %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 saydınız</translation>
+    </message>
+    <message>
+      <source>Marks %1 of %2, %3 are needed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İşaretler %1 / %2, %3 gerekli</translation>
+    </message>
+    <message>
+      <source>Its sherds stand in the review (Ctrl+3): look while they still lie here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaları incelemede (Ctrl+3): hâlâ buradayken bakın</translation>
     </message>
   </context>
   <context>
@@ -1929,6 +1979,26 @@
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP ve OpenMVS için resimler, maskeler, duruşlar</translation>
+    </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modellerin ayrıntısı</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY, GLB ve OBJ için: daha az üçgenle dosyalar çok daha küçüktür. Sapmaları ölçülür ve her birine yazılır.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hesaplandığı gibi</translation>
+    </message>
+    <message>
+      <source>lighter, %1 mm off at most</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>daha hafif, en çok %1 mm sapma</translation>
     </message>
   </context>
   <context>
@@ -2685,6 +2755,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tek başına bir arka yüzün kapalı modeli olmaz.</translation>
     </message>
+    <message>
+      <source>Stopped; the back stays where it was.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruldu; arka yüz olduğu yerde kaldı.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>
@@ -2896,6 +2971,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Her yeni partiyi hızlı ve kaba hesaplar; parçalar hâlâ oradayken bakılabilsin diye. Yeniden hesaplanınca kesinleşir (D)</translation>
     </message>
+    <message>
+      <source>Calibrate the rig again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düzeneği yeniden ayarla</translation>
+    </message>
+    <message>
+      <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir kameraya çarpılmış: bu partinin fotoğrafları kameraların şimdi nerede olduğunu söylüyor (C)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Rail</name>
@@ -3038,9 +3123,9 @@
       <translation>Bu   Enter</translation>
     </message>
     <message>
-      <source>The rims are compared …</source>
+      <source>The rims are compared … Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kenarlar karşılaştırılıyor …</translation>
+      <translation>Kenarlar karşılaştırılıyor … Esc durdurur.</translation>
     </message>
     <message>
       <source>… and the other end</source>
@@ -3063,14 +3148,19 @@
       <translation>Arka yüzleri birleştir</translation>
     </message>
     <message>
-      <source>Join and cut nothing</source>
+      <source>Settle, join and cut nothing</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hiçbir şeyi birleştirme veya kesme</translation>
+      <translation>Hiçbir şeyi oturtma, birleştirme veya kesme</translation>
     </message>
     <message>
       <source>Cut a piece that is two sherds in truth, along a line over its picture (K)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aslında iki parça olan bir parçayı resminin üzerindeki çizgi boyunca kes (K)</translation>
+    </message>
+    <message>
+      <source>The rims settle: %1. Esc stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar oturuyor: %1. Esc durdurur.</translation>
     </message>
   </context>
   <context>
@@ -3239,6 +3329,11 @@
       <source>Rig (*.json)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzenek (*.json)</translation>
+    </message>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boşluk</translation>
     </message>
   </context>
   <context>
@@ -4048,6 +4143,37 @@
       <source>surface</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yüzey</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::CountEdit</name>
+    <message>
+      <source>&amp;Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Parça</translation>
+    </message>
+    <message>
+      <source>not counted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sayılmadı</translation>
+    </message>
+    <message>
+      <source>How many sherds you counted onto the plate</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablaya kaç parça saydığınız</translation>
+    </message>
+    <message>
+      <source>Count them if you like: you are asked when the photographs show another number (S)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İsterseniz sayın: fotoğraflar başka bir sayı gösterirse size sorulur (S)</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RigRenewal</name>
+    <message>
+      <source>Calibration by %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ile ayarlama</translation>
     </message>
   </context>
 </TS>

@@ -14,11 +14,13 @@
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/place_edit.h"
 #include "ui/capture/plate_view.h"
 #include "ui/capture/rig_page.h"
+#include "ui/capture/rig_renewal.h"
 #include "ui/capture/sherd_numbers.h"
 #include "ui/capture/stop_board.h"
 #include "ui/frame/big_button.h"
@@ -68,6 +70,7 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
     : Station(parent),
       wizard_(wizard),
       importer_(new BatchImporter(this)),
+      renewal_(new RigRenewal(this)),
       pages_(new QStackedWidget(this)),
       rig_page_(new RigPage(this)) {
   setObjectName(QStringLiteral("capture"));
@@ -93,9 +96,13 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   connect(importer_, &BatchImporter::imported, this, [this](const QString& number, int files) {
     emit said(tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number));
   });
-  connect(importer_, &BatchImporter::failed, this, [this](const Error& error) {
-    fault_->showError(error, tr("All right"));
-    emit said(sentenceOf(error));
+  connect(importer_, &BatchImporter::failed, this, &CaptureStation::showFailure);
+  connect(renewal_, &RigRenewal::failed, this, &CaptureStation::showFailure);
+  connect(renewal_, &RigRenewal::renewed, this, [this](const QString& batch, const QString& kept) {
+    chooseRig(rigChoice());  // its age is new
+    emit rigRenewed(batch);
+    emit said(
+        tr("The rig is calibrated by %1; the calibration before is kept as %2.").arg(batch, kept));
   });
   follow();
 }
@@ -119,6 +126,8 @@ void CaptureStation::buildActions() {
                   QKeySequence(Qt::Key_R));
   number_ = addAct(QStringLiteral("numberSherds"), QStringLiteral("label"),
                    tr("Type the sherds' numbers"), QKeySequence(Qt::Key_N));
+  count_sherds_ = addAct(QStringLiteral("countSherds"), QStringLiteral("sherd"),
+                         tr("Say how many sherds lie there"), QKeySequence(Qt::Key_S));
   import_photographs_ = addAct(QStringLiteral("importPhotographs"), QStringLiteral("import"),
                                tr("Import photographs…"), {});
   import_scans_ =
@@ -135,7 +144,8 @@ void CaptureStation::buildActions() {
     connect(action, &QAction::triggered, this, [this, camera] { wizard_->setCamera(camera); });
     cameras_.push_back(action);
   }
-  connect(next_, &QAction::triggered, wizard_, &CaptureWizard::next);
+  connect(next_, &QAction::triggered, this,
+          [this] { pages_->currentWidget() == rig_page_ ? rig_page_->goOn() : wizard_->next(); });
   connect(stop_, &QAction::triggered, wizard_, &CaptureWizard::stop);
   connect(again_, &QAction::triggered, wizard_, &CaptureWizard::again);
   connect(import_photographs_, &QAction::triggered, this,
@@ -211,6 +221,10 @@ QWidget* CaptureStation::buildFoot() {
     place_->setText(wizard_->place().typed());
     placeTyped();
   });
+  count_ = new CountEdit(foot);
+  connect(count_, &CountEdit::counted, wizard_, &CaptureWizard::setCounted);
+  connect(count_, &CountEdit::entered, this, qOverload<>(&QWidget::setFocus));
+  connect(count_sherds_, &QAction::triggered, count_, &CountEdit::takeKeys);
   auto* more = new QToolButton(foot);
   more->setObjectName(QStringLiteral("captureMore"));
   more->setText(tr("More"));
@@ -241,7 +255,12 @@ QWidget* CaptureStation::buildFoot() {
   row->addWidget(stop);
   row->addWidget(more);
   row->addStretch();
-  foot->add(place_, 1);
+  auto* where = new QWidget(foot);
+  auto* typed = new QHBoxLayout(where);
+  typed->setContentsMargins(0, 0, 0, 0);
+  typed->addWidget(place_, 1);
+  typed->addWidget(count_);
+  foot->add(where, 1);
   foot->add(tools, 0);
   foot->add(button_, 2);
   return foot;
@@ -278,8 +297,7 @@ void CaptureStation::openProject(ProjectSession& session) {
   const Result<std::string> place = rows.setting(kPlaceKey);
   place_->setText(place ? QString::fromStdString(*place) : QString());
   placeTyped();
-  const Result<std::string> rig = rows.setting(kRigKey);
-  const RigChoice choice = RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
+  const RigChoice choice = rigChoice();
   rig_page_->setChoice(choice);
   if (choice.kind != RigChoice::Kind::None) chooseRig(choice);
   follow();
@@ -306,6 +324,26 @@ void CaptureStation::chooseRig(const RigChoice& choice) {
   wizard_->setRig(choice.kind == RigChoice::Kind::Virtual ? virtualRigSource(choice)
                                                           : fileRigSource(choice.file));
   setFocus();
+}
+
+RigChoice CaptureStation::rigChoice() const {
+  if (session_ == nullptr) return {};
+  const Result<std::string> rig = session_->project().catalogue().setting(kRigKey);
+  return RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
+}
+
+void CaptureStation::showItem(const QString& what) {
+  const QString batch = what.section(QStringLiteral("calibrate:"), 1);
+  if (session_ == nullptr || batch.isEmpty()) return;
+  const RigChoice choice = rigChoice();
+  if (choice.kind != RigChoice::Kind::File)
+    return emit said(tr("This project photographs with no calibrated rig of its own."));
+  renewal_->start(*session_, choice.file, batch);
+}
+
+void CaptureStation::showFailure(const Error& error) {
+  fault_->showError(error, tr("All right"));
+  emit said(sentenceOf(error));
 }
 
 void CaptureStation::chooseImport(ImportKind kind) {
@@ -349,11 +387,15 @@ void CaptureStation::follow() {
   button_->setText(wizard_->buttonText());
   button_->setEnabled(wizard_->canGoOn());
   button_->setVisible(!wizard_->fault());
-  next_->setEnabled(wizard_->canGoOn());
+  next_->setEnabled(no_rig || wizard_->canGoOn());
   stop_->setEnabled(wizard_->isBusy() && shooting);
   again_->setEnabled(!wizard_->isBusy() &&
                      (phase == CapturePhase::Flip || phase == CapturePhase::Done));
-  place_->setEnabled(phase == CapturePhase::Place || phase == CapturePhase::Opening);
+  const bool placing = phase == CapturePhase::Place || phase == CapturePhase::Opening;
+  place_->setEnabled(placing);
+  count_->setEnabled(placing);
+  count_sherds_->setEnabled(placing);
+  count_->setCount(wizard_->counted());
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
     cameras_[i]->setEnabled(static_cast<int>(i) < wizard_->cameras());
     cameras_[i]->setChecked(static_cast<int>(i) == wizard_->camera());

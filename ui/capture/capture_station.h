@@ -14,12 +14,14 @@ namespace ostraka::ui {
 class BatchImporter;
 class BigButton;
 class CaptureWizard;
+class CountEdit;
 class FactList;
 class MessagePanel;
 class PlaceEdit;
 class NumberEdit;
 class PlateView;
 class RigPage;
+class RigRenewal;
 class SherdNumbers;
 class StopBoard;
 class Thumbnails;
@@ -46,9 +48,12 @@ class CaptureStation final : public Station {
  public slots:
   void chooseRig(const ostraka::ui::RigChoice& choice);
   void chooseImport(ostraka::ui::ImportKind kind);
+  /// "calibrate:B0031": by this batch's photographs, because a camera was bumped.
+  void showItem(const QString& what) override;
 
  signals:
   void lineChanged();  ///< where we are, or the rig
+  void rigRenewed(const QString& batch);
 
  private:
   void buildActions();
@@ -61,9 +66,12 @@ class CaptureStation final : public Station {
   void followNumbers();
   void showTrouble();
   void placeTyped();
+  void showFailure(const Error& error);
+  RigChoice rigChoice() const;
 
   CaptureWizard* wizard_;
   BatchImporter* importer_;
+  RigRenewal* renewal_;
   QPointer<ProjectSession> session_;
   Thumbnails* thumbnails_ = nullptr;
   QStackedWidget *pages_, *middle_;
@@ -73,11 +81,13 @@ class CaptureStation final : public Station {
   QLabel *headline_, *instruction_;
   FactList* facts_;
   PlaceEdit* place_;
+  CountEdit* count_;
   SherdNumbers* numbers_;
   NumberEdit* number_edit_;
   MessagePanel *doubts_, *fault_;
   BigButton* button_;
-  QAction *next_, *stop_, *again_, *number_, *import_photographs_, *import_scans_, *change_rig_;
+  QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
+      *change_rig_;
   std::vector<QAction*> cameras_;
 };
 

@@ -63,7 +63,12 @@ void CaptureWizard::setSession(ProjectSession* session) {
   if (live_job_ != nullptr) live_job_->deleteLater();
   work_ = live_job_ = nullptr;
   after_live_ = {};
+  if (session_ != nullptr) session_->disconnect(this);
   session_ = session;
+  if (session_ != nullptr)
+    connect(session_, &ProjectSession::batchChanged, this, [this](const QString& number) {
+      if (phase_ == CapturePhase::Done && number == number_) emit changed();
+    });
   live_.reset();
   clearRig();
 }
@@ -71,6 +76,7 @@ void CaptureWizard::setSession(ProjectSession* session) {
 void CaptureWizard::clearRig() {
   source_ = {};
   devices_.reset();
+  counted_ = 0;
   number_.clear();
   batch_row_ = 0;
   enter(CapturePhase::NoRig);
@@ -134,6 +140,7 @@ void CaptureWizard::resumeBatch() {
   if (last.state > BatchState::Back) return;
   number_ = QString::fromStdString(last.number);
   batch_row_ = last.row.value;
+  counted_ = last.counted;
 }
 
 void CaptureWizard::setLive(bool on) {
@@ -159,6 +166,12 @@ void CaptureWizard::setCamera(int camera) {
 void CaptureWizard::setPlace(const PlaceText& place) {
   if (place == place_) return;
   place_ = place;
+  emit changed();
+}
+
+void CaptureWizard::setCounted(int sherds) {
+  if (sherds == counted_ || sherds < 0) return;
+  counted_ = sherds;
   emit changed();
 }
 
@@ -210,6 +223,7 @@ void CaptureWizard::next() {
       if (!queued_) return queueBatch();
       number_.clear();
       batch_row_ = 0;
+      counted_ = 0;
       return openRig();
     case CapturePhase::NoRig:
     case CapturePhase::Opening:
@@ -237,7 +251,7 @@ void CaptureWizard::again() {
 }
 
 Result<void> CaptureWizard::makeBatch() {
-  if (batch_row_ != 0) return {};
+  if (batch_row_ != 0) return keepCount();
   catalogue::Catalogue& rows = session_->project().catalogue();
   const catalogue::Act act = session_->act();
   const Result<std::int64_t> bag = bagRowOf(rows, place_, act);
@@ -245,6 +259,7 @@ Result<void> CaptureWizard::makeBatch() {
   catalogue::BatchRecord batch;
   if (*bag != 0) batch.bags.push_back({*bag});
   batch.operator_ = act.person;
+  batch.counted = counted_;
   batch.started_ms = rows.now();
   const auto row = rows.addBatch(batch, act);
   if (!row) return row.error();
@@ -254,6 +269,16 @@ Result<void> CaptureWizard::makeBatch() {
   number_ = QString::fromStdString(made->number);
   session_->tellBatchChanged(number_);
   return {};
+}
+
+// Of a batch that was begun before the person counted.
+Result<void> CaptureWizard::keepCount() {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  auto batch = rows.batch({batch_row_});
+  if (!batch) return batch.error();
+  if (batch->counted == counted_) return {};
+  batch->counted = counted_;
+  return rows.saveBatch(*batch, session_->act());
 }
 
 void CaptureWizard::setState(int state) {
@@ -357,6 +382,7 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
   }
   for (const std::string& sentence : summary->check.sentences)
     doubts_ << QString::fromStdString(sentence);
+  doubtCount(summary->check);
   if (back && summary_[0])
     for (const std::string& sentence :
          capture::compareSides(summary_[0]->check, summary_[1]->check))
@@ -365,11 +391,24 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
   emit changed();
 }
 
+// Hidden, touching another, still in the hand, or fallen under the table: only a person knows.
+void CaptureWizard::doubtCount(const capture::SideCheck& check) {
+  if (counted_ == 0 || !check.counted || check.sherds == counted_) return;
+  doubts_ << tr("You counted %1 sherds, the photographs show %2: look for one that hides, touches "
+                "another or was never laid down.")
+                 .arg(counted_)
+                 .arg(check.sherds);
+}
+
 void CaptureWizard::queueBatch() {
   catalogue::Catalogue& rows = session_->project().catalogue();
   if (auto batch = rows.batch({batch_row_})) {
     batch->ended_ms = rows.now();
-    if (summary_[0]) batch->counted = summary_[0]->check.sherds;
+    // What a person has counted is what the scans are compared with.
+    if (counted_ > 0)
+      batch->counted = counted_;
+    else if (summary_[0])
+      batch->counted = summary_[0]->check.sherds;
     if (const Result<void> saved = rows.saveBatch(*batch, session_->act()); !saved)
       emit said(sentenceOf(saved.error()));
   }

@@ -72,10 +72,14 @@ class CaptureWizard final : public QObject {
   const std::vector<TakenShot>& shots() const { return shots_; }
   QString batchNumber() const { return number_; }
   const PlaceText& place() const { return place_; }
+  /// Sherds that the person has counted onto the plate; 0: not counted. Compared with what the
+  /// photographs show before the flip and before the plate is cleared.
+  int counted() const { return counted_; }
   QString rigWords() const { return source_.words; }
 
  public slots:
   void setPlace(const ostraka::ui::PlaceText& place);
+  void setCounted(int sherds);
   void next();   ///< Space
   void stop();   ///< Esc: the table stands still at once
   void again();  ///< R: the photographs with problems
@@ -98,6 +102,8 @@ class CaptureWizard final : public QObject {
   void hear(const capture::CaptureEvent& event);
   void finishSide(batch::Side side, const Result<capture::SideSummary>& summary);
   Result<void> makeBatch();
+  Result<void> keepCount();
+  void doubtCount(const capture::SideCheck& check);
   void setState(int state);
   void queueBatch();
   void lookLive();
@@ -108,6 +114,7 @@ class CaptureWizard final : public QObject {
   void releaseCameras();
   JobHandle* start(Job job);
   int batchIndex() const;
+  bool isComputed() const;  ///< the batch in hand, and be it as a draft
 
   QPointer<ProjectSession> session_;
   RigSource source_;
@@ -123,7 +130,7 @@ class CaptureWizard final : public QObject {
   std::optional<PlatePicture> live_, front_picture_;
   std::optional<capture::SideSummary> summary_[2];
   std::vector<TakenShot> shots_;
-  int camera_ = -1, stop_ = -1, stops_done_ = 0;
+  int camera_ = -1, stop_ = -1, stops_done_ = 0, counted_ = 0;
   PlaceText place_;
   QString number_, label_;  ///< label_: of the bag, read last; seen again it says nothing new
   qint64 batch_row_ = 0;

@@ -1,5 +1,7 @@
 // What the wizard says in each phase.
+#include "catalogue/project.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
 
@@ -65,6 +67,13 @@ QString CaptureWizard::buttonText() const {
   return tr("One moment");
 }
 
+bool CaptureWizard::isComputed() const {
+  if (session_ == nullptr || batch_row_ == 0) return false;
+  const auto batch = session_->project().catalogue().batch({batch_row_});
+  return batch && (batch->state == catalogue::BatchState::Review ||
+                   batch->state == catalogue::BatchState::Done);
+}
+
 std::vector<CaptureFact> CaptureWizard::facts() const {
   std::vector<CaptureFact> facts;
   if (phase_ == CapturePhase::Flip && summary_[0]) {
@@ -79,6 +88,9 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
     facts.push_back({front == back, tr("Front %1, back %2").arg(front).arg(back)});
     facts.push_back(
         {true, tr("%n photograph(s) are safe", nullptr, summary_[0]->kept + summary_[1]->kept)});
+    if (queued_ && isComputed())
+      facts.push_back(
+          {true, tr("Its sherds stand in the review (Ctrl+3): look while they still lie here")});
     return facts;
   }
   if (!live_ || (phase_ != CapturePhase::Place && phase_ != CapturePhase::Flip)) {
@@ -89,6 +101,9 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   if (phase_ == CapturePhase::Place)
     facts.push_back({!look.sherds.empty() && look.too_close.empty(),
                      tr("%n sherd(s) seen", nullptr, static_cast<int>(look.sherds.size()))});
+  if (phase_ == CapturePhase::Place && counted_ > 0)
+    facts.push_back(
+        {static_cast<int>(look.sherds.size()) == counted_, tr("You counted %1").arg(counted_)});
   if (phase_ == CapturePhase::Place && look.pixel_from_plate)
     facts.push_back({true, live_->room.places.empty()
                                ? tr("No room for more")
@@ -100,8 +115,14 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   for (std::size_t i = 0; i < look.sherds.size(); ++i)
     if (look.sherds[i].cut_off)
       facts.push_back({false, tr("%1 reaches out of the picture").arg(i + 1)});
-  facts.push_back({look.markers_seen * 2 >= look.markers_on_plate,
-                   tr("Marks %1 of %2").arg(look.markers_seen).arg(look.markers_on_plate)});
+  const int needed = capture::markersNeeded(look.markers_on_plate);
+  facts.push_back({look.markers_seen >= needed,
+                   look.markers_seen >= needed
+                       ? tr("Marks %1 of %2").arg(look.markers_seen).arg(look.markers_on_plate)
+                       : tr("Marks %1 of %2, %3 are needed")
+                             .arg(look.markers_seen)
+                             .arg(look.markers_on_plate)
+                             .arg(needed)});
   if (look.dark_share > 0.02)
     facts.push_back(
         {false, tr("%1 % of the sherds is too dark").arg(qRound(100 * look.dark_share))});

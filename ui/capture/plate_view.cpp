@@ -12,6 +12,8 @@ namespace ostraka::ui {
 namespace {
 
 constexpr double kScaleBar_mm = 50;
+// On a photograph the colours for dark grounds are the readable ones.
+constexpr QColor kGoodOnPhotograph(0x62, 0xb8, 0xf5), kBadOnPhotograph(0xff, 0x94, 0x66);
 
 // Words on a photograph: a dark halo keeps them readable on clay, plate and paper.
 void drawOnPhotograph(QPainter& painter, const QPainterPath& shape, const QColor& ink,
@@ -59,6 +61,7 @@ void PlateView::paintEvent(QPaintEvent*) {
   painter.save();
   painter.translate(where.topLeft());
   drawFreePlaces(painter, scale);
+  drawMarks(painter, scale);
   drawSherds(painter, scale);
   painter.restore();
   drawScaleBar(painter, where, scale);
@@ -112,10 +115,29 @@ void PlateView::drawFreePlaces(QPainter& painter, double scale) const {
   }
 }
 
+// A thin frame around each mark of the plate that is found; one that something hides is crossed out
+// by dashes, so that a hand or a shadow is seen before anybody shoots.
+void PlateView::drawMarks(QPainter& painter, double scale) const {
+  painter.setBrush(Qt::NoBrush);
+  for (const capture::PlateMark& mark : picture_->look.marks) {
+    QPolygonF corners;
+    for (const Eigen::Vector2f& p : mark.corners_px)
+      corners << QPointF(static_cast<double>(p.x()), static_cast<double>(p.y())) * scale;
+    const double line = lineWidth(*this, mark.seen ? 1 : 2);
+    painter.setPen(QPen(QColor(0, 0, 0, 150), line * 2));
+    painter.drawPolygon(corners);
+    painter.setPen(QPen(mark.seen ? kGoodOnPhotograph : kBadOnPhotograph, line,
+                        mark.seen ? Qt::SolidLine : Qt::DashLine));
+    painter.drawPolygon(corners);
+    if (mark.seen) continue;
+    painter.drawLine(corners[0], corners[2]);
+    painter.drawLine(corners[1], corners[3]);
+  }
+}
+
 void PlateView::drawSherds(QPainter& painter, double scale) const {
   const double line = lineWidth(*this, 2);
-  // On a photograph the colours for dark grounds are the readable ones.
-  const QColor good(0x62, 0xb8, 0xf5), bad(0xff, 0x94, 0x66);
+  const QColor good = kGoodOnPhotograph, bad = kBadOnPhotograph;
   const auto& sherds = picture_->look.sherds;
   std::vector<QPointF> centres;
   for (const capture::SeenSherd& sherd : sherds) {

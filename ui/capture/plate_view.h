@@ -28,6 +28,7 @@ class PlateView final : public QWidget {
  private:
   void drawFreePlaces(QPainter& painter, double scale) const;
   void drawSherds(QPainter& painter, double scale) const;
+  void drawMarks(QPainter& painter, double scale) const;
   QRectF target() const;  ///< where the picture is drawn
   void drawScaleBar(QPainter& painter, const QRectF& picture, double scale) const;
 

@@ -8,6 +8,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include "ui/frame/big_button.h"
 #include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
@@ -24,14 +25,15 @@ RigPage::RigPage(QWidget* parent)
       tr("The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig "
          "file (RIG.json) names your cameras and your turntable."),
       this);
-  connect(empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig")),
-          &QPushButton::clicked, this, &RigPage::chooseVirtual);
+  QPushButton* use = empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig"));
+  if (auto* big = qobject_cast<BigButton*>(use)) big->setKeyHint(tr("Space"));
+  connect(use, &QPushButton::clicked, this, &RigPage::chooseVirtual);
   connect(empty->addAct(tr("Choose a rig file…"), QStringLiteral("chooseRigFile")),
           &QPushButton::clicked, this, &RigPage::chooseFile);
   connect(empty->addAct(tr("Import photographs…"), QStringLiteral("importPhotographsButton")),
           &QPushButton::clicked, this, &RigPage::importPhotographs);
-  connect(empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton")),
-          &QPushButton::clicked, this, &RigPage::importScans);
+  QPushButton* scans = empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton"));
+  connect(scans, &QPushButton::clicked, this, &RigPage::importScans);
 
   auto* box = new QGroupBox(tr("The virtual rig"), this);
   sherds_->setRange(1, 20);
@@ -53,7 +55,19 @@ RigPage::RigPage(QWidget* parent)
   column->addWidget(empty, 3);
   column->addWidget(box, 0, Qt::AlignHCenter);
   column->addStretch(1);
+  // As the eye goes: the acts first, then what the virtual rig is to break.
+  setTabOrder(scans, sherds_);
+  setTabOrder(sherds_, width_);
+  setTabOrder(width_, lookalikes_);
   setChoice({});
+}
+
+void RigPage::goOn() {
+  auto* button = qobject_cast<QAbstractButton*>(focusWidget());
+  if (button != nullptr && button->hasFocus())
+    button->click();
+  else
+    chooseVirtual();
 }
 
 void RigPage::setChoice(const RigChoice& choice) {

@@ -17,6 +17,10 @@ class RigPage final : public QWidget {
   explicit RigPage(QWidget* parent = nullptr);
   void setChoice(const RigChoice& choice);
 
+ public slots:
+  /// Space: what has the focus, and else the one big button.
+  void goOn();
+
  signals:
   void chosen(const ostraka::ui::RigChoice& choice);
   void importPhotographs();

@@ -1,12 +1,15 @@
 // The wizard's screen by keys, with a rig that answers as the test says.
 #include "ui/capture/capture_station.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QSpinBox>
 #include <QtTest>
 
 #include "catalogue/project.h"
 #include "fake_rig.h"
+#include "rig/rig.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/sherd_numbers.h"
@@ -56,6 +59,18 @@ class CaptureStationTest : public QObject {
     QVERIFY(!child<QWidget>("captureButton")->isVisible());
   }
 
+  void spaceTakesTheVirtualRigOrWhatHasTheFocus() {
+    auto* alike = child<QCheckBox>("virtualLookalikes");
+    alike->setFocus();
+    QTest::keyClick(alike, Qt::Key_Space);
+    QVERIFY(alike->isChecked());
+    QCOMPARE(wizard_->phase(), CapturePhase::NoRig);
+    station_->setFocus();
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QVERIFY(wizard_->phase() != CapturePhase::NoRig);
+    QVERIFY(session_->project().catalogue().setting("rig")->find("virtual") != std::string::npos);
+  }
+
   void spaceIsTheNextThingUntilTheBatchIsQueued() {
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
@@ -87,6 +102,23 @@ class CaptureStationTest : public QObject {
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
   }
 
+  void theSherdsAreCountedByKeysAndSpaceIsStillTheNextThing() {
+    rig_->front = 11;
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QTest::keyClick(station_.get(), Qt::Key_S);
+    QWidget* count = child<QSpinBox>("captureCounted");
+    QTRY_VERIFY(count->hasFocus());
+    QTest::keyClicks(count, "12");
+    QCOMPARE(wizard_->counted(), 12);
+    QTest::keyClick(station_->window()->focusWidget(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    auto* doubts = child<MessagePanel>("captureDoubts");
+    QTRY_VERIFY(doubts->isVisible());
+    QVERIFY(doubts->words().contains("You counted 12 sherds"));
+    QVERIFY(!count->isEnabled());
+  }
+
   void aFaultTakesThePlaceOfTheButtonAndSpaceTriesAgain() {
     wizard_->setRig(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
@@ -116,6 +148,37 @@ class CaptureStationTest : public QObject {
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QCOMPARE(rig_->released, 1);
     QVERIFY(!fault->isVisible());
+  }
+
+  void aBumpedCameraIsCalibratedAwayByABatch() {
+    const std::filesystem::path file = folder_->filePath("RIG.json").toStdString();
+    const auto rigAt = [](double height_mm) {
+      rig::Rig rig;
+      rig.cameras.resize(1);
+      rig.cameras[0].intrinsics = {1600, 1200, 2200, 2200, 800, 600, {}};
+      rig.cameras[0].camera_from_turntable.translation().z() = height_mm;
+      rig.stops = {0};
+      rig.stop_angles_rad = {0};
+      return rig;
+    };
+    QVERIFY(rig::writeRig(file, rigAt(500)).has_value());
+    QVERIFY(
+        rig::writeRig(session_->project().resultsFolder("B0001") / "work/rig/rig.json", rigAt(507))
+            .has_value());
+    QSignalSpy said(station_.get(), &Station::said);
+    QSignalSpy renewed(station_.get(), &CaptureStation::rigRenewed);
+    station_->showItem("calibrate:B0001");  // of a project that has no rig's file
+    QCOMPARE(said.count(), 1);
+    RigChoice choice;
+    choice.kind = RigChoice::Kind::File;
+    choice.file = file;
+    station_->chooseRig(choice);
+    station_->showItem("calibrate:B0001");
+    QTRY_COMPARE(renewed.count(), 1);
+    QCOMPARE(renewed[0][0].toString(), QStringLiteral("B0001"));
+    QCOMPARE(rig::readRig(file)->cameras[0].camera_from_turntable.translation().z(), 507.0);
+    QVERIFY(said.last()[0].toString().contains("RIG.before-1.json"));
+    QVERIFY(QFile::exists(folder_->filePath("RIG.before-1.json")));
   }
 
   void aDoubtIsShownAndRTakesItAgain() {

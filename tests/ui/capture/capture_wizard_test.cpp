@@ -239,6 +239,87 @@ class CaptureWizardTest : public QObject {
     QVERIFY(bench.wizard.doubts().isEmpty());
   }
 
+  void whoStillHasTheSherdsInHandIsToldThatTheyAreComputed() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    const auto told = [&] {
+      for (const CaptureFact& fact : bench.wizard.facts())
+        if (fact.words.contains("review")) return true;
+      return false;
+    };
+    QVERIFY(!told());
+    QSignalSpy changed(&bench.wizard, &CaptureWizard::changed);
+    QVERIFY(bench.session.project()
+                .catalogue()
+                .setBatchState(bench.batch().row, BatchState::Review, {})
+                .has_value());
+    bench.session.tellBatchChanged(bench.wizard.batchNumber());
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(told());
+  }
+
+  void aCountThatDiffersFromThePhotographsAsksBeforeTheFlip() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.front = 8;
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.setCounted(9);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.wizard.doubts().size(), 1);
+    QVERIFY(bench.wizard.doubts()[0].contains("9") && bench.wizard.doubts()[0].contains("8"));
+    bench.rig.front = 9;  // it lay under another
+    bench.wizard.again();
+    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.isBusy());
+    bench.wizard.next();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    QCOMPARE(bench.batch().counted, 9);
+    // The next plate is counted anew.
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.wizard.counted(), 0);
+  }
+
+  void aCountThatIsStillOtherOnTheBackKeepsThePlate() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.setCounted(10);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    QCOMPARE(bench.wizard.doubts().size(), 1);
+    QVERIFY(bench.wizard.headline() != QStringLiteral("You may clear the plate."));
+    bench.wizard.next();  // the person says that it is right
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    QCOMPARE(bench.batch().counted, 10);  // what the scans are compared with
+  }
+
+  void theCountOutlivesTheWindow() {
+    InlineJobRunner jobs;
+    {
+      Bench bench(folder(), jobs);
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.setCounted(10);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    }
+    Bench again(folder(), jobs);
+    again.wizard.setRig(sourceOf(again.rig));
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(again.wizard.counted(), 10);
+  }
+
   void aBlurredPhotographIsNamedAndOnlyItIsTakenAgain() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

@@ -1,0 +1,28 @@
+#include "ui/capture/rig_renewal.h"
+
+#include "catalogue/project.h"
+#include "pipeline/moved_cameras.h"
+#include "ui/frame/project_session.h"
+
+namespace ostraka::ui {
+
+void RigRenewal::start(ProjectSession& session, const std::filesystem::path& rig_file,
+                       const QString& batch) {
+  if (job_ != nullptr) return;
+  const auto work = [output = session.project().resultsFolder(batch.toStdString()), rig_file](
+                        Progress&, std::stop_token) -> Result<std::string> {
+    const Result<std::filesystem::path> kept = pipeline::calibrateFrom(output, rig_file);
+    if (!kept) return kept.error();
+    return kept->string();
+  };
+  job_ = session.jobs().start(makeJob(tr("Calibration by %1").arg(batch), work), this);
+  connect(job_, &JobHandle::finished, this, [this, batch](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_ = nullptr;
+    const Result<std::string> kept = outcomeAs<std::string>(outcome);
+    if (!kept) return emit failed(kept.error());
+    emit renewed(batch, QString::fromStdString(*kept));
+  });
+}
+
+}  // namespace ostraka::ui

@@ -16,6 +16,7 @@
 #include "pipeline/moved_batch.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/review.h"
+#include "registration/pair_fit.h"
 #include "rig/camera.h"
 #include "scan/rim.h"
 
@@ -103,6 +104,16 @@ LiveFit fitOf(const registration::Registration& r) {
   fit.uncertainty_mm = r.uncertainty_mm;
   fit.slipped = r.slipped;
   fit.slip = r.slip;
+  return fit;
+}
+
+// As one figure after the other is shown, all must be measured alike.
+LiveFit shownAt(const Strip& front, const Strip& back, const Isometry3d& pose) {
+  const registration::PoseFigures figures = registration::figuresAt(front, back, pose);
+  LiveFit fit;
+  fit.front_from_back = pose;
+  fit.rim_rms_mm = figures.rim_rms_mm;
+  fit.rim_overlap = figures.rim_overlap;
   return fit;
 }
 
@@ -235,16 +246,30 @@ Result<std::shared_ptr<const LivePairs>> LivePairs::open(const fs::path& output)
 }
 
 Result<LiveFit> LivePairs::settled(int front, int back, const Isometry3d& start,
-                                   std::stop_token stop) const {
+                                   std::stop_token stop,
+                                   const std::function<void(const LiveFit&)>& on_way) const {
   const Result<const Strip*> f = state_->stripOf(Side::Front, front);
   if (!f) return f.error();
   const Result<const Strip*> b = state_->stripOf(Side::Back, back);
   if (!b) return b.error();
   const bool plate = state_->table.on_plate;
+  const registration::Witnesses witnesses{{}, {}, plate, plate};
+  // The registration's own first rounds once more, for the eye.
+  const registration::RegistrationOptions options;
+  const registration::PairFit pair(**f, **b, witnesses, options);
+  registration::FittedPose pose;
+  pose.front_from_back = pose.begun = start;
+  for (const auto rounds : {&registration::PairFit::coarse, &registration::PairFit::fine}) {
+    if (!on_way) break;
+    if (stop.stop_requested()) return Error::cancelled();
+    (pair.*rounds)(pose);
+    on_way(shownAt(**f, **b, pose.front_from_back));
+  }
   QuietProgress quiet;
   const Result<registration::Registration> found =
-      registration::registerSides(**f, **b, {&start, 1}, {{}, {}, plate, plate}, {}, quiet, stop);
+      registration::registerSides(**f, **b, {&start, 1}, witnesses, options, quiet, stop);
   if (!found) return found.error();
+  if (on_way) on_way(shownAt(**f, **b, found->front_from_back));
   return fitOf(*found);
 }
 
@@ -253,12 +278,7 @@ Result<LiveFit> LivePairs::measured(int front, int back, const Isometry3d& pose)
   if (!f) return f.error();
   const Result<const Strip*> b = state_->stripOf(Side::Back, back);
   if (!b) return b.error();
-  const registration::PoseFigures figures = registration::figuresAt(**f, **b, pose);
-  LiveFit fit;
-  fit.front_from_back = pose;
-  fit.rim_rms_mm = figures.rim_rms_mm;
-  fit.rim_overlap = figures.rim_overlap;
-  return fit;
+  return shownAt(**f, **b, pose);
 }
 
 Result<LiveFit> LivePairs::atStartPoint(int front, int back, int shift) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -54,8 +55,10 @@ class LivePairs {
   const std::filesystem::path& output() const;
 
   /// The registration goes on from a pose (strip, outlines, rest on the plate). About 0.2 s.
-  Result<LiveFit> settled(int front, int back, const Eigen::Isometry3d& start,
-                          std::stop_token stop) const;
+  /// on_way, where somebody looks on: the pose and its rim after the coarse and after the fine
+  /// rounds, and at last that of the result. It does not change the result.
+  Result<LiveFit> settled(int front, int back, const Eigen::Isometry3d& start, std::stop_token stop,
+                          const std::function<void(const LiveFit&)>& on_way = {}) const;
   /// How well a pose fits as it is. About 20 ms.
   Result<LiveFit> measured(int front, int back, const Eigen::Isometry3d& pose) const;
   /// The pose of one start point of the back's contour, measured, moved no further.

@@ -57,6 +57,7 @@ class PairReviewModel final : public QAbstractListModel {
   const Trial& trial() const { return trial_; }
   const pipeline::LiveFit& fit() const { return fit_; }
   bool isSettling() const { return busy_; }
+  const std::vector<double>& settlingRims() const { return settling_rims_; }  ///< RMS so far, mm
   QString reason() const;       ///< one sentence: why the card is doubtful
   QString figuresText() const;  ///< rim RMS and overlap of the trial, in words
   bool canAccept() const;
@@ -81,6 +82,7 @@ class PairReviewModel final : public QAbstractListModel {
   void stepSample(int by);             ///< by one of 200 samples
   void moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
   void settle();
+  void stopSettling();  ///< the back stays where it was
   /// The pieces of the row in hand and of this one are one sherd's: its fronts or its backs (those
   /// where one of the two is a lone back). The pairs have to be computed again.
   void joinWith(batch::Side side, int row);
@@ -91,7 +93,8 @@ class PairReviewModel final : public QAbstractListModel {
  signals:
   void cardChanged();  ///< another card is in hand, or its state changed
   void candidatesChanged();
-  void trialChanged();  ///< back or pose
+  void trialChanged();                                        ///< back or pose
+  void settlingAt(const Eigen::Isometry3d& front_from_back);  ///< on the way; trialChanged follows
   void sceneChanged(const std::shared_ptr<const ostraka::ui::PairScene>& scene);
   void busyChanged(bool busy);
   void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);
@@ -116,7 +119,7 @@ class PairReviewModel final : public QAbstractListModel {
   void fetchMore();
   bool wantsMore(int front) const;
   std::vector<pipeline::ReviewCandidate> candidatesOf(int front) const;
-  void fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work, Made made,
+  void fitAt(std::function<Result<pipeline::LiveFit>(Progress&, std::stop_token)> work, Made made,
              const QString& text);
   pipeline::PairDecision about(pipeline::DecisionKind kind) const;
   pipeline::ScanRef frontRef(int i) const;
@@ -137,6 +140,7 @@ class PairReviewModel final : public QAbstractListModel {
   std::vector<pipeline::ReviewCandidate> candidates_;
   Trial trial_;
   pipeline::LiveFit fit_;
+  std::vector<double> settling_rims_;
   void dropJobs();
 
   QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;

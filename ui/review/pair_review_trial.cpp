@@ -13,6 +13,14 @@ using ScenePtr = std::shared_ptr<const PairScene>;
 
 constexpr int kWantedCandidates = 3;
 
+// Settles the back from a pose; whoever looks on sees it come.
+Result<pipeline::LiveFit> settledInSight(const LivePairsPtr& live, int front, int back,
+                                         const Eigen::Isometry3d& from, Progress& progress,
+                                         std::stop_token stop) {
+  return live->settled(front, back, from, std::move(stop),
+                       [&progress](const pipeline::LiveFit& fit) { tell(progress, fit); });
+}
+
 }  // namespace
 
 void PairReviewModel::stepStart(int by) {
@@ -28,10 +36,12 @@ void PairReviewModel::stepStart(int by) {
   const int to = shifts[static_cast<std::size_t>(((at + by) % n + n) % n)];
   const int front = trial_.front, back = trial_.back;
   fitAt(
-      [live = live_, front, back, to](std::stop_token stop) -> Result<pipeline::LiveFit> {
+      [live = live_, front, back, to](Progress& progress,
+                                      std::stop_token stop) -> Result<pipeline::LiveFit> {
         const Result<pipeline::LiveFit> start = live->atStartPoint(front, back, to);
         if (!start) return start;
-        Result<pipeline::LiveFit> fit = live->settled(front, back, start->front_from_back, stop);
+        Result<pipeline::LiveFit> fit =
+            settledInSight(live, front, back, start->front_from_back, progress, stop);
         if (fit) fit->shift = to;
         return fit;
       },
@@ -41,8 +51,8 @@ void PairReviewModel::stepStart(int by) {
 void PairReviewModel::stepSample(int by) {
   if (trial_.front < 0 || trial_.back < 0) return;
   const int front = trial_.front, back = trial_.back, to = std::max(0, trial_.shift) + by;
-  fitAt([live = live_, front, back,
-         to](std::stop_token) { return live->atStartPoint(front, back, to); },
+  fitAt([live = live_, front, back, to](
+            Progress&, std::stop_token) { return live->atStartPoint(front, back, to); },
         Made::StartPoint, tr("start point"));
 }
 
@@ -50,9 +60,9 @@ void PairReviewModel::settle() {
   if (trial_.front < 0 || trial_.back < 0) return;
   const Trial from = trial_;
   fitAt(
-      [live = live_, from](std::stop_token stop) -> Result<pipeline::LiveFit> {
+      [live = live_, from](Progress& progress, std::stop_token stop) -> Result<pipeline::LiveFit> {
         Result<pipeline::LiveFit> fit =
-            live->settled(from.front, from.back, from.front_from_back, stop);
+            settledInSight(live, from.front, from.back, from.front_from_back, progress, stop);
         if (fit) fit->shift = from.shift;
         return fit;
       },
@@ -68,22 +78,37 @@ void PairReviewModel::moveByHand(const Eigen::Vector3d& turn_rad, const Eigen::V
   tryOut(trial, tr("turning by hand"), true);
 }
 
-void PairReviewModel::fitAt(std::function<Result<pipeline::LiveFit>(std::stop_token)> work,
-                            Made made, const QString& text) {
+void PairReviewModel::stopSettling() {
+  if (fit_job_) fit_job_->cancel();
+}
+
+void PairReviewModel::fitAt(
+    std::function<Result<pipeline::LiveFit>(Progress&, std::stop_token)> work, Made made,
+    const QString& text) {
   if (!live_ || trial_.front < 0) return;
-  if (fit_job_) fit_job_->deleteLater();  // its result is not wanted any more
+  if (fit_job_) {  // its result is not wanted any more
+    fit_job_->disconnect(this);
+    fit_job_->deleteLater();
+  }
   busy_ = true;
+  settling_rims_.clear();
   emit busyChanged(true);
   const Trial from = trial_;
-  fit_job_ = runner_.start(
-      makeJob(text,
-              [work = std::move(work)](Progress&, std::stop_token stop) { return work(stop); }),
-      this);
+  fit_job_ = runner_.start(makeJob(text, std::move(work)), this);
+  connect(fit_job_, &JobHandle::told, this, [this, from](const std::any& value) {
+    if (from.front != trial_.front || from.back != trial_.back) return;
+    const auto& fit = std::any_cast<const pipeline::LiveFit&>(value);
+    settling_rims_.push_back(fit.rim_rms_mm);
+    emit settlingAt(fit.front_from_back);
+  });
   connect(fit_job_, &JobHandle::finished, this,
           [this, from, made, text](const JobOutcome& outcome) {
             busy_ = false;
             emit busyChanged(false);
             const auto fit = outcomeAs<pipeline::LiveFit>(outcome);
+            if (!fit) emit trialChanged();  // back to where it was
+            if (!fit && fit.error().code == ErrorCode::Cancelled)
+              return emit failed(tr("Stopped; the back stays where it was."));
             if (!fit) return emit failed(sentenceOf(fit.error()));
             if (from.front != trial_.front || from.back != trial_.back) return;
             tryOut({from.front, from.back, fit->front_from_back, made, fit->shift}, text);

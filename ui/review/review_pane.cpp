@@ -58,6 +58,7 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
   connect(&model_, &PairReviewModel::waitingChanged, this, &ReviewPane::showCard);
   connect(&model_, &PairReviewModel::trialChanged, this, &ReviewPane::showFigures);
   connect(&model_, &PairReviewModel::busyChanged, this, &ReviewPane::showFigures);
+  connect(&model_, &PairReviewModel::settlingAt, this, &ReviewPane::showSettling);
   connect(&model_, &PairReviewModel::sceneChanged, this,
           [this](const std::shared_ptr<const PairScene>& scene) {
             scene_ = scene;
@@ -109,7 +110,7 @@ void ReviewPane::buildActions() {
   add("accept", tr("This one"), {Qt::Key_Return, Qt::Key_Enter}, &ReviewPane::accept);
   add("next", tr("Next pair"), {Qt::Key_Down}, &ReviewPane::next);
   add("previous", tr("Previous pair"), {Qt::Key_Up}, &ReviewPane::previous);
-  add("leaveJoin", tr("Join and cut nothing"), {Qt::Key_Escape}, &ReviewPane::leave);
+  add("leaveJoin", tr("Settle, join and cut nothing"), {Qt::Key_Escape}, &ReviewPane::leave);
   for (int i = 0; i < 9; ++i)
     step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,
          &PairReviewModel::choose, nullptr);
@@ -293,12 +294,22 @@ void ReviewPane::previous() {
 }
 
 void ReviewPane::leave() {
+  if (model_.isSettling()) return model_.stopSettling();
   cut_->setChecked(false);
   joining_->leave();
 }
 
+// The back moves under the eye, and its rim's figures with it.
+void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
+  QStringList rims;
+  for (const double rim : model_.settlingRims()) rims << mm(rim, 2);
+  figures_->setText(tr("The rims settle: %1. Esc stops.").arg(rims.join(QStringLiteral(" → "))));
+  if (!closed_->isChecked()) view_->setPose(front_from_back);
+}
+
 void ReviewPane::showFigures() {
-  figures_->setText(model_.isSettling() ? tr("The rims are compared …") : model_.figuresText());
+  figures_->setText(model_.isSettling() ? tr("The rims are compared … Esc stops.")
+                                        : model_.figuresText());
   // A missing name is said by the click, not by a dead button.
   accept_->setEnabled(model_.isOpen() && model_.front() >= 0 && model_.trial().back >= 0);
   accept_->setToolTip(model_.whyNotAccept());

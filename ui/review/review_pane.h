@@ -52,6 +52,7 @@ class ReviewPane final : public QWidget {
   void next();
   void previous();
   void leave();
+  void showSettling(const Eigen::Isometry3d& front_from_back);
   void showFigures();
   void showScene(const PairScene& scene);
   void colourRim();

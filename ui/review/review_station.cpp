@@ -160,8 +160,9 @@ void ReviewStation::listBatches() {
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
+  // Said on this page alone: the window's foot belongs to the station in front.
   if (names.isEmpty())
-    say(tr("No batch is computed yet. Shoot or import one; its pairs appear here."));
+    message_->setText(tr("No batch is computed yet. Shoot or import one; its pairs appear here."));
 }
 
 void ReviewStation::showItem(const QString& batch) {

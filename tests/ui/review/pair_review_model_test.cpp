@@ -29,6 +29,7 @@ class PairReviewModelTest : public QObject {
   void aBackGivenToAnotherFrontMovesTheOneThatHeldIt();
   void settingAsideAndShootingAgainAreDecisions();
   void aTurnByHandIsOneActAndTheRimsSettleIt();
+  void theBackIsSeenOnItsWayAndCanBeStopped();
   void whatWasTurnedByHandStandsAsItIs();
   void theStartPointStepsByOneSampleAndToTheNextGoodOne();
   void threeCandidatesAreOfferedAndAnyOtherBackOnDemand();
@@ -175,6 +176,38 @@ void PairReviewModelTest::aTurnByHandIsOneActAndTheRimsSettleIt() {
   undo_->undo();
   QVERIFY(model_->trial().front_from_back.isApprox(begun));
   QVERIFY(onDisk().empty());
+}
+
+void PairReviewModelTest::theBackIsSeenOnItsWayAndCanBeStopped() {
+  model_->select(2);
+  waitForScene();
+  model_->moveByHand({0, 0, 0.05}, {0.6, 0.3, 0});
+  const Eigen::Isometry3d by_hand = model_->trial().front_from_back;
+  const auto start = model_->live()->measured(2, model_->trial().back, by_hand);
+  QVERIFY(start.has_value());
+  std::vector<Eigen::Isometry3d> seen;
+  connect(model_.get(), &PairReviewModel::settlingAt, this,
+          [&](const Eigen::Isometry3d& pose) { seen.push_back(pose); });
+  QSignalSpy failed(model_.get(), &PairReviewModel::failed);
+  model_->settle();
+  QVERIFY(model_->isSettling());
+  model_->stopSettling();
+  QTRY_VERIFY(!model_->isSettling());
+  QCOMPARE(failed.count(), 1);
+  QVERIFY(failed[0][0].toString().startsWith("Stopped"));
+  QVERIFY(model_->trial().front_from_back.isApprox(by_hand, 0));
+  QCOMPARE(model_->trial().made, Made::ByHand);
+  QVERIFY(seen.empty());
+
+  model_->settle();
+  QTRY_COMPARE(model_->trial().made, Made::Settled);
+  // After the coarse rounds, after the fine ones, and where it came to rest.
+  QCOMPARE(seen.size(), std::size_t{3});
+  QCOMPARE(model_->settlingRims().size(), std::size_t{3});
+  QVERIFY(!seen[0].isApprox(by_hand, 1e-6));
+  QVERIFY(seen[2].isApprox(model_->trial().front_from_back, 1e-12));
+  QVERIFY(model_->settlingRims().back() < start->rim_rms_mm);
+  disconnect(model_.get(), &PairReviewModel::settlingAt, this, nullptr);
 }
 
 void PairReviewModelTest::whatWasTurnedByHandStandsAsItIs() {

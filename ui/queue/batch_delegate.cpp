@@ -117,6 +117,7 @@ class BatchDelegate::Row {
     }
     if (row_.state == QueueState::Review && !row_.scale_doubts.isEmpty())
       below << row_.scale_doubts;
+    if (row_.figures && !row_.figures->moved.empty()) below << movedWords(*row_.figures);
     if (row_.state == QueueState::Failed) below << row_.failure;
     painter_.drawText(lower_, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
                       below.join(QLatin1Char('\n')));

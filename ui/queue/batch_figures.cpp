@@ -1,5 +1,6 @@
 #include "ui/queue/batch_figures.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -28,6 +29,13 @@ std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& rows, const 
   figures.seconds = kept[QStringLiteral("seconds")].toDouble();
   figures.draft = kept[QStringLiteral("draft")].toBool();
   figures.counted = kept[QStringLiteral("counted")].toInt();
+  for (const QJsonValue& value : kept[QStringLiteral("moved")].toArray()) {
+    const QJsonObject camera = value.toObject();
+    figures.moved.push_back({camera[QStringLiteral("camera")].toInt(),
+                             camera[QStringLiteral("residual_px")].toDouble(),
+                             camera[QStringLiteral("moved_mm")].toDouble(),
+                             camera[QStringLiteral("turned_rad")].toDouble()});
+  }
   return figures;
 }
 
@@ -42,6 +50,13 @@ Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
   kept[QStringLiteral("seconds")] = figures.seconds;
   kept[QStringLiteral("draft")] = figures.draft;
   kept[QStringLiteral("counted")] = figures.counted;
+  QJsonArray moved;
+  for (const pipeline::MovedCamera& camera : figures.moved)
+    moved.append(QJsonObject{{QStringLiteral("camera"), camera.camera},
+                             {QStringLiteral("residual_px"), camera.residual_px},
+                             {QStringLiteral("moved_mm"), camera.moved_mm},
+                             {QStringLiteral("turned_rad"), camera.turned_rad}});
+  kept[QStringLiteral("moved")] = moved;
   return rows.setSetting(keyOf(number),
                          QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());
 }

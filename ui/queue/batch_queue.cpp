@@ -183,6 +183,8 @@ QVariant BatchQueue::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole: {
       QString words = tr("%1: %2").arg(shown.number, stateWords(shown));
       if (shown.figures) words += QStringLiteral(". ") + figuresWords(*shown.figures);
+      if (shown.figures && !shown.figures->moved.empty())
+        words += QStringLiteral(". ") + movedWords(*shown.figures);
       if (!shown.failure.isEmpty()) words += QStringLiteral(". ") + shown.failure;
       if (!shown.scale_doubts.isEmpty()) words += QStringLiteral(". ") + shown.scale_doubts;
       return words;
@@ -208,19 +210,36 @@ void BatchQueue::touch(const QString& number) {
   if (at >= 0) emit dataChanged(index(at), index(at));
 }
 
-void BatchQueue::startNext() {
-  if (session_ == nullptr || paused_ || isBusy() || leaving_ != nullptr) return;
-  // Oldest first: rows are newest first.
-  const auto next = std::find_if(rows_.rbegin(), rows_.rend(), [](const QueueRow& row) {
-    return row.state == QueueState::Waiting;
+// Oldest first, and drafts before all that was computed once: rows are newest first.
+QueueRow* BatchQueue::nextToCompute() {
+  const auto waits = [](const QueueRow& row) { return row.state == QueueState::Waiting; };
+  const auto draft = std::find_if(rows_.rbegin(), rows_.rend(), [&](const QueueRow& row) {
+    return drafts_ && waits(row) && !row.figures;
   });
-  if (next == rows_.rend()) return;
+  if (draft != rows_.rend()) return &*draft;
+  const auto next = std::find_if(rows_.rbegin(), rows_.rend(), waits);
+  return next == rows_.rend() ? nullptr : &*next;
+}
+
+void BatchQueue::makeWayForADraft() {
+  if (!drafts_ || job_ == nullptr || busy_with_draft_ || cancel_asked_) return;
+  const QueueRow* next = nextToCompute();
+  if (next == nullptr || next->figures) return;
+  log(tr("%1 waits for the draft of %2.").arg(busy_number_, next->number));
+  job_->cancel();  // it stays in the queue, and whole stages stay on the disk
+}
+
+void BatchQueue::startNext() {
+  if (session_ == nullptr || paused_ || leaving_ != nullptr) return;
+  if (isBusy()) return makeWayForADraft();
+  QueueRow* next = nextToCompute();
+  if (next == nullptr) return;
   ComputeOptions options;
   options.project = session_->folder();
   options.number = next->number.toStdString();
   options.threads = threads_;
   // What has figures was computed before; now it is meant to become final.
-  options.draft = drafts_ && !next->figures;
+  options.draft = busy_with_draft_ = drafts_ && !next->figures;
   busy_number_ = next->number;
   busy_since_ = QDateTime::currentDateTime();
   cancel_asked_ = false;
@@ -334,6 +353,14 @@ void BatchQueue::retry(const QString& number) {
   session_->tellBatchChanged(number);
 }
 
+void BatchQueue::forgetMoved(const QString& number) {
+  QueueRow* row = find(number);
+  if (session_ == nullptr || row == nullptr || !row->figures) return;
+  row->figures->moved.clear();
+  (void)keepFigures(session_->project().catalogue(), number, *row->figures);
+  touch(number);
+}
+
 double BatchQueue::secondsOf(const QString& number) const {
   return number == busy_number_
              ? static_cast<double>(busy_since_.secsTo(QDateTime::currentDateTime()))
@@ -379,82 +406,6 @@ void BatchQueue::log(const QString& line) {
   log_.append(stamped);
   if (log_.size() > kKeptLogLines) log_.removeFirst();
   emit logged(stamped);
-}
-
-QString queueStateWords(QueueState state) {
-  switch (state) {
-    case QueueState::Shooting:
-      return BatchQueue::tr("being photographed");
-    case QueueState::Waiting:
-      return BatchQueue::tr("waits for its turn");
-    case QueueState::Busy:
-      return BatchQueue::tr("is being computed");
-    case QueueState::Paused:
-      return BatchQueue::tr("paused");
-    case QueueState::Failed:
-      return BatchQueue::tr("stopped");
-    case QueueState::Review:
-      return BatchQueue::tr("wants your eye");
-    case QueueState::Done:
-      return BatchQueue::tr("done");
-  }
-  return {};
-}
-
-QString stateWords(const QueueRow& row) {
-  if (row.state == QueueState::Review && row.figures && row.figures->draft)
-    return BatchQueue::tr("a draft: look, then compute it again");
-  if (row.state == QueueState::Review && !row.scale_doubts.isEmpty())
-    return BatchQueue::tr("the scale is not right: see the report");
-  if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
-    return BatchQueue::tr("decided; to be computed");
-  return queueStateWords(row.state);
-}
-
-QString figuresWords(const BatchFigures& figures) {
-  const QString sherds = BatchQueue::tr("%n sherd(s)", nullptr, figures.sherds);
-  QStringList parts;
-  if (figures.sure > 0) parts << BatchQueue::tr("sure %1").arg(figures.sure);
-  if (figures.decided > 0) parts << BatchQueue::tr("decided %1").arg(figures.decided);
-  if (figures.ask > 0) parts << BatchQueue::tr("ask %1").arg(figures.ask);
-  const QString pairs =
-      figures.ask == 0 && figures.decided == 0
-          ? BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds)
-          : BatchQueue::tr("%1: %2").arg(sherds, parts.join(QStringLiteral(", ")));
-  const QString shown =
-      figures.draft ? BatchQueue::tr("draft, to be computed again; %1").arg(pairs) : pairs;
-  const QString counted =
-      figures.counted == 0
-          ? shown
-          : BatchQueue::tr("%1; but %n counted on the plate", nullptr, figures.counted).arg(shown);
-  if (figures.uncertainty_mm <= 0) return counted;
-  return BatchQueue::tr("%1; joined to %2 mm")
-      .arg(counted, QLocale().toString(figures.uncertainty_mm, 'f', 2));
-}
-
-QString stageWords(const QString& stage) {
-  struct Words {
-    const char* stage;
-    const char* words;
-  };
-  static constexpr Words kStages[] = {
-      {"cameras", QT_TRANSLATE_NOOP("Stage", "cameras")},
-      {"masks of the front side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, front")},
-      {"masks of the back side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, back")},
-      {"stereo of the front side", QT_TRANSLATE_NOOP("Stage", "surface, front")},
-      {"stereo of the back side", QT_TRANSLATE_NOOP("Stage", "surface, back")},
-      {"scans of the front side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, front")},
-      {"scans of the back side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, back")},
-      {"pairs", QT_TRANSLATE_NOOP("Stage", "which back belongs to which front")},
-      {"models", QT_TRANSLATE_NOOP("Stage", "models")},
-      {"report", QT_TRANSLATE_NOOP("Stage", "report")},
-      {"candidates", QT_TRANSLATE_NOOP("Stage", "more candidates for doubtful pairs")},
-      {"catalogue", QT_TRANSLATE_NOOP("Stage", "catalogue")}};
-  if (stage.isEmpty()) return QCoreApplication::translate("Stage", "begins");
-  for (const Words& known : kStages)
-    if (stage == QLatin1String(known.stage))
-      return QCoreApplication::translate("Stage", known.words);
-  return stage;
 }
 
 }  // namespace ostraka::ui

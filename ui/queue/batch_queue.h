@@ -61,7 +61,9 @@ class BatchQueue final : public QAbstractListModel {
   int rowOf(const QString& number) const;  ///< -1: none
 
   bool isPaused() const { return paused_; }
-  /// Each batch is computed as a draft first, and finally when it is computed again.
+  /// Each batch is computed as a draft first, and finally when it is computed again. A draft is
+  /// for the eye of who still has the sherds in hand: what is being made final waits for it, and
+  /// goes on from its last whole stage.
   bool makesDrafts() const { return drafts_; }
   bool isBusy() const { return !busy_number_.isEmpty(); }
   /// The computation of a session that was closed has not ended yet; `left` follows.
@@ -85,6 +87,8 @@ class BatchQueue final : public QAbstractListModel {
   void setMakesDrafts(bool drafts);
   void cancel(const QString& number);
   void retry(const QString& number);
+  /// The rig was calibrated again by this batch: its cameras stand where the rig has them.
+  void forgetMoved(const QString& number);
   /// The catalogue's batches changed.
   void refresh();
 
@@ -97,6 +101,8 @@ class BatchQueue final : public QAbstractListModel {
 
  private:
   void startNext();
+  void makeWayForADraft();
+  QueueRow* nextToCompute();
   void finish(QString number, const JobOutcome& outcome);
   void keepFailure(const QString& number, const QString& sentence, bool cancelled);
   void touch(const QString& number);
@@ -111,7 +117,7 @@ class BatchQueue final : public QAbstractListModel {
   QString busy_number_;
   QDateTime busy_since_;
   bool cancel_asked_ = false;
-  bool paused_ = false, drafts_ = false;
+  bool paused_ = false, drafts_ = false, busy_with_draft_ = false;
   int threads_ = 0;
   QString trouble_;
   QStringList log_;
@@ -121,6 +127,7 @@ class BatchQueue final : public QAbstractListModel {
 QString queueStateWords(QueueState state);
 QString stateWords(const QueueRow& row);  ///< with what a review left to be done
 QString figuresWords(const BatchFigures& figures);
+QString movedWords(const BatchFigures& figures);  ///< empty: no camera was bumped
 QString stageWords(const QString& stage);
 
 }  // namespace ostraka::ui

@@ -49,6 +49,8 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
                                   : pipeline::processBatch(process, progress, stop);
   if (!done) return done.error();
   BatchFigures figures;
+  if (process.rig)
+    if (const auto moved = pipeline::movedCameras(output)) figures.moved = *moved;
   figures.draft = done->draft;
   figures.sherds = static_cast<int>(done->sherds.size());
   figures.ask = done->ambiguous();

@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "pipeline/moved_cameras.h"
 
 namespace ostraka::ui {
 
@@ -25,6 +27,8 @@ struct BatchFigures {
   int decided = 0;            ///< by a person; besides sure and ask
   bool draft = false;
   int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
+  /// Cameras that no longer stand where the known rig has them: it is to be calibrated again.
+  std::vector<pipeline::MovedCamera> moved{};
 };
 
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the

@@ -59,8 +59,15 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
   drafts_->setToolTip(
       tr("Computes each new batch quickly and coarsely, to be looked at while the "
          "sherds still lie there; computed again it becomes final (D)"));
+  calibrate_ = addAct(QStringLiteral("queueCalibrate"), QStringLiteral("turntable"),
+                      tr("Calibrate the rig again"), QKeySequence(Qt::Key_C));
+  calibrate_->setToolTip(
+      tr("A camera was bumped: this batch's photographs tell where the cameras stand now (C)"));
   buildLayout();
 
+  connect(calibrate_, &QAction::triggered, this, [this] {
+    emit wantsStation(QStringLiteral("capture"), QStringLiteral("calibrate:") + selected());
+  });
   connect(pause_, &QAction::triggered, queue_, &BatchQueue::togglePaused);
   connect(again_, &QAction::triggered, this, [this] { queue_->retry(selected()); });
   connect(cancel_, &QAction::triggered, this, &QueueStation::askOrCancel);
@@ -120,7 +127,7 @@ void QueueStation::buildLayout() {
 
   auto* bar = new FlowRow;
   for (QAction* action :
-       {pause_, again_, cancel_, report_, review_, masks_, drafts_, log_action_}) {
+       {pause_, again_, cancel_, report_, review_, masks_, drafts_, calibrate_, log_action_}) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);
     button->setObjectName(action->objectName() + QStringLiteral("Button"));
@@ -128,6 +135,8 @@ void QueueStation::buildLayout() {
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setMinimumHeight(targetSize(*this));
     bar->addWidget(button);
+    connect(action, &QAction::visibleChanged, button,
+            [action, button] { button->setVisible(action->isVisible()); });
   }
 
   auto* split = new QSplitter(Qt::Vertical, this);
@@ -227,9 +236,13 @@ void QueueStation::follow() {
   review_->setEnabled(state == QueueState::Review || state == QueueState::Done);
   masks_->setEnabled(state == QueueState::Review || state == QueueState::Done ||
                      state == QueueState::Failed);
+  const bool moved = at >= 0 && queue_->row(at).figures && !queue_->row(at).figures->moved.empty();
+  calibrate_->setEnabled(moved);
+  calibrate_->setVisible(moved);
   // Where a brush is in hand, keys of the list must do nothing to the batch.
   if (mending)
-    for (QAction* action : {cancel_, again_, report_, review_, masks_}) action->setEnabled(false);
+    for (QAction* action : {cancel_, again_, report_, review_, masks_, calibrate_})
+      action->setEnabled(false);
   if (!queue_->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}}, tr("Go on"));
   else if (trouble_shown_)

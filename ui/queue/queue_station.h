@@ -60,7 +60,8 @@ class QueueStation final : public Station {
   MessagePanel* message_;
   QStackedWidget* pages_;
   MaskPage* masks_page_;
-  QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_, *drafts_;
+  QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_, *drafts_,
+      *calibrate_;
 };
 
 }  // namespace ostraka::ui

@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 #include <atomic>
+#include <mutex>
 #include <thread>
 
 #include "catalogue/project.h"
@@ -159,6 +160,89 @@ class BatchQueueTest : public QObject {
     Bench again(folder(), jobs);
     again.queue.setSession(&again.session);
     QVERIFY2(again.queue.makesDrafts(), "the project remembers it");
+  }
+
+  // Who photographs wants to see the sherds before they go back into their bag.
+  void aDraftDoesNotWaitForWhatIsMadeFinal() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    std::mutex guard;
+    QStringList begun;
+    bench.queue.setWork([&](const ComputeOptions& options, Progress& progress,
+                            std::stop_token stop) -> Result<BatchFigures> {
+      bool endless = false;
+      {
+        const std::lock_guard lock(guard);
+        begun << QString::fromStdString(options.number) + (options.draft ? " draft" : " final");
+        endless = begun.last() == QLatin1String("B0001 final") && begun.count("B0001 final") == 1;
+      }
+      while (endless && !stop.stop_requested()) {
+        progress.report(1, 3);
+        std::this_thread::yield();
+      }
+      if (stop.stop_requested()) return Error::cancelled();
+      auto project = catalogue::Project::open(options.project);
+      const auto batch = project->catalogue().batchByNumber(options.number);
+      (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
+      BatchFigures figures;
+      figures.sherds = figures.sure = 3;
+      figures.draft = options.draft;
+      return figures;
+    });
+    const auto seen = [&] {
+      const std::lock_guard lock(guard);
+      return begun;
+    };
+    bench.queue.setSession(&bench.session);
+    bench.queue.setMakesDrafts(true);
+    const QString first = addBatch(bench.session, BatchState::Queued);
+    bench.session.tellBatchChanged(first);
+    QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
+    bench.queue.retry(first);  // final, and it takes long
+    QTRY_COMPARE(seen(), (QStringList{"B0001 draft", "B0001 final"}));
+    const QString second = addBatch(bench.session, BatchState::Queued);
+    bench.session.tellBatchChanged(second);
+    // The draft is made at once; then the other goes on, and nobody has to ask for it.
+    QTRY_COMPARE(seen(), (QStringList{"B0001 draft", "B0001 final", "B0002 draft", "B0001 final"}));
+    QTRY_COMPARE(bench.queue.row(1).state, QueueState::Review);
+    QVERIFY(bench.queue.row(1).failure.isEmpty());
+    QVERIFY(!bench.queue.row(1).figures->draft);
+    QVERIFY(bench.queue.row(0).figures->draft);
+  }
+
+  void aBumpedCameraIsNamedUntilTheRigIsCalibratedAgain() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.queue.setWork(
+        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
+          catalogue::Catalogue& rows = bench.session.project().catalogue();
+          (void)rows.setBatchState(rows.batchByNumber(options.number)->row, BatchState::Done, {});
+          BatchFigures figures;
+          figures.sherds = figures.sure = 3;
+          figures.moved = {{1, 0.83, 2.5, 0.01}};
+          return figures;
+        });
+    bench.queue.setSession(&bench.session);
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    bench.session.tellBatchChanged(number);
+    QTRY_COMPARE(bench.queue.row(0).state, QueueState::Done);
+    const auto told = [](BatchQueue& queue) {
+      return queue.data(queue.index(0), Qt::AccessibleTextRole).toString();
+    };
+    QVERIFY2(told(bench.queue).contains(QLatin1String("Camera B was bumped")),
+             qPrintable(told(bench.queue)));
+    QVERIFY(told(bench.queue).contains(QLatin1String("0.8 px, 2.5 mm")));
+    {
+      Bench again(folder(), jobs);  // the window was closed
+      again.queue.setSession(&again.session);
+      QCOMPARE(again.queue.row(0).figures->moved.size(), std::size_t{1});
+      QCOMPARE(again.queue.row(0).figures->moved[0].camera, 1);
+    }
+    bench.queue.forgetMoved(number);
+    QVERIFY(!told(bench.queue).contains(QLatin1String("bumped")));
+    Bench again(folder(), jobs);
+    again.queue.setSession(&again.session);
+    QVERIFY(again.queue.row(0).figures->moved.empty());
   }
 
   void aPausedQueueStaysPausedWhenTheProjectIsOpenedAgain() {

@@ -93,6 +93,32 @@ class QueueStationTest : public QObject {
     QVERIFY(child<QPlainTextEdit>("queueLogText")->isVisible());
   }
 
+  void aBumpedCameraIsCalibratedAwayByOneKey() {
+    queue_->setWork(
+        [this](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
+          ++begun_;
+          auto project = catalogue::Project::open(options.project);
+          const auto batch = project->catalogue().batchByNumber(options.number);
+          (void)project->catalogue().setBatchState(batch->row, catalogue::BatchState::Done, {});
+          BatchFigures figures;
+          figures.sherds = figures.sure = 3;
+          if (begun_ == 1) figures.moved = {{1, 0.83, 2.5, 0.01}};
+          return figures;
+        });
+    addBatch();
+    station_->openProject(*session_);
+    auto* button = child<QWidget>("queueCalibrateButton");
+    QTRY_VERIFY(button->isVisible());
+    QSignalSpy wanted(station_.get(), &Station::wantsStation);
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_C);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toString(), QStringLiteral("capture"));
+    QCOMPARE(wanted[0][1].toString(), QStringLiteral("calibrate:B0001"));
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_R);
+    QTRY_COMPARE(begun_.load(), 2);
+    QTRY_VERIFY(!button->isVisible());  // the rig fits: nothing is offered
+  }
+
   void aFullDiskIsSaidWithAButtonThatGoesOn() {
     refuse_ = true;
     addBatch();

@@ -1,0 +1,100 @@
+// What a person reads of the queue.
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "batch/batch.h"
+#include "ui/queue/batch_queue.h"
+
+namespace ostraka::ui {
+
+QString queueStateWords(QueueState state) {
+  switch (state) {
+    case QueueState::Shooting:
+      return BatchQueue::tr("being photographed");
+    case QueueState::Waiting:
+      return BatchQueue::tr("waits for its turn");
+    case QueueState::Busy:
+      return BatchQueue::tr("is being computed");
+    case QueueState::Paused:
+      return BatchQueue::tr("paused");
+    case QueueState::Failed:
+      return BatchQueue::tr("stopped");
+    case QueueState::Review:
+      return BatchQueue::tr("wants your eye");
+    case QueueState::Done:
+      return BatchQueue::tr("done");
+  }
+  return {};
+}
+
+QString stateWords(const QueueRow& row) {
+  if (row.state == QueueState::Review && row.figures && row.figures->draft)
+    return BatchQueue::tr("a draft: look, then compute it again");
+  if (row.state == QueueState::Review && !row.scale_doubts.isEmpty())
+    return BatchQueue::tr("the scale is not right: see the report");
+  if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
+    return BatchQueue::tr("decided; to be computed");
+  return queueStateWords(row.state);
+}
+
+QString figuresWords(const BatchFigures& figures) {
+  const QString sherds = BatchQueue::tr("%n sherd(s)", nullptr, figures.sherds);
+  QStringList parts;
+  if (figures.sure > 0) parts << BatchQueue::tr("sure %1").arg(figures.sure);
+  if (figures.decided > 0) parts << BatchQueue::tr("decided %1").arg(figures.decided);
+  if (figures.ask > 0) parts << BatchQueue::tr("ask %1").arg(figures.ask);
+  const QString pairs =
+      figures.ask == 0 && figures.decided == 0
+          ? BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds)
+          : BatchQueue::tr("%1: %2").arg(sherds, parts.join(QStringLiteral(", ")));
+  const QString shown =
+      figures.draft ? BatchQueue::tr("draft, to be computed again; %1").arg(pairs) : pairs;
+  const QString counted =
+      figures.counted == 0
+          ? shown
+          : BatchQueue::tr("%1; but %n counted on the plate", nullptr, figures.counted).arg(shown);
+  if (figures.uncertainty_mm <= 0) return counted;
+  return BatchQueue::tr("%1; joined to %2 mm")
+      .arg(counted, QLocale().toString(figures.uncertainty_mm, 'f', 2));
+}
+
+QString movedWords(const BatchFigures& figures) {
+  QStringList sentences;
+  for (const pipeline::MovedCamera& camera : figures.moved)
+    sentences << BatchQueue::tr(
+                     "Camera %1 was bumped: it misses the marks by %2 px, %3 mm from "
+                     "where it was calibrated.")
+                     .arg(QString::fromStdString(batch::cameraLetter(camera.camera)),
+                          QLocale().toString(camera.residual_px, 'f', 1),
+                          QLocale().toString(camera.moved_mm, 'f', 1));
+  if (sentences.isEmpty()) return {};
+  sentences << BatchQueue::tr("This batch's cameras were found anew; calibrate the rig again (C).");
+  return sentences.join(QLatin1Char(' '));
+}
+
+QString stageWords(const QString& stage) {
+  struct Words {
+    const char* stage;
+    const char* words;
+  };
+  static constexpr Words kStages[] = {
+      {"cameras", QT_TRANSLATE_NOOP("Stage", "cameras")},
+      {"masks of the front side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, front")},
+      {"masks of the back side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, back")},
+      {"stereo of the front side", QT_TRANSLATE_NOOP("Stage", "surface, front")},
+      {"stereo of the back side", QT_TRANSLATE_NOOP("Stage", "surface, back")},
+      {"scans of the front side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, front")},
+      {"scans of the back side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, back")},
+      {"pairs", QT_TRANSLATE_NOOP("Stage", "which back belongs to which front")},
+      {"models", QT_TRANSLATE_NOOP("Stage", "models")},
+      {"report", QT_TRANSLATE_NOOP("Stage", "report")},
+      {"candidates", QT_TRANSLATE_NOOP("Stage", "more candidates for doubtful pairs")},
+      {"catalogue", QT_TRANSLATE_NOOP("Stage", "catalogue")}};
+  if (stage.isEmpty()) return QCoreApplication::translate("Stage", "begins");
+  for (const Words& known : kStages)
+    if (stage == QLatin1String(known.stage))
+      return QCoreApplication::translate("Stage", known.words);
+  return stage;
+}
+
+}  // namespace ostraka::ui

@@ -1,4 +1,6 @@
 if(TARGET ostraka_ui_main)
   add_executable(window_heartbeat window_heartbeat.cpp)
   target_link_libraries(window_heartbeat PRIVATE ostraka_ui_main)
+  add_executable(first_look first_look.cpp)
+  target_link_libraries(first_look PRIVATE ostraka_ui_viewport)
 endif()

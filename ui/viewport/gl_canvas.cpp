@@ -144,8 +144,18 @@ void GlCanvas::resizeGL(int, int) {
   sync();
 }
 
+// Off the screen: the driver's context first, the first picture with all its shaders then.
+bool GlCanvas::warmUp() {
+  if (isVisible() || warmth_ == Warmth::Drawn) return false;
+  grabFramebuffer();
+  if (!isValid()) return false;  // the window is not there yet
+  warmth_ = warmth_ == Warmth::Cold ? Warmth::Ready : Warmth::Drawn;
+  return warmth_ == Warmth::Ready;
+}
+
 void GlCanvas::paintGL() {
   if (!vtk_->window->GetReadyForRendering()) return;
+  if (warmth_ == Warmth::Cold && !isVisible()) return;
   const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
   scene_->prepare();
   vtk_->window->Render();

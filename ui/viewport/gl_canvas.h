@@ -26,6 +26,9 @@ class GlCanvas final : public QOpenGLWidget {
   SherdScene& scene() { return *scene_; }
   void setPicking(bool picking) { picking_ = picking; }
   double mmPerPixel() const;  ///< of this widget's own pixels
+  /// What the first picture takes a tenth of a second for is done while the canvas is hidden, in
+  /// steps: true as long as there is another one to do. The window must be there.
+  bool warmUp();
 
  signals:
   void rendered();
@@ -45,6 +48,7 @@ class GlCanvas final : public QOpenGLWidget {
 
  private:
   struct Vtk;
+  enum class Warmth { Cold, Ready, Drawn };
   void observe();
   void sync();
   void release();
@@ -57,6 +61,7 @@ class GlCanvas final : public QOpenGLWidget {
   QSurface* surface_ = nullptr;
   QMetaObject::Connection dying_;
   QPointF last_;
+  Warmth warmth_ = Warmth::Cold;
   bool picking_ = false, turning_back_ = false, moved_ = false;
 };
 

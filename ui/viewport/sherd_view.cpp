@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QResizeEvent>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,9 @@
 
 namespace ostraka::ui {
 namespace {
+
+// When the window is usable and nobody has asked for a view yet.
+constexpr int kIdle_ms = 700, kBetweenSteps_ms = 100;
 
 Rgb rgb(const QColor& colour) {
   return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
@@ -82,6 +86,12 @@ SherdView::SherdView(QWidget* parent) : QWidget(parent) {
             emit backMoved(Eigen::Vector3d(a, b, c), Eigen::Vector3d(x, y, z));
           });
   connect(canvas_, &GlCanvas::releasedWithControl, this, &SherdView::backReleased);
+  auto* idle = new QTimer(this);
+  idle->setSingleShot(true);
+  connect(idle, &QTimer::timeout, this, [this, idle] {
+    if (canvas_->warmUp()) idle->start(kBetweenSteps_ms);
+  });
+  idle->start(kIdle_ms);
 }
 
 SherdView::~SherdView() = default;

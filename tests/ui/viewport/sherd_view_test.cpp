@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/frame/state_colours.h"
+#include "ui/viewport/gl_canvas.h"
 #include "ui/viewport/sherd_view.h"
 
 Q_DECLARE_METATYPE(Eigen::Vector3d)
@@ -45,6 +46,7 @@ class SherdViewTest : public QObject {
   void twoClicksGiveTwoPointsOfTheSherd();
   void controlDragTurnsTheBackAboutTheViewersAxis();
   void itSurvivesANewParent();
+  void itIsReadyBeforeItIsShown();
 
  private:
   // Pixels of the picture near a colour's hue and strong enough not to be grey.
@@ -224,6 +226,32 @@ void SherdViewTest::itSurvivesANewParent() {
   QTRY_VERIFY(notBackground() > 5000);
   view_->setParent(nullptr);
   view_->hide();
+}
+
+// Hidden in a window that is shown: by the time somebody asks, the driver's context is there and a
+// first picture was drawn.
+void SherdViewTest::itIsReadyBeforeItIsShown() {
+  QWidget window;
+  window.resize(500, 400);
+  reserveOpenGl(window);
+  auto* hidden = new SherdView(&window);
+  hidden->resize(500, 400);
+  hidden->showScans(disc(5, 1), disc(0, -1), Eigen::Isometry3d::Identity());
+  hidden->hide();
+  window.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&window));
+  auto* canvas = hidden->findChild<QOpenGLWidget*>("canvas");
+  QSignalSpy drawn(static_cast<GlCanvas*>(canvas), &GlCanvas::rendered);
+  QVERIFY(!canvas->isValid());
+  QTRY_COMPARE(drawn.count(), 1);
+  QVERIFY(canvas->isValid());
+  QVERIFY(!canvas->isVisible());
+  const QOpenGLContext* context = canvas->context();
+  hidden->show();
+  QTRY_VERIFY(drawn.count() > 1);
+  QCOMPARE(canvas->context(), context);
+  const QImage shown = canvas->grabFramebuffer();
+  QVERIFY(shown.pixel(2, 2) != shown.pixel(shown.rect().center()));
 }
 
 }  // namespace ostraka::ui

@@ -1,10 +1,12 @@
 #include "rig/plate_print.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <opencv2/aruco/charuco.hpp>
+#include <sstream>
 
 #include "rig/marker_dictionary.h"
 #include "rig/marker_outline.h"
@@ -19,11 +21,27 @@ constexpr double kFromEdge = 20.0 / 24, kPaperMargin_mm = 3.5;
 constexpr double kSpacing =
     1.45;  // of the inner edges, in markers' sides: room for paper and shade
 constexpr int kFewestMarkers = 6;
+// Crosses that sheets are glued by: their places along a seam, in radii of the free disc; how far
+// an arm reaches over the cut edge; half the line where that edge comes to lie.
+constexpr std::array<double, 4> kCrosses{-0.85, -0.55, 0.55, 0.85};
+constexpr double kArmBeyondCut_mm = 6, kEdgeMark_mm = 6;
 
 std::string words(const char* format, double a, double b = 0) {
   char text[160];
   std::snprintf(text, sizeof text, format, a, b);
   return text;
+}
+
+// Lines of at most so many letters, broken between words.
+std::vector<std::string> wrapped(const std::string& sentence, std::size_t letters) {
+  std::vector<std::string> lines(1);
+  std::istringstream stream(sentence);
+  for (std::string word; stream >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters)
+      lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
 }
 
 double ringRadius(double diameter_mm, double marker_mm) {
@@ -62,6 +80,7 @@ class Drawing {
   PlatePrint run() {
     out_.plate = ringPlate(options_.diameter_mm, options_.marker_mm, options_.dictionary);
     out_.board = standardBoard();
+    planTiles();
     drawPlate();
     layTiles();
     drawBoard();
@@ -90,18 +109,83 @@ class Drawing {
     const double half = out_.ruler_mm / 2, aside = 0.22 * freeRadius();
     drawRuler(sheet_, {-half, aside}, {1, 0}, out_.ruler_mm);
     drawRuler(sheet_, {-aside, -half}, {0, 1}, out_.ruler_mm);
-    const double size = freeRadius() > 100 ? 3.2 : 2.2;
-    const std::vector<std::string> lines{
+    drawWords();
+  }
+
+  void drawWords() {
+    const std::vector<std::string> sentences{
         words("Ostraka plate, diameter %.0f mm, markers of %.0f mm", options_.diameter_mm,
               options_.marker_mm),
         options_.dictionary + ", " + std::to_string(out_.plate.markers.size()) + " markers",
-        words("Both rulers must measure %.0f mm. If they do not, make the", out_.ruler_mm),
-        "files again with --ruler-measured and what they measure.",
-        "Turntable's axis at the small cross; sherds within the dashed",
-        "circle, on dark cloth without gloss that is cut to it."};
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      sheet_.text({8, 0.22 * freeRadius() + 16 + 1.5 * size * static_cast<double>(i)}, size,
-                  lines[i]);
+        words("Both rulers must measure %.0f mm. If they do not, make the files again with "
+              "--ruler-measured and what they measure.",
+              out_.ruler_mm),
+        "Turntable's axis at the small cross; sherds within the dashed circle, on dark cloth "
+        "without gloss that is cut to it."};
+    const double size = freeRadius() > 100 ? 3.2 : 2.2, step = 1.5 * size;
+    for (const std::size_t letters : {62, 46, 34, 26}) {
+      std::vector<std::string> lines;
+      double width = 0;
+      for (const std::string& sentence : sentences)
+        for (std::string& line : wrapped(sentence, letters)) {
+          width = std::max(width, textWidth({{0, 0}, size, line, Anchor::Left, Weight::Plain}));
+          lines.push_back(std::move(line));
+        }
+      const auto at = placeForWords({width, step * static_cast<double>(lines.size())});
+      if (!at && letters > 26) continue;  // too wide for this plate's sheets
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        sheet_.text(at.value_or(Vector2d(8, 0.22 * freeRadius() + 12)) +
+                        Vector2d(0, size + step * static_cast<double>(i)),
+                    size, lines[i]);
+      return;
+    }
+  }
+
+  // Upper left of the words: whole on one sheet, clear of rulers and crosses, below the ruler and
+  // right of the middle where that can be.
+  std::optional<Vector2d> placeForWords(const Vector2d& size) const {
+    const double aside = 0.22 * freeRadius();
+    const Vector2d wanted(8, aside + 12);
+    std::optional<Vector2d> best;
+    double nearest = 1e9;
+    for (double y = -freeRadius(); y < freeRadius(); y += 2)
+      for (double x = -freeRadius(); x < freeRadius(); x += 2) {
+        const Eigen::AlignedBox2d box(Vector2d(x, y), Vector2d(x, y) + size);
+        const double off = (box.min() - wanted).norm();
+        if (off < nearest && clear(box)) {
+          nearest = off;
+          best = box.min();
+        }
+      }
+    return best;
+  }
+
+  bool clear(const Eigen::AlignedBox2d& box) const {
+    const double aside = 0.22 * freeRadius(), half = out_.ruler_mm / 2;
+    for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
+                              Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight})
+      if (box.corner(corner).norm() > freeRadius() - 4) return false;
+    const auto meets = [&](const Vector2d& low, const Vector2d& high) {
+      return box.intersects(Eigen::AlignedBox2d(low, high));
+    };
+    if (meets({-8, -8}, {8, 8}) || meets({-half - 4, aside - 3}, {half + 4, aside + 11}) ||
+        meets({-aside - 14, -half - 4}, {-aside + 3, half + 4}))
+      return false;
+    const auto onSeam = [&](const Rows& rows, int axis) {
+      const double overlap = options_.overlap_mm;
+      for (int k = 1; k < rows.count; ++k) {
+        const double seam = rows.begin + k * rows.step(overlap), past = seam + overlap;
+        if (box.max()[axis] > seam - 2 && box.min()[axis] < past + 2) return true;
+        for (const double place : kCrosses) {
+          const double at = place * freeRadius(), from = box.min()[1 - axis];
+          if (box.min()[axis] < past + kArmBeyondCut_mm + 2 && box.max()[axis] > seam &&
+              from < at + kEdgeMark_mm + 2 && box.max()[1 - axis] > at - kEdgeMark_mm - 2)
+            return true;
+        }
+      }
+      return false;
+    };
+    return !onSeam(across_, 0) && !onSeam(down_, 1);
   }
 
   void drawMarkerOf(const batch::Marker& marker, bool black) {
@@ -172,6 +256,21 @@ class Drawing {
     return cut;
   }
 
+  // Which sheets, upright or across, whichever are fewer.
+  void planTiles() {
+    if (!options_.paper) return;
+    paper_ = paperSize(*options_.paper);
+    const double margins = 2 * options_.printer_margin_mm;
+    across_ = rowsFor(paper_.x() - margins, 0);
+    down_ = rowsFor(paper_.y() - margins, 1);
+    const Rows across2 = rowsFor(paper_.y() - margins, 0), down2 = rowsFor(paper_.x() - margins, 1);
+    if (across2.count * down2.count < across_.count * down_.count) {
+      across_ = across2;
+      down_ = down2;
+      paper_ = {paper_.y(), paper_.x()};
+    }
+  }
+
   void layTiles() {
     if (!options_.paper) {
       const double size = 2 * (radius() + options_.printer_margin_mm);
@@ -179,41 +278,29 @@ class Drawing {
       out_.pages.push_back({size, size, {{sheet_, {size / 2, size / 2}, {}}}});
       return;
     }
-    Vector2d paper = paperSize(*options_.paper);
-    const double margins = 2 * options_.printer_margin_mm;
-    Rows across = rowsFor(paper.x() - margins, 0), down = rowsFor(paper.y() - margins, 1);
-    const Rows across2 = rowsFor(paper.y() - margins, 0), down2 = rowsFor(paper.x() - margins, 1);
-    if (across2.count * down2.count < across.count * down.count) {
-      across = across2;
-      down = down2;
-      paper = {paper.y(), paper.x()};
-    }
-    out_.sheets_across = across.count;
-    out_.sheets_down = down.count;
-    out_.markers_cut = across.cut + down.cut;
-    markSeams(across, down);
-    for (int y = 0; y < down.count; ++y)
-      for (int x = 0; x < across.count; ++x) addTile(paper, across, down, x, y);
+    out_.sheets_across = across_.count;
+    out_.sheets_down = down_.count;
+    out_.markers_cut = across_.cut + down_.cut;
+    markSeams(across_, 0);
+    markSeams(down_, 1);
+    for (int y = 0; y < down_.count; ++y)
+      for (int x = 0; x < across_.count; ++x) addTile(paper_, across_, down_, x, y);
   }
 
-  // Crosses in the middle of each seam, which both neighbours show.
-  void markSeams(const Rows& across, const Rows& down) {
-    const auto crosses = [&](const Rows& rows, int axis) {
-      for (int k = 1; k < rows.count; ++k) {
-        const double seam =
-            rows.begin + k * rows.step(options_.overlap_mm) + options_.overlap_mm / 2;
-        for (const double along : {-0.85, -0.55, 0.55, 0.85}) {
-          Vector2d p;
-          p[axis] = seam;
-          p[1 - axis] = along * freeRadius();
-          sheet_.line(p - Vector2d(4, 0), p + Vector2d(4, 0), 0.1);
-          sheet_.line(p - Vector2d(0, 4), p + Vector2d(0, 4), 0.1);
-          sheet_.circle(p, 2, {}, 0.0, 0.1);
-        }
+  // On the lower sheet of a seam a line shows where the upper one's cut edge comes to lie, and the
+  // arms of crosses go on beyond it: paper is not transparent, so marks within the overlap alone
+  // would be hidden.
+  void markSeams(const Rows& rows, int axis) {
+    const Vector2d over = axis == 0 ? Vector2d(1, 0) : Vector2d(0, 1),
+                   along = axis == 0 ? Vector2d(0, 1) : Vector2d(1, 0);
+    for (int k = 1; k < rows.count; ++k) {
+      const double cut = rows.begin + k * rows.step(options_.overlap_mm) + options_.overlap_mm;
+      for (const double place : kCrosses) {
+        const Vector2d p = cut * over + place * freeRadius() * along;
+        sheet_.line(p - options_.overlap_mm * over, p + kArmBeyondCut_mm * over, 0.1);
+        sheet_.line(p - kEdgeMark_mm * along, p + kEdgeMark_mm * along, 0.1);
       }
-    };
-    crosses(across, 0);
-    crosses(down, 1);
+    }
   }
 
   void addTile(const Vector2d& paper, const Rows& across, const Rows& down, int x, int y) {
@@ -233,7 +320,10 @@ class Drawing {
       marks.text(at, 3.2, "Sheet " + std::to_string(number) + " of " + std::to_string(count),
                  anchor, Weight::Bold);
       if (number < count)
-        marks.text(at + Vector2d(0, 4.5), 2.6, "cut at the dashed line, glue cross on cross",
+        marks.text(at + Vector2d(0, 4.5), 2.6,
+                   x + 1 < across.count && y + 1 < down.count
+                       ? "cut at both dashed lines, lay the edges on the neighbours' crosses"
+                       : "cut at the dashed line, lay the edge on the neighbour's crosses",
                    anchor);
     }
     out_.centres.push_back(centre);
@@ -275,6 +365,8 @@ class Drawing {
   const PlatePrintOptions& options_;
   cv::Ptr<cv::aruco::Dictionary> dictionary_;
   Sheet sheet_;  // origin at the plate's centre
+  Vector2d paper_ = Vector2d::Zero();
+  Rows across_, down_;
   PlatePrint out_;
 };
 

@@ -107,6 +107,33 @@ TEST_F(PlatePrintTest, OnSheetsIsTrueWithEachMarkerWholeOnOneOfThem) {
   }
 }
 
+// Sentences, not the rulers' numbers, whose place is fixed.
+TEST(PlatePrint, LeavesItsWordsWholeOnOneSheet) {
+  for (const Paper paper : {Paper::A3, Paper::A4})
+    for (const double diameter : {250.0, 330.0, 420.0}) {
+      PlatePrintOptions options;
+      options.paper = paper;
+      options.diameter_mm = diameter;
+      const auto print = printPlate(options);
+      ASSERT_TRUE(print.has_value()) << print.error().sentence();
+      int sentences = 0, whole = 0;
+      for (std::size_t i = 0; i < print->centres.size(); ++i) {
+        const Layer& layer = print->pages[i].layers.front();
+        for (const auto& item : layer.sheet.items) {
+          const Text* text = std::get_if<Text>(&item);
+          if (text == nullptr || text->text.find(' ') == std::string::npos) continue;
+          const Eigen::Vector2d at = layer.at + text->at;
+          const Eigen::AlignedBox2d box(at - Eigen::Vector2d(0, text->size_mm),
+                                        at + Eigen::Vector2d(textWidth(*text), text->size_mm / 3));
+          sentences += layer.window->intersects(box);
+          whole += layer.window->contains(box);
+        }
+      }
+      EXPECT_GE(whole, 6) << diameter;
+      EXPECT_EQ(sentences, whole) << diameter;  // on one sheet each, cut by none
+    }
+}
+
 TEST_F(PlatePrintTest, BoardIsTheOneThatIsLookedFor) {
   const auto print = printPlate({});
   ASSERT_TRUE(print.has_value());

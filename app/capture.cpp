@@ -174,13 +174,17 @@ nlohmann::ordered_json asJson(const SideResult& result, batch::Side side, int st
           {"overhead_s_per_stop", result.summary.overhead_s / stops}};
 }
 
-void print(const SideResult& result, batch::Side side) {
+void print(const SideResult& result, batch::Side side, const CaptureArguments& arguments) {
   std::printf("%s: %d photographs, %d sherd%s.\n", batch::name(side), result.summary.kept,
               result.summary.check.sherds, result.summary.check.sherds == 1 ? "" : "s");
   for (const std::string& sentence : result.sentences) std::printf("  %s\n", sentence.c_str());
   if (result.sentences.empty())
     std::printf("  %s\n", side == batch::Side::Front ? "You may turn the sherds over now."
                                                      : "You may clear the plate.");
+  if (arguments.side == Sides::Front)
+    std::printf("Then: the same command with --side back\n");
+  else if (side == batch::Side::Back && result.sentences.empty())
+    std::printf("Next: ostraka process %s --output OUT\n", arguments.output.c_str());
 }
 
 int runCapture(const CaptureArguments& arguments, Session& session) {
@@ -217,7 +221,7 @@ int runCapture(const CaptureArguments& arguments, Session& session) {
                {"sides", list},
                {"exit_status", static_cast<int>(status)}});
   else
-    for (const auto& [side, result] : results) print(result, side);
+    for (const auto& [side, result] : results) print(result, side, arguments);
   return status;
 }
 

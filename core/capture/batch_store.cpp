@@ -245,8 +245,12 @@ Result<Arriving> BatchStore::stage(const std::vector<CameraFile>& files, int cam
 
 Result<void> BatchStore::commit(std::vector<Arriving> arriving) {
   if (arriving.empty()) return {};
+  const std::size_t before = manifest_.entries.size();
   for (const Arriving& a : arriving) manifest_.entries.push_back(a.entry);
-  if (Result<void> r = save(); !r) return r;
+  if (Result<void> r = save(); !r) {
+    manifest_.entries.resize(before);  // they have no names, and are not safe
+    return r;
+  }
   std::set<fs::path> folders;
   for (const Arriving& a : arriving)
     for (const std::string& file : a.files) {

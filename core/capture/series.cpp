@@ -82,6 +82,8 @@ Result<void> Series::prepare() {
       BatchStore::open(options_.batch, options_.side, options_.stops, cameras, devices_.plate);
   if (!store) return store.error();
   store_ = std::move(*store);
+  for (int c = 0; c < cameras; ++c)
+    if (Result<void> r = sameCamera(c); !r) return r;
   watches_.resize(devices_.cameras.size());
   for (int c = 0; c < cameras; ++c)
     if (!byHand(c) && !devices_.cameras[static_cast<std::size_t>(c)]->fileIsOfItsTrigger())
@@ -112,6 +114,22 @@ Result<void> Series::prepare() {
     if (Result<void> r = setAsRigSays(c); !r) return r;
   if (devices_.side_placed) devices_.side_placed(options_.side);
   return findPosition();
+}
+
+// Front and back of a batch by the same cameras, or the calibration holds for one side only. A
+// folder or a video device is known by its path, which may change.
+Result<void> Series::sameCamera(int camera) const {
+  const CameraId id = devices_.cameras[static_cast<std::size_t>(camera)]->id();
+  if (id.driver == "folder" || id.driver == "uvc" || id.serial.empty()) return {};
+  for (const ManifestEntry& entry : store_->manifest().entries)
+    if (entry.used && entry.camera == camera && !entry.camera_serial.empty() &&
+        entry.camera_serial != id.serial)
+      return Error{ErrorCode::UnusableInput,
+                   "Camera " + batch::cameraLetter(camera) + " of this batch was " +
+                       entry.camera_serial + ", the one here is " + id.serial +
+                       "; go on with the cameras that began it, or name another folder.",
+                   options_.batch.string()};
+  return {};
 }
 
 // After a break: what the kept photographs show, and those that nobody looked at yet.

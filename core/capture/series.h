@@ -65,6 +65,7 @@ class Series {
   };
 
   Result<void> prepare();
+  Result<void> sameCamera(int camera) const;
   Result<void> readReferences();
   Result<void> findPosition();
   Result<void> shootStop(const Task& task);

@@ -74,6 +74,13 @@ class VirtualPlace {
   }
   capture::Clock& clock() const { return *options_.clock; }
   const VirtualDevicesOptions& options() const { return options_; }
+  // Other sherds, another lens: another camera, so that no batch gets the back of another one.
+  std::string serial(int camera) const {
+    return "VIRTUAL-" + batch::cameraLetter(camera) + " (seed " + std::to_string(options_.seed) +
+           ", " + std::to_string(options_.sherds) + " sherds, " + std::to_string(options_.width) +
+           " px" + (options_.lookalikes > 0 ? ", look-alikes" : "") +
+           (options_.touching > 0 ? ", touching" : "") + ")";
+  }
 
   std::string picture(int camera, double degrees, bool small, std::stop_token stop) {
     const Moment now = moment(degrees);
@@ -151,7 +158,7 @@ class VirtualCamera final : public Camera {
       : place_(std::move(place)), number_(number) {}
 
   CameraId id() const override {
-    return {"virtual", "Virtual camera", "VIRTUAL-" + batch::cameraLetter(number_), "virtual"};
+    return {"virtual", "Virtual camera", place_->serial(number_), "virtual"};
   }
   Result<std::vector<CameraSetting>> settings() override {
     return std::vector<CameraSetting>{{"iso", "100", {"100"}, true},

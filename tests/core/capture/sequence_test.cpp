@@ -415,6 +415,18 @@ TEST_F(Sequence, RefusesABatchWhosePhotographWasChanged) {
   EXPECT_THAT(done.error().where, HasSubstr("cam1_pos02.jpg"));
 }
 
+TEST_F(Sequence, RefusesTheBackOfABatchThatOtherCamerasBegan) {
+  ASSERT_TRUE(shoot().has_value());
+  options_.side = batch::Side::Back;
+  std::swap(rig_.devices.cameras[0], rig_.devices.cameras[1]);
+  const int exposures = rig_.truth->exposures;
+  const auto done = shoot();
+  ASSERT_FALSE(done.has_value());
+  EXPECT_EQ(done.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(done.error().what, HasSubstr("Camera A of this batch was"));
+  EXPECT_EQ(rig_.truth->exposures, exposures);
+}
+
 TEST_F(Sequence, SaysWhenTheFolderCannotBeWritten) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "front") << "a file where a folder should be";

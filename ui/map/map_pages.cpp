@@ -20,7 +20,10 @@ namespace {
 using pipeline::CardState;
 using pipeline::MapMark;
 
-constexpr double kLabelWide_mm = 85, kLabelHigh_mm = 32, kModule_mm = 0.5;
+constexpr double kLabelWide_mm = 85, kLabelHigh_mm = 32;
+// As large as the label is high: a rig's camera sees it from half a metre, 0.25 to 0.4 mm a pixel.
+// With its margin a code takes this much, and a short one has no larger modules than are needed.
+constexpr double kCode_mm = 25, kLargestModule_mm = 0.75;
 constexpr int kQuietModules = 4;
 
 QString wordsOf(const MapMark& mark, const MapNumbers& numbers) {
@@ -64,8 +67,9 @@ void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label,
   const QImage code = qrCode(label.code);
   double left = where.left() + 3 * per_mm;
   if (!code.isNull()) {
-    const double side = code.width() * kModule_mm * per_mm,
-                 quiet = kQuietModules * kModule_mm * per_mm;
+    const double module =
+        std::min(kLargestModule_mm, kCode_mm / (code.width() + 2 * kQuietModules)) * per_mm;
+    const double side = code.width() * module, quiet = kQuietModules * module;
     painter.drawImage(QRectF(where.left() + quiet, where.center().y() - side / 2, side, side),
                       code);
     left = where.left() + side + 2 * quiet;

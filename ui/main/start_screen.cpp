@@ -94,15 +94,15 @@ QWidget* StartScreen::buildRecent() {
   no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* open = new QPushButton(icon(QStringLiteral("open")), tr("&Open a project…"), box);
   open->setObjectName(QStringLiteral("openProject"));
-  auto* try_it = new BigButton(box);
-  try_it->setText(tr("Try with the virtual rig"));
-  try_it->setObjectName(QStringLiteral("tryVirtualRig"));
+  try_ = new BigButton(box);
+  try_->setText(tr("Try with the virtual rig"));
+  try_->setObjectName(QStringLiteral("tryVirtualRig"));
   open->setMinimumHeight(targetSize(*this));
   connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     emit opened(item->data(Qt::UserRole).toString());
   });
   connect(open, &QPushButton::clicked, this, &StartScreen::chooseProject);
-  connect(try_it, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
+  connect(try_, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
   connect(thumbnails_, &Thumbnails::ready, this, [this] {
     for (int i = 0; i < recent_->count(); ++i)
       if (QListWidgetItem* item = recent_->item(i); item->icon().isNull())
@@ -115,7 +115,7 @@ QWidget* StartScreen::buildRecent() {
   column->addWidget(recent_, 1);
   column->addWidget(no_recent_, 1);
   column->addWidget(open);
-  column->addWidget(try_it);
+  column->addWidget(try_);
   return box;
 }
 
@@ -167,6 +167,8 @@ QWidget* StartScreen::buildNew() {
   column->addStretch(1);
   column->addWidget(refusal_);
   column->addWidget(make_);
+  setTabOrder(folder_, browse);
+  setTabOrder(browse, numbering_);
   connect(name_, &QLineEdit::textEdited, fresh_, &NewProject::setName);
   connect(site_, &QLineEdit::textEdited, fresh_, &NewProject::setSiteCode);
   connect(folder_, &QLineEdit::textEdited, fresh_, &NewProject::setFolder);
@@ -196,6 +198,8 @@ void StartScreen::setRecent(const QStringList& folders) {
   recent_->setVisible(recent_->count() > 0);
   no_recent_->setVisible(recent_->count() == 0);
   if (recent_->count() > 0) recent_->setCurrentRow(0);
+  // By keyboard alone: what most come for is one key away.
+  recent_->count() > 0 ? recent_->setFocus() : try_->setFocus();
 }
 
 void StartScreen::showError(const Error& error) {

@@ -41,7 +41,7 @@ class StartScreen final : public QWidget {
   QListWidget* recent_;
   QLabel *no_recent_, *example_, *refusal_;
   QLineEdit *name_, *site_, *folder_, *numbering_;
-  BigButton* make_;
+  BigButton *make_, *try_;
   MessagePanel* message_;
 };
 

@@ -69,6 +69,44 @@ class ScreensTest : public QObject {
     QVERIFY(named<QWidget>(*window_, "recentProjects")->isVisible());
   }
 
+  // From the first start to the bag of the first batch, without a mouse.
+  void theFirstRunGoesByKeyboardAlone() {
+    const auto inHand = [] { return QApplication::focusWidget()->objectName(); };
+    const auto press = [](int key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+      QTest::keyClick(QApplication::focusWidget(), static_cast<Qt::Key>(key), with);
+    };
+    const auto type = [](const char* text) {
+      QTest::keyClicks(QApplication::focusWidget(), QString::fromLatin1(text));
+    };
+    QTRY_VERIFY(QApplication::focusWidget() != nullptr);
+    QCOMPARE(inHand(), QStringLiteral("tryVirtualRig"));
+    press(Qt::Key_N, Qt::AltModifier);
+    QCOMPARE(inHand(), QStringLiteral("newName"));
+    type("Seven");
+    for (const char* next : {"newSite", "newFolder", "newBrowse", "newNumbering", "makeProject"}) {
+      if (inHand() == QLatin1String("newSite")) type("arm7");
+      press(Qt::Key_Tab);
+      QCOMPARE(inHand(), QString::fromLatin1(next));
+    }
+    press(Qt::Key_Space);
+    QVERIFY(window_->session() != nullptr);
+    activate(*window_);
+    QCOMPARE(window_->wizard()->phase(), CapturePhase::NoRig);
+    press(Qt::Key_S, Qt::AltModifier);
+    QCOMPARE(inHand(), QStringLiteral("virtualSherds"));
+    type("2");
+    press(Qt::Key_P, Qt::AltModifier);
+    QCOMPARE(inHand(), QStringLiteral("virtualWidth"));
+    press(Qt::Key_Home);
+    press(Qt::Key_Space);
+    QVERIFY(window_->wizard()->phase() != CapturePhase::NoRig);
+    press(Qt::Key_B, Qt::AltModifier);
+    QCOMPARE(inHand(), QStringLiteral("capturePlace"));
+    type("ARM7 T3 0012 4");
+    press(Qt::Key_Return);
+    QCOMPARE(window_->wizard()->place().typed(), QStringLiteral("ARM7-T3-0012-4"));
+  }
+
   void theKeysGoFromStationToStation() {
     openVirtual();
     const auto& stations = window_->stations();

@@ -50,7 +50,7 @@ void printJson(const nlohmann::ordered_json& value) {
 int fail(const Session& session, const Error& error) {
   const bool stopped = error.code == ErrorCode::Cancelled;
   const std::string sentence =
-      stopped
+      stopped && error.what == Error::cancelled().what
           ? "Stopped on request; what was whole is kept, and the same command goes on from there."
           : error.sentence();
   session.finishProgress();

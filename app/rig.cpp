@@ -30,6 +30,10 @@ int runSimulate(const SimulateOptions& options, Session& session) {
   if (const Result<void> checked = options.check(); !checked) return fail(session, checked.error());
   session.progress.begin(options.scans_only ? "scans" : "photographs", 1.0);
   const Result<void> made = virtualrig::simulateBatch(options, session.progress, session.stop);
+  if (!made && made.error().code == ErrorCode::Cancelled)
+    return fail(
+        session,
+        {ErrorCode::Cancelled, "Stopped on request; the half-made batch was taken away.", {}});
   if (!made) return fail(session, made.error());
   session.finishProgress();
   if (session.json)

@@ -199,38 +199,7 @@ std::vector<Eigen::Isometry3d> pushed(std::vector<Eigen::Isometry3d> poses) {
   return poses;
 }
 
-}  // namespace
-
-Result<void> SimulateOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (sherds < 1 || sherds > 40) return bad("sherds must lie between 1 and 40.");
-  if (width < 160 || width > 8192 || width % 4 != 0)
-    return bad("width must lie between 160 and 8192 pixels and be divisible by 4.");
-  if (output.empty()) return bad("output must name a folder.");
-  if (stops < 4 || stops > 72) return bad("stops must lie between 4 and 72.");
-  if (lookalikes < 0 || 2 * lookalikes > sherds)
-    return bad("lookalikes are groups of two: at most half the number of sherds.");
-  if (touching < 0 || 2 * touching > sherds)
-    return bad("touching counts pairs: at most half the number of sherds.");
-  if (scans_only && fault)
-    return bad("fault is about photographs, and scans_only makes none; leave one of them out.");
-  if (!radii_mm.empty() && static_cast<int>(radii_mm.size()) != sherds)
-    return bad("radii_mm must hold one radius per sherd.");
-  for (const double radius : radii_mm)
-    if (!(radius >= 8 && radius <= 60)) return bad("radii_mm must lie between 8 and 60 mm.");
-  if (rig && (rig->cameras.empty() || rig->stop_angles_rad.size() < 4))
-    return bad("The rig needs a camera and at least four stops; calibrate it again.");
-  return {};
-}
-
-Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
-                           std::stop_token stop) {
-  if (Result<void> r = options.check(); !r) return r;
-  std::error_code unread;  // a folder that is not there yet
-  if (!std::filesystem::is_empty(options.output, unread) && !unread)
-    return Error{ErrorCode::UnusableInput,
-                 "The folder holds files already; name a new or empty one for the batch.",
-                 options.output.string()};
+Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_token stop) {
   const Result<std::vector<VirtualSherd>> sherds = makeSherds(options);
   if (!sherds) return sherds.error();
   Random layout_random(mixed(options.seed, 2)), rig_random(mixed(options.seed, 3)),
@@ -263,6 +232,50 @@ Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
   if (!options.rig) studio.shootBoards();
   if (stop.stop_requested()) return Error::cancelled();
   return report.result();
+}
+
+}  // namespace
+
+Result<void> SimulateOptions::check() const {
+  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  if (sherds < 1 || sherds > 40) return bad("sherds must lie between 1 and 40.");
+  if (width < 160 || width > 8192 || width % 4 != 0)
+    return bad("width must lie between 160 and 8192 pixels and be divisible by 4.");
+  if (output.empty()) return bad("output must name a folder.");
+  if (stops < 4 || stops > 72) return bad("stops must lie between 4 and 72.");
+  if (lookalikes < 0 || 2 * lookalikes > sherds)
+    return bad("lookalikes are groups of two: at most half the number of sherds.");
+  if (touching < 0 || 2 * touching > sherds)
+    return bad("touching counts pairs: at most half the number of sherds.");
+  if (scans_only && fault)
+    return bad("fault is about photographs, and scans_only makes none; leave one of them out.");
+  if (!radii_mm.empty() && static_cast<int>(radii_mm.size()) != sherds)
+    return bad("radii_mm must hold one radius per sherd.");
+  for (const double radius : radii_mm)
+    if (!(radius >= 8 && radius <= 60)) return bad("radii_mm must lie between 8 and 60 mm.");
+  if (rig && (rig->cameras.empty() || rig->stop_angles_rad.size() < 4))
+    return bad("The rig needs a camera and at least four stops; calibrate it again.");
+  return {};
+}
+
+Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
+                           std::stop_token stop) {
+  if (Result<void> r = options.check(); !r) return r;
+  std::error_code unread;  // a folder that is not there yet
+  if (!std::filesystem::is_empty(options.output, unread) && !unread)
+    return Error{ErrorCode::UnusableInput,
+                 "The folder holds files already; name a new or empty one for the batch.",
+                 options.output.string()};
+  const bool fresh = !std::filesystem::exists(options.output, unread);
+  Result<void> made = fill(options, progress, std::move(stop));
+  if (made) return made;
+  // Half a batch can neither be processed nor gone on with, and nothing else was in the folder.
+  std::vector<std::filesystem::path> entries;
+  for (const auto& entry : std::filesystem::directory_iterator(options.output, unread))
+    entries.push_back(entry.path());
+  for (const std::filesystem::path& entry : entries) std::filesystem::remove_all(entry, unread);
+  if (fresh) std::filesystem::remove(options.output, unread);
+  return made;
 }
 
 Result<void> simulateCalibration(const SimulateOptions& options, Progress& progress,

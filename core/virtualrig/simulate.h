@@ -55,9 +55,10 @@ struct SimulateOptions {
 };
 
 /// Writes a batch folder with truth/, as ../shared/batches/README.md tells, or with scans_only one
-/// as ../shared/scans. Millimetres, OpenCV cameras, the plate's frame of that side.
-/// Errors: UnusableInput (an option, files in the folder, more sherds than fit), CannotWrite,
-/// Cancelled. With Fault::Moved the poses in truth/ are those before the push, the masks as shot.
+/// as ../shared/scans. Millimetres, OpenCV cameras, the plate's frame of that side. With
+/// Fault::Moved the poses in truth/ are those before the push, the masks as shot. Errors:
+/// UnusableInput (an option, files in the folder, more sherds than fit), CannotWrite, Cancelled;
+/// what was written by then is taken away.
 Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
                            std::stop_token stop);
 

@@ -68,6 +68,25 @@ TEST_F(SimulatedBatch, HoldsEveryFileOfTheLayout) {
   EXPECT_EQ(batch->plate->markers.size(), 24u);
 }
 
+// So that the same command can be given again; a folder that a person made stays.
+TEST_F(SimulatedBatch, LeavesNothingOfABatchThatWasStopped) {
+  class StopsAtTheFirstPhotograph final : public Progress {
+   public:
+    void report(std::int64_t, std::int64_t) override { source.request_stop(); }
+    void note(NoteLevel, std::string_view) override {}
+    std::stop_source source;
+  };
+  StopsAtTheFirstPhotograph progress;
+  const std::stop_token stop = progress.source.get_token();
+  const auto done = simulateBatch(tiny(root / "new"), progress, stop);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().code, ErrorCode::Cancelled);
+  fs::create_directory(root / "made");
+  EXPECT_FALSE(simulateBatch(tiny(root / "made"), progress, stop));  // stopped before it began
+  EXPECT_FALSE(fs::exists(root / "new"));
+  EXPECT_TRUE(fs::is_empty(root / "made"));
+}
+
 // Once more with three threads, and with a fault so that one rendering serves both questions.
 TEST_F(SimulatedBatch, IsTheSameForThreeThreadsButForTheTwoFilesThatAFaultCutsOff) {
   SimulateOptions options = tiny(root / "three");

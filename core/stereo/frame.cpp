@@ -90,6 +90,7 @@ Undistorted undistort(const View& view) {
 
 Frame halved(const Frame& fine, const cv::Mat1f& blurred) {
   Frame coarse;
+  coarse.light = fine.light;
   coarse.width = fine.width / 2;
   coarse.height = fine.height / 2;
   coarse.fx = fine.fx / 2;
@@ -113,6 +114,7 @@ std::vector<Frame> buildPyramid(const View& view, int levels) {
   Undistorted image = undistort(view);
   Frame frame;
   const rig::Intrinsics& lens = view.camera.intrinsics;
+  frame.light = view.camera.stop;
   frame.width = image.grey.cols;
   frame.height = image.grey.rows;
   frame.fx = static_cast<float>(lens.fx);

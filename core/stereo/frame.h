@@ -13,6 +13,7 @@ namespace ostraka::stereo {
 /// level.
 struct Frame {
   int width = 0, height = 0;
+  int light = 0;  ///< frames of the same number were lit alike: View's stop
   float fx = 0, fy = 0, cx = 0, cy = 0;
   Eigen::Matrix3f rotation;     ///< camera_from_plate
   Eigen::Vector3f translation;  ///< camera_from_plate, mm

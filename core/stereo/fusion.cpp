@@ -21,6 +21,10 @@ struct Opinion {
   Eigen::Vector3f normal;
 };
 
+float tangentOf(float incidence) {
+  return std::sqrt(std::max(0.0F, 1 - incidence * incidence)) / std::max(incidence, kMinIncidence);
+}
+
 Opinion ask(const Frame& frame, const PlaneMap& map, const Eigen::Vector3f& p_plate,
             const Eigen::Vector3f& n_plate, float tolerance_mm, const FusionOptions& options) {
   Opinion opinion;
@@ -66,6 +70,8 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
     const float tolerance = options.agree_px * footprint;
     const float own_incidence = n.dot((frame.centre - p).normalized());
     const float own_weight = own_incidence * own_incidence * std::max(0.02F, 1.0F - map.cost[k]);
+    const float own_tangent = tangentOf(own_incidence);
+    float tangents = own_weight * own_tangent, squares = tangents * own_tangent, products = 0;
     float weights = own_weight, offsets = 0, confidence = own_weight * (1.0F - map.cost[k]);
     Eigen::Vector3f normals = own_weight * n;
     int agreeing = 1, against = 0;
@@ -81,11 +87,17 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
       ++agreeing;
       weights += o.weight;
       offsets += o.weight * o.offset_mm;
+      const float tangent = tangentOf(incidence);
+      tangents += o.weight * tangent;
+      squares += o.weight * tangent * tangent;
+      products += o.weight * tangent * o.offset_mm;
       normals += o.weight * o.normal;
       confidence += o.weight;
     }
     if (!best || agreeing < options.min_agreeing_views || against >= agreeing) continue;
     SurfacePoint point;
+    point.slant = {tangents / weights, products - offsets * tangents / weights,
+                   squares - tangents * tangents / weights};
     point.position = p + n * (offsets / weights);
     point.normal = normals.normalized();
     point.footprint_mm = footprint;

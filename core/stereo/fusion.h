@@ -15,6 +15,14 @@ struct FusionOptions {
   int threads = 1;
 };
 
+/// How the views of one point differ in slant, the tangent of the angle between the surface's
+/// normal and the view, and in where along the normal they see the surface: weighted sums.
+struct SlantSums {
+  float mean = 0;        ///< tangent
+  float covariance = 0;  ///< of tangent and place, mm
+  float variance = 0;    ///< of the tangent
+};
+
 /// A point of the object's surface with what the views say about it.
 struct SurfacePoint {
   Eigen::Vector3f position;  ///< plate frame, mm
@@ -23,6 +31,7 @@ struct SurfacePoint {
   float confidence = 0;    ///< 0..1
   int view = 0;            ///< the one that sees it most squarely
   int agreeing = 0;
+  SlantSums slant = {};
 };
 
 /// Points where at least so many views agree, each from the view that sees it most squarely, moved

@@ -12,6 +12,8 @@
 #include "stereo/fusion.h"
 #include "stereo/hull.h"
 #include "stereo/patch_match.h"
+#include "stereo/same_light.h"
+#include "stereo/slant.h"
 #include "stereo/surface.h"
 
 namespace ostraka::stereo {
@@ -204,10 +206,16 @@ Result<PointCloud> reconstruct(std::span<const View> views, const DenseOptions& 
   fusion.min_agreeing_views = options.min_agreeing_views;
   std::vector<SurfacePoint> points = fusePlanes(work.framesAt(0), work.planes, fusion);
   tell(std::to_string(points.size()) + " points fused");
+  SlantOptions slant;
+  slant.threads = options.threads;
+  points = withoutSlant(std::move(points), slant);
   SurfaceOptions surface;
   surface.threads = options.threads;
   points = insideMasks(work.framesAt(0), points, surface);
   points = smoothed(points, surface);
+  SameLightOptions same_light;
+  same_light.threads = options.threads;
+  points = settledInSameLight(work.framesAt(0), work.planes, std::move(points), same_light);
   tell(std::to_string(points.size()) + " points on the smoothed surface");
   if (points.empty())
     return Error{ErrorCode::NotEnough,

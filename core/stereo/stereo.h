@@ -13,8 +13,9 @@
 
 namespace ostraka::stereo {
 
-/// One photograph with its camera. The mask has the photograph's size: share of each pixel that the
-/// sherds cover, 0..255; an empty mask means that every pixel may show the object.
+/// One photograph with its camera; those of one stop were lit alike. The mask has the photograph's
+/// size: share of each pixel that the sherds cover, 0..255; an empty mask means that every pixel
+/// may show the object.
 struct View {
   rig::PosedImage camera;
   cv::Mat photograph;  ///< CV_8UC3, BGR, as it was shot (with the lens's distortion)
@@ -39,9 +40,10 @@ struct DenseOptions {
 
 /// Oriented, coloured points of everything inside the masks, plate frame, mm; quality is the
 /// confidence. PatchMatch stereo with slanted windows (Bleyer et al., BMVC 2011; Galliani et al.,
-/// ICCV 2015) from coarse to fine, fused; each point is moved onto a quadric fitted around it.
-/// Errors: NotEnough for fewer than 3 views or nothing found, UnusableInput for sizes that differ,
-/// Cancelled. Memory is about 90 bytes per pixel of all photographs.
+/// ICCV 2015) from coarse to fine, fused; each point is moved onto a quadric fitted around it, and
+/// to where the photographs of one stop see it. Errors: NotEnough for fewer than 3 views or nothing
+/// found, UnusableInput for sizes that differ, Cancelled. Memory is about 90 bytes per pixel of all
+/// photographs.
 Result<PointCloud> reconstruct(std::span<const View> views, const DenseOptions& options,
                                Progress& progress, std::stop_token stop);
 

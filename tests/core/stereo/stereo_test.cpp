@@ -56,6 +56,27 @@ TEST(Stereo, GivesTheSameBytesForOneThreeAndSixteenThreads) {
   }
 }
 
+// Shading that follows the camera around the ball by 0.2 mm, as that of bumps does when the light
+// stands still, looks like a surface at another depth to photographs of different stops.
+TEST(Stereo, IsNotMisledByShadingThatMovesFromStopToStop) {
+  const TexturedBall ball;
+  const auto median = [&](const std::vector<View>& views) {
+    std::vector<double> distance;
+    for (const Eigen::Vector3f& p : reconstructed(views, 2).points)
+      if (p.z() > ball.centre.z() + 5)  // where both cameras of a stop look
+        distance.push_back((p.cast<double>() - ball.centre).norm() - ball.radius_mm);
+    std::nth_element(distance.begin(), distance.begin() + static_cast<long>(distance.size() / 2),
+                     distance.end());
+    return distance[distance.size() / 2];
+  };
+  std::vector<View> views = ballViews(ball, 6, 0.2);
+  const double told = median(views);
+  for (View& view : views) view.camera.stop = 0;  // nobody says which were lit alike
+  const double untold = median(views);
+  EXPECT_GT(std::abs(untold), 0.06);
+  EXPECT_LT(std::abs(told), 0.5 * std::abs(untold));
+}
+
 TEST(Stereo, RefusesTwoViews) {
   std::vector<View> views = ballViews({}, 4);
   views.resize(2);

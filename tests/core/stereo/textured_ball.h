@@ -27,8 +27,9 @@ struct TexturedBall {
 };
 
 /// Photographs of 200 x 160 pixels, about 0.2 mm each, at 30 and 60 degrees of elevation;
-/// brightness changes from view to view as the light stands still.
-inline std::vector<View> ballViews(const TexturedBall& ball, int stops) {
+/// brightness changes from view to view as the light stands still, and the pattern lies by
+/// shading_mm towards each stop's cameras.
+inline std::vector<View> ballViews(const TexturedBall& ball, int stops, double shading_mm = 0) {
   std::vector<View> views;
   for (int stop = 0; stop < stops; ++stop)
     for (const double elevation : {0.52, 1.05}) {
@@ -59,7 +60,9 @@ inline std::vector<View> ballViews(const TexturedBall& ball, int stops) {
           const Eigen::Vector3d p =
               eye + ray * (b - std::sqrt(ball.radius_mm * ball.radius_mm - d2));
           if (p.z() < ball.centre.z()) continue;  // only its upper half is there
-          const auto grey = static_cast<std::uint8_t>(std::lround(gain * TexturedBall::grey(p)));
+          const Eigen::Vector3d lit =
+              p - shading_mm * Eigen::Vector3d(std::cos(turn), std::sin(turn), 0);
+          const auto grey = static_cast<std::uint8_t>(std::lround(gain * TexturedBall::grey(lit)));
           view.photograph.at<cv::Vec3b>(y, x) = {grey, grey, grey};
           view.mask(y, x) = 255;
         }

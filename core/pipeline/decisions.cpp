@@ -53,9 +53,11 @@ Eigen::Vector2d pointFrom(const json& value) {
 
 ordered_json toJson(const PairDecision& d) {
   ordered_json scans = ordered_json::array();
-  for (const ScanRef& scan : d.scans)
+  for (const ScanRef& scan : d.scans) {
     scans.push_back(
         {{"side", batch::name(scan.side)}, {"id", scan.id}, {"place_mm", toJson(scan.place_mm)}});
+    if (!scan.photographs.empty()) scans.back()["photographs"] = scan.photographs;
+  }
   ordered_json out = {
       {"number", d.number}, {"replaces", d.replaces}, {"kind", nameOf(d.kind)}, {"at", d.at},
       {"by", d.by},         {"note", d.note},         {"scans", scans}};
@@ -83,7 +85,8 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
   for (const json& scan : value.at("scans"))
     d.scans.push_back(
         {scan.at("side").get<std::string>() == "back" ? batch::Side::Back : batch::Side::Front,
-         scan.at("id").get<std::string>(), pointFrom(scan.at("place_mm"))});
+         scan.at("id").get<std::string>(), pointFrom(scan.at("place_mm")),
+         scan.value("photographs", "")});
   if (value.contains("T_front_from_back")) {
     const Result<Eigen::Isometry3d> pose = isometryFromJson(value["T_front_from_back"], where);
     if (!pose) return pose.error();
@@ -99,10 +102,11 @@ bool aboutPartners(DecisionKind kind) {
   return kind == DecisionKind::Pair || kind == DecisionKind::Aside || kind == DecisionKind::Reshoot;
 }
 
+// By their places alone: what was said about earlier photographs is replaced, too.
 bool shareAScan(const PairDecision& a, const PairDecision& b) {
   for (const ScanRef& x : a.scans)
     for (const ScanRef& y : b.scans)
-      if (x.side == y.side && resolved(x, {y}) == 0) return true;
+      if (resolved({x.side, x.id, x.place_mm, {}}, {y}) == 0) return true;
   return false;
 }
 
@@ -141,6 +145,9 @@ int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans) {
   double least = 10;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     if (scans[i].side != ref.side) continue;
+    if (!ref.photographs.empty() && !scans[i].photographs.empty() &&
+        ref.photographs != scans[i].photographs)
+      continue;
     const double distance = (scans[i].place_mm - ref.place_mm).norm();
     if (distance < least) least = distance, nearest = static_cast<int>(i);
   }
@@ -178,23 +185,34 @@ Result<Decisions> readDecisions(const fs::path& output) {
   const fs::path file = fileIn(output);
   std::error_code failed;
   if (!fs::exists(file, failed)) return Decisions{};
-  const Result<json> text = readJson(file);
+  const Result<std::string> text = readFile(file);
   if (!text) return text.error();
+  return parseDecisions(*text, file.string());
+}
+
+Result<Decisions> parseDecisions(std::string_view text, const std::string& where) {
+  const Result<json> value = parseJson(text, where);
+  if (!value) return value.error();
   Decisions decisions;
   try {
-    if (text->at("format").get<int>() > kFormat)
+    if (value->at("format").get<int>() > kFormat)
       return Error{ErrorCode::UnusableInput,
-                   "These decisions were written by a newer program; use that one.", file.string()};
-    for (const json& value : text->at("decisions")) {
-      Result<PairDecision> decision = decisionFrom(value, file.string());
+                   "These decisions were written by a newer program; use that one.", where};
+    for (const json& entry : value->at("decisions")) {
+      Result<PairDecision> decision = decisionFrom(entry, where);
       if (!decision) return decision.error();
+      if (const Result<void> valid = checked(*decision); !valid)
+        return Error{ErrorCode::UnusableInput,
+                     "Decision " + std::to_string(decision->number) + " cannot be used. " +
+                         valid.error().what + " Mend it, or put a copy of the file back.",
+                     where};
       decisions.push_back(std::move(*decision));
     }
   } catch (const json::exception&) {
     return Error{ErrorCode::UnusableInput,
                  "These are no decisions of this program; move the file away, or put a copy of it "
                  "back.",
-                 file.string()};
+                 where};
   }
   return decisions;
 }

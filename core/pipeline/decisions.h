@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -27,6 +28,9 @@ struct ScanRef {
   batch::Side side = batch::Side::Front;
   std::string id;
   Eigen::Vector2d place_mm = Eigen::Vector2d::Zero();  ///< mean of the points, side's plate frame
+  /// A hash that names the side's photographs, since other sherds may lie at its place when it is
+  /// photographed again; empty where an older program took the decision.
+  std::string photographs = {};
 };
 
 /// What becomes of the pose that a person gives.
@@ -55,8 +59,11 @@ using Decisions = std::vector<PairDecision>;
 /// Those that hold now, in order: neither replaced nor withdrawn. No Withdraw among them.
 Decisions standing(const Decisions& all);
 
-/// OUT/decisions.json; none when there is no such file. Errors: UnusableInput names the file.
+/// OUT/decisions.json; none when there is no such file. Errors: UnusableInput names the file, and
+/// the decision that could not be taken so.
 Result<Decisions> readDecisions(const std::filesystem::path& output);
+/// The same from the file's text; `where` names the file in errors.
+Result<Decisions> parseDecisions(std::string_view text, const std::string& where);
 
 /// Writes the decision behind the others, atomically, with its number and time, and with what it
 /// replaces: the standing ones about the same scans (Pair, Aside, Reshoot), or those named already
@@ -68,7 +75,8 @@ Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDec
 nlohmann::ordered_json toJson(const Decisions& decisions);
 
 /// The index of the scan that is meant, -1 when none lies within 10 mm of the place: a sherd's
-/// mean moves less when it is computed anew, and no two sherds' means lie nearer.
+/// mean moves less when it is computed anew, and no two sherds' means lie nearer. Scans of other
+/// photographs are not meant.
 int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans);
 
 }  // namespace ostraka::pipeline

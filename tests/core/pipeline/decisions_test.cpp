@@ -135,6 +135,40 @@ TEST_F(DecisionsOf, ADamagedFileIsNamedAndLeftAsItIs) {
   }
 }
 
+// Anyone may have edited the file: what appendDecision would refuse is refused when it is read.
+TEST_F(DecisionsOf, ThatNobodyCouldTakeAreNamed) {
+  for (const char* wrong :
+       {R"("kind":"join","scans":[])",
+        R"("kind":"split","scans":[{"side":"front","id":"f001","place_mm":[1,2]}])",
+        R"("kind":"pair","scans":[{"side":"back","id":"b001","place_mm":[1,2]}])",
+        R"("kind":"aside","scans":[])", R"("kind":"withdraw","scans":[])"}) {
+    const std::string text = R"({"format":1,"decisions":[{"number":7,"replaces":[],"at":"",)"
+                             R"("by":"AP",)" +
+                             std::string(wrong) + "}]}";
+    ASSERT_TRUE(writeFileAtomically(out_ / "decisions.json", text).has_value());
+    const Result<Decisions> refused = readDecisions(out_);
+    ASSERT_FALSE(refused.has_value()) << wrong;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    const std::string sentence = refused.error().sentence();
+    EXPECT_NE(sentence.find("decisions.json"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("Decision 7"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("put a copy"), std::string::npos) << "what to do: " << sentence;
+  }
+}
+
+TEST_F(DecisionsOf, AreNotAboutASideThatWasPhotographedAgain) {
+  const std::vector<ScanRef> now = {{Side::Front, "f001", {0, 0}, "new"}};
+  EXPECT_EQ(resolved({Side::Front, "f001", {0, 0}, "old"}, now), -1);
+  EXPECT_EQ(resolved({Side::Front, "f001", {0, 0}, "new"}, now), 0);
+  EXPECT_EQ(resolved({Side::Front, "f001", {0, 0}, {}}, now), 0) << "of an older program";
+  PairDecision d = pair(1, 1);
+  d.scans[0].photographs = "old";
+  append(d);
+  EXPECT_EQ(readDecisions(out_)->front().scans[0].photographs, "old");
+  d.scans[0].photographs = "new";
+  EXPECT_EQ(append(d).replaces, std::vector<int>{1}) << "decided again, the old word is replaced";
+}
+
 TEST_F(DecisionsOf, FindTheirScanByItsPlaceWhenItsIdChanged) {
   const std::vector<ScanRef> now = {{Side::Front, "f001", {0, 0}}, {Side::Front, "f002", {51, 2}}};
   EXPECT_EQ(resolved({Side::Front, "f001", {50, 0}}, now), 1);

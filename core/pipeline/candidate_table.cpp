@@ -27,10 +27,12 @@ Slip slipOf(const std::string& name) {
 
 ordered_json scansJson(const std::vector<ScanRef>& scans, const std::vector<std::string>& files) {
   ordered_json list = ordered_json::array();
-  for (std::size_t i = 0; i < scans.size(); ++i)
+  for (std::size_t i = 0; i < scans.size(); ++i) {
     list.push_back({{"id", scans[i].id},
                     {"place_mm", {scans[i].place_mm.x(), scans[i].place_mm.y()}},
                     {"file", i < files.size() ? files[i] : ""}});
+    if (!scans[i].photographs.empty()) list.back()["photographs"] = scans[i].photographs;
+  }
   return list;
 }
 
@@ -39,7 +41,8 @@ void readScans(const json& list, batch::Side side, std::vector<ScanRef>& scans,
   for (const json& value : list) {
     const json& at = value.at("place_mm");
     scans.push_back({side, value.at("id").get<std::string>(),
-                     Eigen::Vector2d(at.at(0).get<double>(), at.at(1).get<double>())});
+                     Eigen::Vector2d(at.at(0).get<double>(), at.at(1).get<double>()),
+                     value.value("photographs", "")});
     files.push_back(value.at("file").get<std::string>());
   }
 }
@@ -134,7 +137,7 @@ const RegisteredCandidate* CandidateTable::find(int front, int back) const {
 ScanRef refOf(const scan::Scan& scan, batch::Side side) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector3f& p : scan.cloud.points) sum += p.head<2>().cast<double>();
-  return {side, scan.id, sum / std::max<double>(1.0, static_cast<double>(scan.cloud.size()))};
+  return {side, scan.id, sum / std::max<double>(1.0, static_cast<double>(scan.cloud.size())), {}};
 }
 
 std::string sherdNumber(const std::string& front_id) {

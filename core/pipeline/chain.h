@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -22,9 +23,14 @@ struct Run {
   const batch::Batch& batch;
   std::filesystem::path work;  ///< OUT/work
   std::string batch_hash;      ///< names and contents of everything that is read from the batch
-  const Decisions& decisions;  ///< of people, those that hold
+  std::array<std::string, 2> photographs;  ///< of fronts and backs: ScanRef::photographs
+  const Decisions& decisions;              ///< of people, those that hold
   Progress& progress;
   std::stop_token stop;
+
+  const std::string& photographsOf(batch::Side side) const {
+    return photographs[side == batch::Side::Front ? 0 : 1];
+  }
 };
 
 /// A stage's outcome: what it left, as read back from its files, and its record.

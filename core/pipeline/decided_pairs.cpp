@@ -16,9 +16,63 @@ using registration::Registration;
 constexpr double kHeld_mm = 5;
 constexpr double kSamePose_mm = 0.5;
 
-std::string waiting(const PairDecision& decision, const ScanRef& scan) {
-  return "Decision " + std::to_string(decision.number) + " by " + decision.by + " is about " +
-         scan.id + ", which is not on the plate any more; decide again.";
+std::string named(const PairDecision& decision) {
+  return "Decision " + std::to_string(decision.number) + " by " + decision.by;
+}
+
+std::string waiting(const PairDecision& decision, const ScanRef& scan,
+                    const std::vector<ScanRef>& scans) {
+  const bool photographed_again = resolved({scan.side, scan.id, scan.place_mm, {}}, scans) >= 0;
+  return named(decision) + " is about " + scan.id +
+         (photographed_again ? ", whose side was photographed again since; decide again."
+                             : ", which is not on the plate any more; decide again.");
+}
+
+bool common(const std::vector<int>& a, const std::vector<int>& b) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](int i) { return std::find(b.begin(), b.end(), i) != b.end(); });
+}
+
+// A decision about partners, and the scans of the table that it is about.
+struct Meant {
+  const PairDecision* decision = nullptr;
+  std::vector<int> fronts, backs;
+
+  bool takesEffect() const {
+    return decision->kind == DecisionKind::Pair ? fronts.size() == 1 && backs.size() == 1
+                                                : !fronts.empty() || !backs.empty();
+  }
+};
+
+// Files can be merged, and places of two sherds can become one: the word spoken last holds.
+const PairDecision* laterThan(std::size_t i, const std::vector<Meant>& all) {
+  for (std::size_t j = all.size(); j-- > i + 1;)
+    if (common(all[i].fronts, all[j].fronts) || common(all[i].backs, all[j].backs))
+      return all[j].decision;
+  return nullptr;
+}
+
+void put(const Meant& meant, Settled& settled) {
+  const auto add = [](std::vector<int>& to, const std::vector<int>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  switch (meant.decision->kind) {
+    case DecisionKind::Pair:
+      settled.pairs.push_back({meant.fronts[0], meant.backs[0], *meant.decision});
+      break;
+    case DecisionKind::Aside:
+      add(settled.aside_front, meant.fronts);
+      add(settled.aside_back, meant.backs);
+      break;
+    case DecisionKind::Reshoot:
+      add(settled.reshoot_front, meant.fronts);
+      add(settled.reshoot_back, meant.backs);
+      break;
+    case DecisionKind::Join:
+    case DecisionKind::Split:
+    case DecisionKind::Withdraw:
+      break;
+  }
 }
 
 // The program's own word on a pair: what it would give it if nobody had decided.
@@ -81,27 +135,25 @@ double apart_mm(const ScanRef& back, const Isometry3d& a, const Isometry3d& b) {
 
 Settled settledBy(const Decisions& standing, const CandidateTable& table) {
   Settled settled;
+  std::vector<Meant> all;
   for (const PairDecision& d : standing) {
-    std::vector<int> fronts, backs;
+    if (d.kind == DecisionKind::Join || d.kind == DecisionKind::Split) continue;
+    Meant meant{&d, {}, {}};
     for (const ScanRef& ref : d.scans) {
       const bool front = ref.side == batch::Side::Front;
-      const int index = resolved(ref, front ? table.fronts : table.backs);
-      if (index < 0 && d.kind != DecisionKind::Join && d.kind != DecisionKind::Split)
-        settled.warnings.push_back(waiting(d, ref));
-      if (index >= 0) (front ? fronts : backs).push_back(index);
+      const std::vector<ScanRef>& scans = front ? table.fronts : table.backs;
+      const int index = resolved(ref, scans);
+      if (index < 0) settled.warnings.push_back(waiting(d, ref, scans));
+      if (index >= 0) (front ? meant.fronts : meant.backs).push_back(index);
     }
-    if (d.kind == DecisionKind::Pair && fronts.size() == 1 && backs.size() == 1)
-      settled.pairs.push_back({fronts[0], backs[0], d});
-    const auto add = [](std::vector<int>& to, const std::vector<int>& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    if (d.kind == DecisionKind::Aside) {
-      add(settled.aside_front, fronts);
-      add(settled.aside_back, backs);
-    } else if (d.kind == DecisionKind::Reshoot) {
-      add(settled.reshoot_front, fronts);
-      add(settled.reshoot_back, backs);
-    }
+    if (meant.takesEffect()) all.push_back(std::move(meant));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (const PairDecision* later = laterThan(i, all))
+      settled.warnings.push_back(named(*all[i].decision) + " does not hold: " + named(*later) +
+                                 ", which is later, is about the same scan; withdraw one of them.");
+    else
+      put(all[i], settled);
   }
   return settled;
 }

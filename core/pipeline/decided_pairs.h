@@ -15,7 +15,8 @@ struct Settled {
   };
   std::vector<Pair> pairs;
   std::vector<int> aside_front, aside_back, reshoot_front, reshoot_back;
-  /// Sentences about decisions whose scans are not there any more; they wait in the file.
+  /// Sentences about decisions whose scans are not there any more, or were photographed again
+  /// since (they wait in the file), and about those that a later one contradicts.
   std::vector<std::string> warnings;
 };
 Settled settledBy(const Decisions& standing, const CandidateTable& table);

@@ -89,11 +89,13 @@ Result<void> writePairs(const fs::path& folder, const PairTable& table,
   return writeJson(folder / "pairs.json", pairs);
 }
 
-void nameFiles(const Run& run, CandidateTable& table) {
-  for (const ScanRef& scan : table.fronts)
-    table.front_files.push_back(scanFolder(run, batch::Side::Front) + "/" + scan.id + ".ply");
-  for (const ScanRef& scan : table.backs)
-    table.back_files.push_back(scanFolder(run, batch::Side::Back) + "/" + scan.id + ".ply");
+// Where the scans lie, and what photographs they come from.
+void nameSources(const Run& run, batch::Side side, std::vector<ScanRef>& scans,
+                 std::vector<std::string>& files) {
+  for (ScanRef& scan : scans) {
+    scan.photographs = run.photographsOf(side);
+    files.push_back(scanFolder(run, side) + "/" + scan.id + ".ply");
+  }
 }
 
 Decisions aboutPartners(const Decisions& standing) {
@@ -159,7 +161,8 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
       return compareSides(fronts.value, backs.value, witnesses, options, run.progress, run.stop);
     });
     if (!table) return table.error();
-    nameFiles(run, *table);
+    nameSources(run, batch::Side::Front, table->fronts, table->front_files);
+    nameSources(run, batch::Side::Back, table->backs, table->back_files);
     table->back_scale = back_scale;
     table->has_scale = poses.value.has_scale;
     table->on_plate = run.batch.plate.has_value();
@@ -180,6 +183,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                                          {"leaves", "candidates"}},
                                         compare, run.progress);
   if (!record) return record.error();
+                                         {"photographs", run.photographs},
   std::string folder = "pairs";
   const Decisions decisions = aboutPartners(run.decisions);
   if (!decisions.empty()) {

@@ -13,9 +13,13 @@ using scan::Scan;
 
 constexpr std::size_t kLeastPoints = 200;  // fewer make no outline and no rim
 
-std::vector<ScanRef> refsOf(const std::vector<Scan>& scans, batch::Side side) {
+std::vector<ScanRef> refsOf(const std::vector<Scan>& scans, batch::Side side,
+                            const std::string& photographs) {
   std::vector<ScanRef> refs;
-  for (const Scan& scan : scans) refs.push_back(refOf(scan, side));
+  for (const Scan& scan : scans) {
+    refs.push_back(refOf(scan, side));
+    refs.back().photographs = photographs;
+  }
   return refs;
 }
 
@@ -93,13 +97,14 @@ bool hasEdits(const Decisions& standing, batch::Side side) {
   });
 }
 
-EditedPieces editedPieces(std::vector<Scan> scans, batch::Side side, const Decisions& standing) {
+EditedPieces editedPieces(std::vector<Scan> scans, batch::Side side, const Decisions& standing,
+                          const std::string& photographs) {
   EditedPieces edited{std::move(scans), {}};
   for (const PairDecision& d : standing) {
     if ((d.kind != DecisionKind::Join && d.kind != DecisionKind::Split) ||
         d.scans.front().side != side)
       continue;
-    const std::vector<ScanRef> refs = refsOf(edited.scans, side);
+    const std::vector<ScanRef> refs = refsOf(edited.scans, side, photographs);
     std::vector<int> pieces;
     for (const ScanRef& ref : d.scans) pieces.push_back(resolved(ref, refs));
     const bool there = std::find(pieces.begin(), pieces.end(), -1) == pieces.end();

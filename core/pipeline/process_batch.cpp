@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
-#include "base/folder_lock.h"
 #include "base/json.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
 #include "pairing/common_scale.h"
 #include "pipeline/candidate_table.h"
 #include "pipeline/no_plate.h"
+#include "pipeline/output_folder.h"
 #include "pipeline/preflight.h"
 #include "pipeline/report.h"
 #include "pipeline/run_log.h"
@@ -26,68 +26,17 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-std::string nameOf(const fs::path& file, const batch::Batch& batch) {
-  return file.lexically_proximate(batch.folder).generic_string();
-}
-
-// Names (relative to the batch) and SHA-256 of all that is read from it.
-ordered_json hashesOf(const batch::Batch& batch, int threads) {
-  std::vector<fs::path> files;
-  for (const batch::Shot& shot : batch.shots) {
-    files.push_back(shot.file);
-    if (!shot.mask_file.empty()) files.push_back(shot.mask_file);
-  }
-  for (const batch::CalibrationShot& shot : batch.calibration) files.push_back(shot.file);
-  for (const batch::CalibrationShot& shot : batch.empty_plates) files.push_back(shot.file);
-  for (const char* name : {"plate.json", "board.json", "scale.json"})
-    if (fs::exists(batch.folder / name)) files.push_back(batch.folder / name);
-  std::vector<std::string> hashes(files.size());
-  parallelFor(files.size(), threads, [&](std::size_t i) {
-    const Result<std::string> bytes = readFile(files[i]);
-    hashes[i] = bytes ? sha256(*bytes) : "unreadable";
-  });
-  ordered_json named = ordered_json::object();
-  for (std::size_t i = 0; i < files.size(); ++i) named[nameOf(files[i], batch)] = hashes[i];
-  return named;
-}
-
-// An OUT belongs to one batch. It is the same one while a third of its photographs are the same:
-// one side may have been shot again. Plate and calibration are those of many batches.
-Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const batch::Batch& batch,
-                          const ordered_json& hashes) {
-  std::error_code failed;
-  if (!fs::exists(file, failed)) {
-    // A run that ended before it could name its batch leaves the lock alone.
-    const bool own = fs::exists(file.parent_path() / "lock", failed);
-    if (!own && fs::exists(output, failed) && !fs::is_empty(output, failed))
-      return Error{ErrorCode::UnusableInput,
-                   "The output folder holds something that is not from this program; choose "
-                   "another or an empty one.",
-                   output.string()};
-  } else if (const Result<std::string> text = readFile(file)) {
-    const ordered_json earlier = ordered_json::parse(*text, nullptr, false);
-    std::size_t same = 0;
-    for (const batch::Shot& shot : batch.shots) {
-      const std::string name = nameOf(shot.file, batch);
-      if (earlier.is_object() && earlier.contains(name) && earlier[name] == hashes[name]) ++same;
-    }
-    if (3 * same < batch.shots.size())
-      return Error{ErrorCode::UnusableInput,
-                   "The output folder holds another batch; choose another folder.",
-                   output.string()};
-  }
-  return {};
-}
-
-// Nothing is written before the folder is held: another run may be at work in it.
-Result<FolderLock> claimOutput(const fs::path& output, const batch::Batch& batch,
-                               const ordered_json& hashes) {
-  const fs::path file = output / "work" / "batch.json";
-  if (const Result<void> may = mayUseOutput(output, file, batch, hashes); !may) return may.error();
-  Result<FolderLock> held = FolderLock::take(output / "work");
-  if (!held) return held;
-  if (const Result<void> written = writeJson(file, hashes); !written) return written.error();
-  return held;
+Run runOf(const ProcessOptions& options, const batch::Batch& batch, const ordered_json& hashes,
+          const Decisions& holding, Progress& progress, std::stop_token stop) {
+  return {options,
+          batch,
+          options.output / "work",
+          sha256(hashes.dump()),
+          {photographsHash(batch, hashes, batch::Side::Front),
+           photographsHash(batch, hashes, batch::Side::Back)},
+          holding,
+          progress,
+          std::move(stop)};
 }
 
 struct Sides {
@@ -201,14 +150,6 @@ Result<void> publishLone(const Run& run, const std::vector<std::string>& ids,
       if (!written) return written;
     }
   return {};
-}
-
-// What an earlier run left on top must not look whole while this one may change it.
-void withdrawResults(const fs::path& output) {
-  std::error_code ignored;
-  for (const char* name : {"report.json", "report.html", "pairs.json"})
-    fs::remove(output / name, ignored);
-  fs::remove_all(output / "unpaired", ignored);
 }
 
 void removeStaleSherds(const fs::path& output, const std::vector<SherdSummary>& sherds) {
@@ -424,15 +365,14 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const Result<Decisions> decisions = readDecisions(options.output);
   if (!decisions) return decisions.error();
   const Decisions holding = standing(*decisions);
-  const ordered_json hashes = hashesOf(*batch, options.threads);
+  const ordered_json hashes = batchHashes(*batch, options.threads);
   const Result<FolderLock> held = claimOutput(options.output, *batch, hashes);
   if (!held) return held.error();
   withdrawResults(options.output);
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
   for (const std::string& line : ahead->lines) logged.note(NoteLevel::Info, line);
   for (const std::string& warning : ahead->warnings) logged.note(NoteLevel::Warning, warning);
-  const Run run{options, *batch, options.output / "work", sha256(hashes.dump()), holding,
-                logged,  stop};
+  const Run run = runOf(options, *batch, hashes, holding, logged, stop);
   Result<ProcessSummary> summary = runChain(run, reading.warnings);
   if (summary)
     summary->seconds =
@@ -452,7 +392,7 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
   const Result<Decisions> decisions = readDecisions(options.output);
   if (!decisions) return decisions.error();
   const Decisions holding = standing(*decisions);
-  const ordered_json hashes = hashesOf(batch, options.threads);
+  const ordered_json hashes = batchHashes(batch, options.threads);
   const Result<FolderLock> held = claimOutput(options.output, batch, hashes);
   if (!held) return held.error();
   withdrawResults(options.output);
@@ -460,8 +400,7 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
   reading.insert(reading.end(), backs->warnings.begin(), backs->warnings.end());
   LoggedProgress logged(progress, options.output / "log.txt", {});
   for (const std::string& warning : reading) logged.note(NoteLevel::Warning, warning);
-  const Run run{options, batch, options.output / "work", sha256(hashes.dump()), holding,
-                logged,  stop};
+  const Run run = runOf(options, batch, hashes, holding, logged, stop);
   ReportInput report;
   const Result<Sides> front = importedSide(run, batch::Side::Front, *fronts, report.stages);
   if (!front) return front.error();

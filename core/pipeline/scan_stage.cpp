@@ -45,15 +45,17 @@ Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
   for (const PairDecision& d : run.decisions)
     if (hasEdits({d}, side)) edits.push_back(d);
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    const EditedPieces edited = editedPieces(found.value, side, edits);
+    const EditedPieces edited = editedPieces(found.value, side, edits, run.photographsOf(side));
     const Result<ordered_json> points = writeScans(folder, edited.scans, frame);
     if (!points) return points.error();
     return StageNotes{{{"points", *points}}, edited.warnings};
   };
   const std::string name = scanFolder(run, side);
-  const Result<StageRecord> record =
-      runStage(run.work, name, {{"scans", found.record.outputs_hash}, {"edits", toJson(edits)}},
-               work, run.progress);
+  const Result<StageRecord> record = runStage(run.work, name,
+                                              {{"scans", found.record.outputs_hash},
+                                               {"edits", toJson(edits)},
+                                               {"photographs", run.photographsOf(side)}},
+                                              work, run.progress);
   if (!record) return record.error();
   return readScans(run.work / name, *record);
 }

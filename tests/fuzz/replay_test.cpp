@@ -41,6 +41,9 @@ TEST(Corpus, OfTablesKeepsThePromises) {
 TEST(Corpus, OfSherdRecordsKeepsThePromises) {
   replay("sherd_json", ostraka::fuzz::sherdJson);
 }
+TEST(Corpus, OfDecisionsKeepsThePromises) {
+  replay("decisions", ostraka::fuzz::decisions);
+}
 TEST(Corpus, OfImageHeadersKeepsThePromises) {
   replay("image_header", ostraka::fuzz::imageHeader);
 }

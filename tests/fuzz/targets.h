@@ -11,5 +11,7 @@ void imageHeader(std::string_view bytes);
 void deviceReplies(std::string_view bytes);
 void table(std::string_view bytes);
 void sherdJson(std::string_view bytes);
+/// What people decided, down to what the chain makes of it.
+void decisions(std::string_view bytes);
 
 }  // namespace ostraka::fuzz

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <set>
 
 #include "base/files.h"
 #include "cloud/ply.h"
@@ -126,6 +127,40 @@ TEST_F(DecidedPairs, ADecisionAboutAScanThatIsGoneIsSaidAndChangesNothing) {
   EXPECT_TRUE(settled.pairs.empty());
   ASSERT_EQ(settled.warnings.size(), 1u);
   EXPECT_NE(settled.warnings[0].find("b001"), std::string::npos);
+}
+
+TEST_F(DecidedPairs, OfTwoAboutOneScanTheLaterHoldsAndTheEarlierIsSaid) {
+  PairDecision second = pair(1, 0);
+  second.number = 2;
+  second.by = "KL";
+  const PairTable table = with({pair(0, 0), second});
+  EXPECT_EQ(partner(table, 1), 0);
+  EXPECT_EQ(partner(table, 0), 1) << "free again, it takes what is left";
+  std::set<int> backs;
+  for (const SherdPair& p : table.pairs) EXPECT_TRUE(backs.insert(p.decision.back).second);
+  const Settled settled = settledBy({pair(0, 0), second}, out_.table);
+  ASSERT_EQ(settled.warnings.size(), 1u);
+  for (const char* words : {"Decision 1 by AP", "Decision 2 by KL", "withdraw"})
+    EXPECT_NE(settled.warnings[0].find(words), std::string::npos) << settled.warnings[0];
+
+  PairDecision aside = about(DecisionKind::Aside, out_.table.fronts[0]);
+  aside.number = 2;
+  EXPECT_TRUE(settledBy({pair(0, 0), aside}, out_.table).pairs.empty());
+  EXPECT_TRUE(settledBy({aside, pair(0, 0)}, out_.table).aside_front.empty());
+}
+
+TEST_F(DecidedPairs, AboutASidePhotographedAgainAreSaidAndChangeNothing) {
+  CandidateTable table = out_.table;
+  for (ScanRef& scan : table.backs) scan.photographs = "first";
+  PairDecision d = pair(0, 0);
+  d.scans[1] = table.backs[0];
+  EXPECT_EQ(settledBy({d}, table).pairs.size(), 1u);
+  for (ScanRef& scan : table.backs) scan.photographs = "second";
+  const Settled settled = settledBy({d}, table);
+  EXPECT_TRUE(settled.pairs.empty());
+  ASSERT_EQ(settled.warnings.size(), 1u);
+  EXPECT_NE(settled.warnings[0].find("photographed again since; decide again"), std::string::npos);
+  EXPECT_EQ(settledBy({pair(0, 0)}, table).pairs.size(), 1u) << "of an older program";
 }
 
 TEST_F(DecidedPairs, TheReviewShowsTheMostDoubtfulFirstAndTheDisplacedOnTop) {
@@ -281,6 +316,13 @@ TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
   EXPECT_TRUE(one.warnings.empty());
 
   cut.cut_mm = {ref.place_mm + Eigen::Vector2d(90, -50), ref.place_mm + Eigen::Vector2d(90, 50)};
+  PairDecision earlier = join;
+  for (ScanRef& scan : earlier.scans) scan.photographs = "first";
+  const EditedPieces again = editedPieces(two.scans, Side::Front, {earlier}, "second");
+  EXPECT_EQ(again.scans.size(), 2u) << "the side was photographed again";
+  ASSERT_EQ(again.warnings.size(), 1u);
+  EXPECT_NE(again.warnings[0].find("decide again"), std::string::npos);
+
   const EditedPieces beside = editedPieces({whole}, Side::Front, {cut});
   EXPECT_EQ(beside.scans.size(), 1u);
   EXPECT_EQ(beside.warnings.size(), 1u);

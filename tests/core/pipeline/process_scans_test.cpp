@@ -6,6 +6,8 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "cloud/ply.h"
+#include "pipeline/candidate_table.h"
+#include "pipeline/decisions.h"
 #include "pipeline/live_pairs.h"
 #include "pipeline/process_batch.h"
 #include "pipeline/scan_folder.h"
@@ -103,6 +105,35 @@ TEST_F(ProcessScans, ScansThatStandOnNoPlateAreTurnedFaceUp) {
   const auto laid = readScanFolder(folder / "out" / "work" / "scans_front", 1);
   ASSERT_TRUE(laid.has_value());
   for (const scan::Scan& scan : laid->scans) EXPECT_GT(scan.up.z(), 0.95) << scan.id;
+}
+
+// The same chain for photographs and scans: what a person said about a side that was scanned again
+// waits, and the words about the other side do not change that.
+TEST_F(ProcessScans, ADecisionAboutASideThatWasTakenAgainIsNotApplied) {
+  ASSERT_TRUE(process("out").has_value());
+  const auto table = readCandidates(folder / "out" / "work" / "pairs" / "candidates.json");
+  ASSERT_TRUE(table.has_value()) << table.error().sentence();
+  ASSERT_EQ(table->fronts[0].photographs.size(), 64u) << "a SHA-256";
+  EXPECT_NE(table->fronts[0].photographs, table->backs[0].photographs);
+  PairDecision swapped;
+  swapped.kind = DecisionKind::Pair;
+  swapped.by = "AP";
+  swapped.scans = {table->fronts[0], table->backs[1]};
+  ASSERT_TRUE(appendDecision(folder / "out", swapped).has_value());
+  const auto decided = process("out");
+  ASSERT_TRUE(decided.has_value()) << decided.error().sentence();
+  EXPECT_EQ(decided->sherds.at(0).back, table->backs[1].id);
+
+  const fs::path back = folder / "scans/back" / "b001.ply";
+  PointCloud cloud = *readPlyCloud(back);
+  cloud.points.front().z() += 0.01f;
+  ASSERT_TRUE(writePly(back, cloud, "plate_back").has_value());
+  const auto again = process("out");
+  ASSERT_TRUE(again.has_value()) << again.error().sentence();
+  EXPECT_EQ(again->sherds.at(0).back, table->backs[0].id) << "the program's own";
+  ASSERT_FALSE(again->warnings.empty());
+  EXPECT_NE(again->warnings.front().find("decide again"), std::string::npos)
+      << again->warnings.front();
 }
 
 TEST_F(ProcessScans, AFolderWithoutScansSaysSo) {

@@ -1,0 +1,134 @@
+#include "pipeline/output_folder.h"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "base/files.h"
+#include "base/json.h"
+#include "base/parallel.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr const char* kBatchFile = "batch.json";  // in OUT/work, of process
+constexpr const char* kScansFile = "scans.json";  // in OUT/work, of register
+
+std::string nameOf(const fs::path& file, const batch::Batch& batch) {
+  return file.lexically_proximate(batch.folder).generic_string();
+}
+
+// An OUT belongs to one batch. It is the same one while a third of its photographs are the same:
+// one side may have been shot again. Plate and calibration are those of many batches.
+Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const batch::Batch& batch,
+                          const ordered_json& hashes) {
+  std::error_code failed;
+  if (!fs::exists(file, failed)) {
+    // A run that ended before it could name its batch leaves the lock alone.
+    const bool own = fs::exists(file.parent_path() / "lock", failed) &&
+                     !fs::exists(file.parent_path() / kScansFile, failed);
+    if (!own && fs::exists(output, failed) && !fs::is_empty(output, failed))
+      return Error{ErrorCode::UnusableInput,
+                   "The output folder holds something that is not from this program; choose "
+                   "another or an empty one.",
+                   output.string()};
+  } else if (const Result<std::string> text = readFile(file)) {
+    const ordered_json earlier = ordered_json::parse(*text, nullptr, false);
+    std::size_t same = 0;
+    for (const batch::Shot& shot : batch.shots) {
+      const std::string name = nameOf(shot.file, batch);
+      if (earlier.is_object() && earlier.contains(name) && earlier[name] == hashes[name]) ++same;
+    }
+    if (3 * same < batch.shots.size())
+      return Error{ErrorCode::UnusableInput,
+                   "The output folder holds another batch; choose another folder.",
+                   output.string()};
+  }
+  return {};
+}
+
+// As a run leaves it that ended before it could name its scans, or new, or empty.
+bool isUntouched(const fs::path& output) {
+  std::error_code failed;
+  if (!fs::exists(output, failed) || fs::is_empty(output, failed)) return true;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output, failed))
+    if (entry.path().filename() != "work") return false;
+  return fs::exists(output / "work" / "lock", failed) &&
+         !fs::exists(output / "work" / kBatchFile, failed) &&
+         !fs::exists(output / "work" / kScansFile, failed);
+}
+
+bool names(const fs::path& file, const std::string& scans_hash) {
+  const Result<nlohmann::json> earlier = readJson(file);
+  return earlier && earlier->is_object() && earlier->contains("inputs_hash") &&
+         earlier->at("inputs_hash") == scans_hash;
+}
+
+}  // namespace
+
+ordered_json batchHashes(const batch::Batch& batch, int threads) {
+  std::vector<fs::path> files;
+  for (const batch::Shot& shot : batch.shots) {
+    files.push_back(shot.file);
+    if (!shot.mask_file.empty()) files.push_back(shot.mask_file);
+  }
+  for (const batch::CalibrationShot& shot : batch.calibration) files.push_back(shot.file);
+  for (const batch::CalibrationShot& shot : batch.empty_plates) files.push_back(shot.file);
+  for (const char* name : {"plate.json", "board.json", "scale.json"})
+    if (fs::exists(batch.folder / name)) files.push_back(batch.folder / name);
+  std::vector<std::string> hashes(files.size());
+  parallelFor(files.size(), threads, [&](std::size_t i) {
+    const Result<std::string> bytes = readFile(files[i]);
+    hashes[i] = bytes ? sha256(*bytes) : "unreadable";
+  });
+  ordered_json named = ordered_json::object();
+  for (std::size_t i = 0; i < files.size(); ++i) named[nameOf(files[i], batch)] = hashes[i];
+  return named;
+}
+
+std::string photographsHash(const batch::Batch& batch, const ordered_json& hashes,
+                            batch::Side side) {
+  std::string all;
+  for (const batch::Shot& shot : batch.shots)
+    if (shot.side == side) {
+      const std::string name = nameOf(shot.file, batch);
+      all += name + ":" + hashes[name].get<std::string>() + "\n";
+    }
+  return sha256(all);
+}
+
+Result<FolderLock> claimOutput(const fs::path& output, const batch::Batch& batch,
+                               const ordered_json& hashes) {
+  const fs::path file = output / "work" / kBatchFile;
+  if (const Result<void> may = mayUseOutput(output, file, batch, hashes); !may) return may.error();
+  Result<FolderLock> held = FolderLock::take(output / "work");
+  if (!held) return held;
+  if (const Result<void> written = writeJson(file, hashes); !written) return written.error();
+  return held;
+}
+
+Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_hash) {
+  const fs::path file = output / "work" / kScansFile;
+  if (!isUntouched(output) && !names(file, scans_hash) &&
+      !names(output / "report.json", scans_hash))
+    return Error{ErrorCode::UnusableInput,
+                 "The output folder holds something else; name a new or empty folder.",
+                 output.string()};
+  Result<FolderLock> held = FolderLock::take(output / "work");
+  if (!held) return held;
+  const Result<void> written =
+      writeJson(file, {{"command", "register"}, {"inputs_hash", scans_hash}});
+  if (!written) return written.error();
+  return held;
+}
+
+void withdrawResults(const fs::path& output) {
+  std::error_code ignored;
+  for (const char* name : {"report.json", "report.html", "pairs.json"})
+    fs::remove(output / name, ignored);
+  fs::remove_all(output / "unpaired", ignored);
+}
+
+}  // namespace ostraka::pipeline

@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "base/folder_lock.h"
+#include "base/result.h"
+#include "batch/batch.h"
+
+namespace ostraka::pipeline {
+
+/// Names (relative to the batch) and SHA-256 of all that is read from a batch.
+nlohmann::ordered_json batchHashes(const batch::Batch& batch, int threads);
+
+/// What tells one taking of a side from another (ScanRef::photographs). hashes: batchHashes.
+std::string photographsHash(const batch::Batch& batch, const nlohmann::ordered_json& hashes,
+                            batch::Side side);
+
+/// Holds OUT for one run and notes whose it is; nothing is written before the folder is held, for
+/// another run may be at work in it. Errors: UnusableInput (OUT of another batch, or of another
+/// program), those of FolderLock::take, CannotWrite.
+Result<FolderLock> claimOutput(const std::filesystem::path& output, const batch::Batch& batch,
+                               const nlohmann::ordered_json& hashes);
+
+/// The same for scans that are registered; scans_hash names them. An OUT of the same scans goes on,
+/// also one of a run that was stopped.
+Result<FolderLock> claimOutput(const std::filesystem::path& output, const std::string& scans_hash);
+
+/// What an earlier run left on top must not look whole while this one may change it.
+void withdrawResults(const std::filesystem::path& output);
+
+}  // namespace ostraka::pipeline

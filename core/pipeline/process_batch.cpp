@@ -388,6 +388,8 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
   if (!fronts) return fronts.error();
   const Result<ScanFolder> backs = readScanFolder(options.batch / "back", options.threads);
   if (!backs) return backs.error();
+  if (const Result<void> unit = checkUnit(*fronts, *backs, "export them in mm"); !unit)
+    return unit.error();
   const batch::Batch batch = batchOf(options.batch, *fronts, *backs);
   const Result<Decisions> decisions = readDecisions(options.output);
   if (!decisions) return decisions.error();

@@ -9,7 +9,9 @@
 
 namespace ostraka::pipeline {
 
-/// Scans that were split already: one PLY per sherd, oriented points, mm.
+/// Scans that were split already: one PLY per sherd, oriented points, mm. Points that are no
+/// measurement (far outside of all others, or several at 0, 0, 0) are left out with a warning, and
+/// files whose names begin with a dot are not looked at.
 struct ScanFolder {
   std::vector<scan::Scan> scans;  ///< in the order of their files' names, which they bear
   std::vector<std::filesystem::path> files;  ///< of the scans
@@ -20,6 +22,15 @@ struct ScanFolder {
 
 /// Files are opened for reading only. Errors: UnusableInput, no PLY file or none that can be used.
 Result<ScanFolder> readScanFolder(const std::filesystem::path& folder, int threads);
+
+/// The longest edge of the middle scan's box, in the scans' unit; at least one scan.
+double medianLength(std::span<const scan::Scan> scans);
+/// 8 to 400: what is shorter or longer is not in mm.
+bool isSherdLength(double mm);
+/// Whether both sides can be in mm. what_to_do: how the sentence ends. Errors: UnusableInput, with
+/// the unit that they look like; also when one side is more than 3 times as long as the other.
+Result<void> checkUnit(const ScanFolder& fronts, const ScanFolder& backs,
+                       const std::string& what_to_do);
 
 /// Whether a batch folder holds split scans (PLY files in front/) instead of photographs.
 bool holdsScans(const std::filesystem::path& batch);

@@ -57,6 +57,7 @@ double outlineLogLikelihood(const PlanarFit& fit, double perimeter_mm) {
   constexpr double kOther = 0.015;  // of the perimeter: half of a stranger's distances exceed it
   constexpr double kCorrelation = 6.0;  // mm, about a wall's thickness
   constexpr double kPi = std::numbers::pi;
+  constexpr double kLeast = 1e-300;  // metres apart (a wrong unit) both terms below would vanish
   const double other = kOther * perimeter_mm;
   const double independent =
       perimeter_mm / kCorrelation / static_cast<double>(fit.distances_mm.size());
@@ -67,7 +68,7 @@ double outlineLogLikelihood(const PlanarFit& fit, double perimeter_mm) {
     for (std::size_t k = 0; k < kSigmas.size(); ++k) {
       const double u = d / kSigmas[k];
       const double same = (1 - kMissing) * std::sqrt(2 / kPi) / kSigmas[k] * std::exp(-0.5 * u * u);
-      sums[k] += independent * std::log((same + hidden) / random);
+      sums[k] += independent * std::log(std::max(same + hidden, kLeast) / random);
     }
   }
   const double best = *std::max_element(sums.begin(), sums.end());

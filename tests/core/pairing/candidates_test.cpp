@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "synthetic_sherd.h"
 
 namespace ostraka::pairing {
@@ -155,6 +157,20 @@ TEST(FindCandidates, LeavesOutAScanWithoutAnOutlineWithANote) {
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->size(), 1u);
   EXPECT_NE(progress.heard.find("f009"), std::string::npos);
+}
+
+// A scan in the wrong unit is metres away from all others' outlines: a stranger, not no figure.
+TEST(FindCandidates, GivesAFigureForAScanOfAnyLength) {
+  Batch batch = batchOf({SlabSherd(1), SlabSherd(2)});
+  for (Eigen::Vector3f& p : batch.fronts[1].cloud.points) p *= 200;
+  CandidateOptions options;
+  options.reach = 1e9;
+  const auto found = candidatesOf(batch, options);
+  ASSERT_TRUE(found.has_value()) << found.error().what;
+  for (const PairCandidate& c : *found) EXPECT_TRUE(std::isfinite(c.log_likelihood));
+  const PairCandidate* own = candidate(*found, 0, 0);
+  ASSERT_NE(own, nullptr);
+  EXPECT_GT(own->log_likelihood, 20);
 }
 
 TEST(FindCandidates, StopsOnRequestAndRefusesWrongOptions) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "command.h"
 #include "pipeline/process_batch.h"
 
@@ -19,16 +20,17 @@ using pipeline::SherdSummary;
 ordered_json asJson(const ProcessSummary& summary, int status) {
   ordered_json sherds = ordered_json::array();
   for (const SherdSummary& s : summary.sherds)
-    sherds.push_back({{"number", s.number},
-                      {"front", s.front},
-                      {"back", s.back},
-                      {"score", s.score},
-                      {"ambiguous", s.ambiguous},
-                      {"decided_by", s.decided_by},
-                      {"rim_rms_mm", s.rim_rms_mm},
-                      {"uncertainty_mm", s.uncertainty_mm},
-                      {"model", s.has_model},
-                      {"remark", s.remark}});
+    sherds.push_back(
+        {{"number", s.number},
+         {"front", s.front},
+         {"back", s.back},
+         {"score", s.score},
+         {"ambiguous", s.ambiguous},
+         {"decided_by", s.decided_by},
+         {"rim_rms_mm", s.rimsCompared() ? ordered_json(s.rim_rms_mm) : ordered_json()},
+         {"uncertainty_mm", s.uncertainty_mm},
+         {"model", s.has_model},
+         {"remark", s.remark}});
   return {{"sherds", sherds},
           {"unpaired_front", summary.unpaired_front},
           {"unpaired_back", summary.unpaired_back},
@@ -52,8 +54,9 @@ void printTable(const ProcessSummary& summary) {
     const std::string state = std::string(s.ambiguous ? "AMBIGUOUS " : "") +
                               (s.decided_by.empty() ? "" : "decided by " + s.decided_by + " ") +
                               (s.has_model ? "" : "no model ") + s.remark;
-    std::printf("%-6s %-8s %-8s %7.4f %10.3f %12.3f  %s\n", s.number.c_str(), s.front.c_str(),
-                s.back.c_str(), s.score, s.rim_rms_mm, s.uncertainty_mm, state.c_str());
+    std::printf("%-6s %-8s %-8s %7.4f %10s %12.3f  %s\n", s.number.c_str(), s.front.c_str(),
+                s.back.c_str(), s.score, s.rimsCompared() ? fixed(s.rim_rms_mm, 3).c_str() : "-",
+                s.uncertainty_mm, state.c_str());
   }
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "command.h"
 #include "pipeline/register_report.h"
 #include "pipeline/register_scans.h"
@@ -25,6 +26,7 @@ ordered_json asJson(const RegisterSummary& summary, int status) {
           {"warnings", summary.warnings},
           {"seconds", summary.seconds},
           {"pairs_file", summary.pairs_file.string()},
+          {"whole", summary.whole()},
           {"exit_status", status}};
 }
 
@@ -32,9 +34,11 @@ void printTable(const RegisterSummary& summary) {
   std::printf("%-6s %-8s %-8s %7s %7s %10s %8s %12s\n", "sherd", "front", "back", "score", "margin",
               "rim RMS mm", "overlap", "uncertain mm");
   for (const RegisterSummary::Pair& p : summary.pairs)
-    std::printf("%-6s %-8s %-8s %7.4f %7.4f %10.3f %8.2f %12.3f  %s%s\n", p.number.c_str(),
-                p.front.c_str(), p.back.c_str(), p.score, p.margin, p.rim_rms_mm, p.rim_overlap,
-                p.uncertainty_mm, p.ambiguous ? "AMBIGUOUS " : "", p.reason.c_str());
+    std::printf("%-6s %-8s %-8s %7.4f %7.4f %10s %8s %12.3f  %s%s\n", p.number.c_str(),
+                p.front.c_str(), p.back.c_str(), p.score, p.margin,
+                p.rimsCompared() ? fixed(p.rim_rms_mm, 3).c_str() : "-",
+                p.rimsCompared() ? fixed(p.rim_overlap, 2).c_str() : "-", p.uncertainty_mm,
+                p.ambiguous ? "AMBIGUOUS " : "", p.reason.c_str());
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);
   std::printf("%zu %s in %.1f s: %s\n", summary.pairs.size(),
@@ -53,8 +57,9 @@ int runRegister(const RegisterOptions& options, Session& session) {
   const Result<RegisterSummary> summary =
       pipeline::registerScans(options, session.progress, session.stop);
   if (!summary) return fail(session, summary.error());
-  const bool whole = summary->unusable == 0 && !summary->pairs.empty();
-  const int status = summary->ambiguous() > 0 ? PersonMustDecide : whole ? Whole : NotWhole;
+  const int status = summary->ambiguous() > 0 ? PersonMustDecide
+                     : summary->whole()       ? Whole
+                                              : NotWhole;
   session.finishProgress();
   if (session.json)
     printJson(asJson(*summary, status));

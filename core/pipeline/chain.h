@@ -61,6 +61,7 @@ struct DecidedPair {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   double rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
   std::string decided_by, decided_at;  ///< a person's word; empty: the program's own
+  bool rimsCompared() const { return rim_rms_mm > 0; }
 };
 
 struct Pairs {

@@ -6,6 +6,7 @@
 #include "base/json.h"
 #include "pipeline/chain.h"
 #include "pipeline/decided_pairs.h"
+#include "pipeline/run_log.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -157,8 +158,9 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
   };
   const auto compare = [&](const fs::path& folder) -> Result<StageNotes> {
     const PairOptions options = optionsOf(run);
+    WarningsKept kept(run.progress);  // such as of a scan without an outline
     Result<CandidateTable> table = withWitnesses([&](const registration::Witnesses& witnesses) {
-      return compareSides(fronts.value, backs.value, witnesses, options, run.progress, run.stop);
+      return compareSides(fronts.value, backs.value, witnesses, options, kept, run.stop);
     });
     if (!table) return table.error();
     nameSources(run, batch::Side::Front, table->fronts, table->front_files);
@@ -171,7 +173,8 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     if (const Result<void> w = writeJson(folder / "candidates.json", toJson(*table)); !w)
       return w.error();
     if (const Result<void> w = writePairs(folder, *pairs, *table); !w) return w.error();
-    return StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}}, {}};
+    return StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}},
+                      kept.warnings};
   };
   Result<StageRecord> record = runStage(run.work, "pairs",
                                         {{"poses", poses.record.outputs_hash},
@@ -180,10 +183,10 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                                          {"fronts", fronts.record.outputs_hash},
                                          {"backs", backs.record.outputs_hash},
                                          {"pairing", static_cast<int>(run.options.pairing)},
+                                         {"photographs", run.photographs},
                                          {"leaves", "candidates"}},
                                         compare, run.progress);
   if (!record) return record.error();
-                                         {"photographs", run.photographs},
   std::string folder = "pairs";
   const Decisions decisions = aboutPartners(run.decisions);
   if (!decisions.empty()) {
@@ -193,10 +196,13 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
         return decide(run, into, decisions, witnesses, fronts, backs);
       });
     };
+    const std::vector<std::string> compared = record->notes.warnings;
     record = runStage(run.work, folder,
                       {{"pairs", record->outputs_hash}, {"decisions", toJson(decisions)}}, work,
                       run.progress);
     if (!record) return record.error();
+    std::vector<std::string>& told = record->notes.warnings;
+    told.insert(told.begin(), compared.begin(), compared.end());
   }
   Result<Pairs> pairs = readPairs(run.work / folder / "pairs.json", fronts.value, backs.value);
   if (!pairs) return pairs.error();

@@ -46,7 +46,8 @@ std::string overlay(const PointCloud& front, const PointCloud& back, const Eigen
 }
 
 /// A slice of a millimetre around the middle, seen from the side: the wall and its two faces.
-std::string pictures(const scan::Scan& front, const scan::Scan& back, const SherdPair& pair) {
+std::string pictures(const scan::Scan& front, const scan::Scan& back, const SherdPair& pair,
+                     double mm) {
   PointCloud moved = back.cloud;
   for (Eigen::Vector3f& p : moved.points) p *= static_cast<float>(pair.registration.scale);
   moved = transformed(moved, pair.registration.front_from_back);
@@ -59,11 +60,11 @@ std::string pictures(const scan::Scan& front, const scan::Scan& back, const Sher
     std::vector<int> kept;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       const double off = ahead.dot(cloud.points[i].cast<double>() - middle);
-      if (std::abs(off) < 0.5) kept.push_back(static_cast<int>(i));
+      if (std::abs(off) < 0.5 * mm) kept.push_back(static_cast<int>(i));
     }
     return subset(cloud, kept);
   };
-  const auto sparse = [](const PointCloud& cloud) { return thinned(cloud, 1.0); };
+  const auto sparse = [&](const PointCloud& cloud) { return thinned(cloud, mm); };
   return overlay(sparse(front.cloud), sparse(moved), right, ahead) +
          overlay(slice(front.cloud), slice(moved), right, up);
 }
@@ -103,11 +104,13 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
     }
     page += std::string("<tr") + (p.ambiguous ? " class=\"ask\"" : "") + "><td>" + p.number +
             "</td><td>" + markupText(p.front) + "</td><td>" + markupText(p.back) + "</td><td>" +
-            fixed(100 * p.score, 2) + " %</td><td>" + fixed(p.rim_rms_mm, 3) + " mm</td><td>" +
-            fixed(100 * p.rim_overlap, 0) + " %</td><td>" + fixed(p.uncertainty_mm, 3) +
-            " mm</td><td>" + markupText(remark) + "</td><td>" +
+            fixed(100 * p.score, 2) + " %</td><td>" +
+            (p.rimsCompared() ? fixed(p.rim_rms_mm, 3) + " mm</td><td>" +
+                                    fixed(100 * p.rim_overlap, 0) + " %</td><td>"
+                              : std::string("–</td><td>–</td><td>")) +
+            fixed(p.uncertainty_mm, 3) + " mm</td><td>" + markupText(remark) + "</td><td>" +
             pictures(fronts[static_cast<std::size_t>(d.front)],
-                     backs[static_cast<std::size_t>(d.back)], table.pairs[i]) +
+                     backs[static_cast<std::size_t>(d.back)], table.pairs[i], summary.mm) +
             "</td></tr>";
   }
   return page + "</table></body></html>\n";
@@ -116,6 +119,9 @@ std::string html(const RegisterSummary& summary, const PairTable& table,
 }  // namespace
 
 ordered_json toJson(const RegisterSummary::Pair& pair) {
+  const auto ofRims = [&](double figure) {
+    return pair.rimsCompared() ? ordered_json(figure) : ordered_json();
+  };
   return {{"number", pair.number},
           {"front", pair.front},
           {"back", pair.back},
@@ -123,8 +129,8 @@ ordered_json toJson(const RegisterSummary::Pair& pair) {
           {"margin", pair.margin},
           {"ambiguous", pair.ambiguous},
           {"reason", pair.reason},
-          {"rim_rms_mm", pair.rim_rms_mm},
-          {"rim_overlap", pair.rim_overlap},
+          {"rim_rms_mm", ofRims(pair.rim_rms_mm)},
+          {"rim_overlap", ofRims(pair.rim_overlap)},
           {"uncertainty_mm", pair.uncertainty_mm}};
 }
 

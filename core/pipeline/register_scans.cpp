@@ -14,8 +14,10 @@
 #include "base/text.h"
 #include "cloud/ply.h"
 #include "pairing/common_scale.h"
+#include "pipeline/output_folder.h"
 #include "pipeline/pair_sides.h"
 #include "pipeline/register_report.h"
+#include "pipeline/run_log.h"
 #include "pipeline/scan_folder.h"
 #include "scan/rim.h"
 
@@ -41,19 +43,6 @@ PointCloud mergedCloud(const scan::Scan& front, const scan::Scan& back,
   }
   merged.quality.clear();
   return merged;
-}
-
-/// OUT may be new, empty, or of the same scans; anything else is left alone.
-Result<void> checkOutput(const RegisterOptions& options, const std::string& inputs_hash) {
-  std::error_code failed;
-  if (!fs::exists(options.output, failed) || fs::is_empty(options.output, failed)) return {};
-  const fs::path report = options.output / "report.json";
-  const Result<nlohmann::json> earlier = readJson(report);
-  if (earlier && earlier->is_object() && earlier->value("inputs_hash", "") == inputs_hash)
-    return {};
-  return Error{ErrorCode::UnusableInput,
-               "The output folder holds something else; name a new or empty folder.",
-               options.output.string()};
 }
 
 std::string numberOf(std::size_t i) {
@@ -84,32 +73,66 @@ RegisterSummary summaryOf(const PairTable& table, const ScanFolder& fronts,
   return summary;
 }
 
-/// With scale free, the backs are first brought to the fronts' size: one scale for the whole batch
-/// is known better (0.1 %) than each pair's own could be.
-Result<PairTable> paired(const RegisterOptions& options, std::span<const scan::Scan> fronts,
-                         std::span<const scan::Scan> backs, Progress& progress,
-                         std::stop_token stop) {
+struct Paired {
+  PairTable table;
+  double mm = 1;  ///< RegisterSummary::mm
+};
+
+std::vector<scan::Scan> allScaled(std::span<const scan::Scan> scans, double factor) {
+  std::vector<scan::Scan> sized;
+  for (const scan::Scan& scan : scans) sized.push_back(pairing::scaled(scan, factor));
+  return sized;
+}
+
+/// From fronts that were brought to a usual size by the factor to their own unit.
+void bringBack(SherdPair& pair, double factor) {
+  registration::Registration& found = pair.registration;
+  found.front_from_back.translation() /= factor;
+  for (double* length : {&found.rim_rms_mm, &found.misfit_mm, &found.uncertainty_mm,
+                         &found.runner_up_mm, &found.thickness_mm, &pair.contour_rms_mm})
+    *length /= factor;
+}
+
+/// With scale free, both sides are first brought to one size, the fronts' own where that can be mm
+/// (all tolerances are in mm): one scale for the whole batch is known better (0.1 %) than each
+/// pair's own could be.
+Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan> fronts,
+                      std::span<const scan::Scan> backs, Progress& progress, std::stop_token stop) {
+  constexpr double kUsual_mm = 45;
   PairOptions pair_options;
   pair_options.candidates.method = options.pairing;
   pair_options.candidates.threads = options.threads;
   pair_options.threads = options.threads;
+  std::vector<scan::Scan> sized_fronts, sized_backs;
+  double factor = 1, scale = 1;
+  if (options.scale == pairing::Scale::Free) {
+    const Result<double> found =
+        pairing::commonScale(fronts, backs, pair_options.candidates, progress, stop);
+    if (!found) return found.error();
+    scale = *found;
+    progress.note(NoteLevel::Info, "pairing: the fronts are " + std::to_string(scale) +
+                                       " times the size of the backs");
+    if (const double length = medianLength(fronts); !isSherdLength(length)) {
+      factor = kUsual_mm / length;
+      progress.note(NoteLevel::Warning,
+                    "The fronts are not in mm: lengths of the result, mm by name, are in the "
+                    "fronts' own unit.");
+    }
+    sized_fronts = allScaled(fronts, factor);
+    sized_backs = allScaled(backs, scale * factor);
+    fronts = sized_fronts;
+    backs = sized_backs;
+  }
   registration::Witnesses witnesses;
   witnesses.front_on_plate = standOnPlate(fronts);
   witnesses.back_on_plate = standOnPlate(backs);
-  if (options.scale == pairing::Scale::Fixed) {
-    return pairSides(fronts, backs, witnesses, pair_options, progress, stop);
-  }
-  const Result<double> scale =
-      pairing::commonScale(fronts, backs, pair_options.candidates, progress, stop);
-  if (!scale) return scale.error();
-  progress.note(NoteLevel::Info, "pairing: the fronts are " + std::to_string(*scale) +
-                                     " times the size of the backs");
-  std::vector<scan::Scan> sized;
-  for (const scan::Scan& back : backs) sized.push_back(pairing::scaled(back, *scale));
-  Result<PairTable> table = pairSides(fronts, sized, witnesses, pair_options, progress, stop);
+  Result<PairTable> table = pairSides(fronts, backs, witnesses, pair_options, progress, stop);
   if (!table) return table.error();
-  for (SherdPair& pair : table->pairs) pair.registration.scale = *scale;
-  return table;
+  for (SherdPair& pair : table->pairs) {
+    pair.registration.scale = scale;
+    bringBack(pair, factor);
+  }
+  return Paired{std::move(*table), 1 / factor};
 }
 
 }  // namespace
@@ -127,6 +150,10 @@ int RegisterSummary::ambiguous() const {
       std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.ambiguous; }));
 }
 
+bool RegisterSummary::whole() const {
+  return unusable == 0 && !pairs.empty() && unpaired_front.empty() && unpaired_back.empty();
+}
+
 Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& progress,
                                       std::stop_token stop) {
   const auto begin = std::chrono::steady_clock::now();
@@ -138,13 +165,25 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
   if (!backs) return backs.error();
   for (const ScanFolder* side : {&*fronts, &*backs})
     for (const std::string& warning : side->warnings) progress.note(NoteLevel::Warning, warning);
+  if (options.scale == pairing::Scale::Fixed) {
+    const Result<void> unit = checkUnit(*fronts, *backs, "export them in mm, or use --scale free");
+    if (!unit) return unit.error();
+  }
   const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
-  if (const Result<void> free = checkOutput(options, inputs_hash); !free) return free.error();
+  const Result<FolderLock> held = claimOutput(options.output, inputs_hash);
+  if (!held) return held.error();
+  withdrawResults(options.output);
+  std::error_code ignored;
+  fs::remove_all(options.output / "sherds", ignored);
 
-  const Result<PairTable> table = paired(options, fronts->scans, backs->scans, progress, stop);
-  if (!table) return table.error();
+  WarningsKept kept(progress);
+  const Result<Paired> found = paired(options, fronts->scans, backs->scans, kept, stop);
+  if (!found) return found.error();
+  const PairTable* table = &found->table;
 
   RegisterSummary summary = summaryOf(*table, *fronts, *backs);
+  summary.mm = found->mm;
+  summary.warnings.insert(summary.warnings.end(), kept.warnings.begin(), kept.warnings.end());
   for (std::size_t i = 0; i < table->pairs.size(); ++i) {
     if (stop.stop_requested()) return Error::cancelled();
     const SherdPair& pair = table->pairs[i];

@@ -26,6 +26,8 @@ struct RegisterSummary {
     double score = 0, margin = 0, rim_rms_mm = 0, rim_overlap = 0, uncertainty_mm = 0;
     bool ambiguous = false;
     std::string reason;  ///< why a person must look; empty otherwise
+    /// False: no rims to compare, and the figures above but the uncertainty say nothing.
+    bool rimsCompared() const { return rim_rms_mm > 0; }
   };
   std::vector<Pair> pairs;  ///< by front
   std::vector<std::string> unpaired_front, unpaired_back;
@@ -33,13 +35,18 @@ struct RegisterSummary {
   int unusable = 0;                   ///< files that could not be read: the result is not whole
   double seconds = 0;
   std::filesystem::path pairs_file;
+  /// A millimetre in the fronts' unit, by the usual size of sherds; 1 where they may well be in mm.
+  double mm = 1;
   int ambiguous() const;
+  bool whole() const;  ///< every scan is in a pair, and every file could be read
 };
 
 /// Scans split already (one PLY per sherd and side, oriented points, mm) to registered pairs:
 /// writes OUT/pairs.json (metrics.md), OUT/sherds/<nn>/merged.ply in the front scan's frame,
 /// OUT/report.json and OUT/report.html. A file that cannot be used costs that scan, with a warning.
-/// Errors: UnusableInput (no usable scan on a side, OUT of other scans), CannotWrite, Cancelled.
+/// With Scale::Free all lengths and poses are in the fronts' own unit, whatever it is. Errors:
+/// UnusableInput (no usable scan on a side, scans of Scale::Fixed that are not in mm, OUT of other
+/// scans), CannotWrite, Cancelled.
 Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& progress,
                                       std::stop_token stop);
 

@@ -242,9 +242,12 @@ std::string pairTable(const ReportInput& input) {
     const DecidedPair& p = *sherd.pair;
     html += "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
             markupText(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
-            fixed(p.margin, 2) + "</td><td>" + fixed(p.rim_rms_mm, 3) + "</td><td>" +
-            fixed(100 * p.rim_overlap, 0) + " %</td><td>" + fixed(p.uncertainty_mm, 3) +
-            "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
+            fixed(p.margin, 2) + "</td><td>" +
+            (p.rimsCompared()
+                 ? fixed(p.rim_rms_mm, 3) + "</td><td>" + fixed(100 * p.rim_overlap, 0) + " %"
+                 : std::string("–</td><td>–")) +
+            "</td><td>" + fixed(p.uncertainty_mm, 3) + "</td><td class=\"words\">" +
+            (p.ambiguous ? "<span class=\"ask\">look</span> " : "") +
             markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
   }
   html += "</table>";

@@ -33,7 +33,7 @@ struct Marker {
 
 struct Plate {
   std::string dictionary;  ///< OpenCV's name, as DICT_4X4_100
-  double diameter_mm = 0;
+  double diameter_mm = 0;  ///< not in plate.json: of the circle through the farthest marker corner
   std::vector<Marker> markers;
 };
 

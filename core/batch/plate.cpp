@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -28,6 +29,15 @@ Marker markerFromJson(const nlohmann::json& value) {
   return marker;
 }
 
+// Of the circle about the plate's middle that holds all markers: what is known to be plate.
+double markedDiameter(const Plate& plate) {
+  double radius = 0;
+  for (const Marker& marker : plate.markers)
+    for (const Eigen::Vector3d& corner : marker.corners)
+      radius = std::max(radius, corner.head<2>().norm());
+  return 2 * radius;
+}
+
 // The names differ between our boards and those of others.
 double lengthFromJson(const nlohmann::json& value, const char* ours, const char* theirs) {
   return value.at(value.contains(ours) ? ours : theirs).get<double>();
@@ -43,21 +53,20 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
     if (json->value("unit", "mm") != "mm")
       return Error::unusable("The plate's unit must be mm; print the plate's file again.", file);
     plate.dictionary = json->at("dictionary").get<std::string>();
-    plate.diameter_mm = json->value("diameter", 0.0);
     for (const nlohmann::json& value : json->at("markers")) {
       if (plate.markers.size() >= kMaxMarkers)
         return Error::unusable("The plate names more than 1024 markers.", file);
       plate.markers.push_back(markerFromJson(value));
     }
+    plate.diameter_mm =
+        json->contains("diameter") ? json->at("diameter").get<double>() : markedDiameter(plate);
   } catch (const nlohmann::json::exception&) {
     return Error::unusable(
-        "The plate needs 'dictionary', 'diameter' and 'markers' with an id and four "
-        "corners of three numbers each.",
+        "The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers "
+        "each; 'diameter', where it is given, is a number in mm.",
         file);
   }
   if (plate.markers.empty()) return Error::unusable("The plate names no marker.", file);
-  if (!(plate.diameter_mm >= 0 && plate.diameter_mm <= 2 * kMaxMm))
-    return Error::unusable("The plate's diameter is no length in mm.", file);
   std::set<int> ids;
   for (const Marker& marker : plate.markers) {
     const std::string name = "Marker " + std::to_string(marker.id);
@@ -65,6 +74,8 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
     if (!ids.insert(marker.id).second)
       return Error::unusable(name + " stands twice on the plate.", file);
   }
+  if (!(plate.diameter_mm > 0 && plate.diameter_mm <= 2 * kMaxMm))
+    return Error::unusable("The plate's diameter is no length in mm.", file);
   return plate;
 }
 

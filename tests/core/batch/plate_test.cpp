@@ -29,6 +29,24 @@ TEST(ReadPlate, ReadsMarkersWithTheirCorners) {
   EXPECT_EQ(plate->markers[0].corners[1], Eigen::Vector3d(1, 1, 0));
 }
 
+TEST(ReadPlate, WithoutADiameterReachesToTheFarthestMarker) {
+  const auto plate = plateOf(R"({"unit":"mm","dictionary":"DICT_4X4_100","markers":[
+      {"id":3,"corners":[[0,1,0],[1,1,0],[1,0,0],[0,0,0]]},
+      {"id":4,"corners":[[29,40,0],[30,40,0],[30,39,0],[29,39,0]]}]})");
+  ASSERT_TRUE(plate.has_value()) << plate.error().sentence();
+  EXPECT_DOUBLE_EQ(plate->diameter_mm, 100);  // 30, 40, 50
+}
+
+TEST(ReadPlate, RefusesADiameterThatIsNone) {
+  for (const char* diameter : {"0", "-5", "1e9", "\"wide\""})
+    EXPECT_THAT(plateOf(R"({"dictionary":"D","diameter":)" + std::string(diameter) +
+                        R"(,"markers":[)" + kMarker + "]}")
+                    .error()
+                    .what,
+                HasSubstr("diameter"))
+        << diameter;
+}
+
 TEST(ReadPlate, RefusesWhatIsNoPlate) {
   EXPECT_FALSE(plateOf("[]").has_value());
   EXPECT_FALSE(plateOf("{}").has_value());

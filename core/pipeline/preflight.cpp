@@ -13,8 +13,9 @@ namespace ostraka::pipeline {
 namespace {
 
 // Peaks of whole runs with 8 or 9 sherds: 0.68 GB with photographs of 0.75 megapixels, 1.59 with
-// 1.9, 2.65 with 3.2, 4.03 with 5, these averaged down from 27 (tests/bench/RESULTS.md).
-constexpr double kBase_mb = 80, kEachMegapixel_mb = 790;
+// 1.9, 2.65 with 3.2, 4.03 with 5, these averaged down from 27 (tests/bench/RESULTS.md). All had 24
+// photographs a side, and what is held is pictures, masks and depths of all photographs of a side.
+constexpr double kBase_mb = 80, kEachMegapixel_mb = 790.0 / 24;
 constexpr double kPixelsPerMegapixel = 1e6;
 
 std::string text(const char* form, double a, double b) {
@@ -23,10 +24,10 @@ std::string text(const char* form, double a, double b) {
   return out.data();
 }
 
-std::string countOf(const batch::Batch& batch, batch::Side side) {
-  const auto n = std::count_if(batch.shots.begin(), batch.shots.end(),
-                               [&](const batch::Shot& s) { return s.side == side; });
-  return std::to_string(n) + " of the " + batch::name(side);
+int countOf(const batch::Batch& batch, batch::Side side) {
+  return static_cast<int>(
+      std::count_if(batch.shots.begin(), batch.shots.end(),
+                    [&](const batch::Shot& shot) { return shot.side == side; }));
 }
 
 // The program that a later stage would miss; empty: none.
@@ -71,9 +72,10 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
   }
   original /= kPixelsPerMegapixel;
   ahead.megapixels = std::min(original, options.megapixels);
-  ahead.memory_mb = kBase_mb + kEachMegapixel_mb * ahead.megapixels;
-  ahead.lines.push_back("before: photographs: " + countOf(batch, batch::Side::Front) + ", " +
-                        countOf(batch, batch::Side::Back) + ", from " +
+  const int fronts = countOf(batch, batch::Side::Front), backs = countOf(batch, batch::Side::Back);
+  ahead.memory_mb = kBase_mb + kEachMegapixel_mb * ahead.megapixels * std::max(fronts, backs);
+  ahead.lines.push_back("before: photographs: " + std::to_string(fronts) + " of the front, " +
+                        std::to_string(backs) + " of the back, from " +
                         std::to_string(cameras.size()) + " cameras at " +
                         std::to_string(stops.size()) + " stops; " +
                         text("%.1f megapixels, used with %.1f", original, ahead.megapixels));

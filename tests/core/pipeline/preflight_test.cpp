@@ -7,12 +7,12 @@ namespace {
 
 using testing::HasSubstr;
 
-batch::Batch batchOf(int width, int height) {
+batch::Batch batchOf(int width, int height, int stops = 8) {
   batch::Batch batch;
   batch.plate = batch::Plate{};
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
     for (int camera = 0; camera < 3; ++camera)
-      for (int stop = 0; stop < 8; ++stop)
+      for (int stop = 0; stop < stops; ++stop)
         batch.shots.push_back({side, camera, stop, "a.jpg", {}, width, height});
   return batch;
 }
@@ -39,6 +39,15 @@ TEST(Preflight, LargePhotographsAreReducedAndTakeLittleMore) {
   EXPECT_NEAR(large->memory_mb, small->memory_mb, 50);
   EXPECT_THAT(large->lines[0], HasSubstr("24.0 megapixels, used with 5.0"));
   EXPECT_TRUE(large->warnings.empty()) << "free memory is not known";
+}
+
+TEST(Preflight, TheLargerSidesPhotographsDecideOnMemory) {
+  const double once = preflight(batchOf(2592, 1944), {}, 0)->memory_mb;
+  batch::Batch twice = batchOf(2592, 1944, 16);
+  EXPECT_NEAR(preflight(twice, {}, 0)->memory_mb, 2 * once, 100) << "80 MB are there anyway";
+  std::erase_if(twice.shots,
+                [](const batch::Shot& s) { return s.side == batch::Side::Back && s.stop > 0; });
+  EXPECT_NEAR(preflight(twice, {}, 0)->memory_mb, 2 * once, 100) << "sides come one by one";
 }
 
 TEST(Preflight, TooLittleMemoryIsSaidBeforeTheStartAndADraftTakesLess) {

@@ -10,7 +10,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
-#include "batch/photograph.h"
+#include "batch/label_mask.h"
 
 namespace ostraka::rig {
 namespace fs = std::filesystem;
@@ -106,13 +106,16 @@ class Session {
 
  private:
   Result<void> writeMask(const fs::path& file, const std::string& name) {
-    const Result<cv::Mat> labels = batch::readMask(file);
-    if (!labels) return labels.error();
+    const Result<cv::Mat1b> mask = batch::readLabelMask(file);
+    if (!mask) {
+      progress_.note(NoteLevel::Warning,
+                     mask.error().sentence() + " This photograph is posed without its mask.");
+      return {};
+    }
     const fs::path target = workspace_ / "masks" / (name + ".png");
     std::error_code failed;
     fs::create_directories(target.parent_path(), failed);
-    const cv::Mat mask = *labels > 0;
-    if (failed || !cv::imwrite(target.string(), mask))
+    if (failed || !cv::imwrite(target.string(), *mask))
       return Error{ErrorCode::CannotWrite, "The mask cannot be written.", target.string()};
     with_masks_ = true;
     return {};

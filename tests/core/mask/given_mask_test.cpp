@@ -46,6 +46,17 @@ TEST_F(GivenMask, SixteenBitLabelsAboveAByteAreInside) {
   EXPECT_EQ(cv::countNonZero(*mask), 1);
 }
 
+// A JPEG's ringing makes greys of 1 to 30 outside of a hard edge.
+TEST_F(GivenMask, AJpegEndsAtItsEdgeAndNotWhereItRings) {
+  cv::Mat1b truth(120, 160, uchar{0});
+  truth(cv::Rect(43, 37, 70, 50)) = 255;
+  const std::filesystem::path path = folder_ / "mask.jpg";
+  cv::imwrite(path.string(), truth, {cv::IMWRITE_JPEG_QUALITY, 70});
+  const auto mask = readGivenMask(path, 160, 120);
+  ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
+  EXPECT_EQ(cv::countNonZero(*mask != truth), 0);
+}
+
 TEST_F(GivenMask, AnAlphaChannelCountsAlone) {
   cv::Mat4b picture(1, 2, cv::Vec4b(9, 9, 9, 0));
   picture(0, 1)[3] = 255;

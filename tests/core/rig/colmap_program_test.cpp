@@ -13,6 +13,16 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+class Listener final : public Progress {
+ public:
+  void begin(std::string_view, double) override {}
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel level, std::string_view text) override {
+    if (level == NoteLevel::Warning) warnings.emplace_back(text);
+  }
+  std::vector<std::string> warnings;
+};
+
 class ColmapProgram : public testing::Test {
  protected:
   void SetUp() override {
@@ -89,6 +99,30 @@ TEST_F(ColmapProgram, GivesTheShotsTheirPosesInATurntableFrame) {
   const ColmapPoses scaled = scaledTo(*poses, 2);
   EXPECT_TRUE(scaled.has_scale);
   EXPECT_NEAR(scaled.images[0].centre().norm(), 2 * poses->images[0].centre().norm(), 1e-9);
+}
+
+TEST_F(ColmapProgram, IsHandedMasksOfAnyDepthAndDoesWithoutTheUnreadable) {
+  std::vector<batch::Shot> masked = shots(2);
+  cv::Mat1w labels(4, 5, ushort{0});
+  labels(1, 2) = 256;  // black when cut to 8 bits
+  masked[0].mask_file = folder_ / "labels.png";
+  ASSERT_TRUE(cv::imwrite(masked[0].mask_file.string(), labels));
+  masked[1].mask_file = folder_ / "broken.png";
+  std::ofstream(masked[1].mask_file) << "no picture";
+  ColmapPoseOptions options;
+  options.program = standIn("exit 0");
+  Listener listener;
+  const auto poses = poseWithColmap(masked, folder_ / "work", options, listener, {});
+  EXPECT_EQ(poses.error().code, ErrorCode::NotEnough) << "it went on to the mapper";
+  const cv::Mat handed =
+      cv::imread((folder_ / "work/masks/cam2/0.jpg.png").string(), cv::IMREAD_UNCHANGED);
+  ASSERT_FALSE(handed.empty());
+  EXPECT_EQ(handed.type(), CV_8U);
+  EXPECT_EQ(cv::countNonZero(handed), 1);
+  EXPECT_EQ(handed.at<uchar>(1, 2), 255);
+  EXPECT_FALSE(fs::exists(folder_ / "work/masks/cam2/1.jpg.png"));
+  ASSERT_EQ(listener.warnings.size(), 1u);
+  EXPECT_THAT(listener.warnings[0], HasSubstr("broken.png"));
 }
 
 TEST_F(ColmapProgram, TrustsTheOutputAndNotTheExitStatus) {

@@ -1,0 +1,61 @@
+#include "batch/label_mask.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "base/files.h"
+#include "batch/image_header.h"
+
+namespace ostraka::batch {
+namespace {
+
+// Empty when it cannot be.
+cv::Mat decoded(const std::string& bytes) {
+  try {
+    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
+// The planes that tell what is inside.
+cv::Mat withoutAlpha(const cv::Mat& labels) {
+  if (labels.channels() != 4 && labels.channels() != 2) return labels;
+  cv::Mat alpha, planes;
+  cv::extractChannel(labels, alpha, labels.channels() - 1);
+  double least = 0, most = 0;
+  cv::minMaxLoc(alpha, &least, &most);
+  if (least < most) return alpha;  // else opaque all over: the labels are in the colours
+  if (labels.channels() == 4)
+    cv::cvtColor(labels, planes, cv::COLOR_BGRA2BGR);
+  else
+    cv::extractChannel(labels, planes, 0);
+  return planes;
+}
+
+}  // namespace
+
+Result<cv::Mat1b> readLabelMask(const std::filesystem::path& file) {
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return bytes.error();
+  const Result<ImageSize> size = imageSize(*bytes, file.string());
+  if (!size) return size.error();
+  const cv::Mat labels = decoded(*bytes);
+  if (labels.cols != size->width || labels.rows != size->height)
+    return Error{ErrorCode::UnusableInput, "The mask cannot be decoded; copy it again.",
+                 file.string()};
+  const bool jpeg = bytes->starts_with("\xFF\xD8");
+  const cv::Mat planes = withoutAlpha(labels);
+  cv::Mat1b inside(planes.rows, planes.cols, uchar{0});
+  for (int channel = 0; channel < planes.channels(); ++channel) {
+    cv::Mat plane;
+    cv::extractChannel(planes, plane, channel);
+    inside |= jpeg ? plane >= 128 : plane != 0;
+  }
+  return inside;
+}
+
+}  // namespace ostraka::batch

@@ -45,9 +45,10 @@ Result<Target> readTarget(const fs::path& file) {
                  file.string()};
   }
   const bool sizes = grid.markers_x > 0 && grid.markers_y > 0 && grid.markers_x <= 100 &&
-                     grid.markers_y <= 100 && grid.marker_mm > 0 && grid.gap_mm >= 0;
+                     grid.markers_y <= 100 && grid.marker_mm > 0 && grid.gap_mm > 0;
   if (!sizes)
-    return Error{ErrorCode::UnusableInput, "The grid's markers have no valid number or size.",
+    return Error{ErrorCode::UnusableInput,
+                 "The grid's markers have no valid number or size, or no gap between them.",
                  file.string()};
   return Target{grid, {}};
 }

@@ -77,7 +77,7 @@ class Reader {
  public:
   Reader(const fs::path& folder, const ReadBatchOptions& options, Progress& progress)
       : options_(options), progress_(progress) {
-    batch_.folder = fs::absolute(folder);
+    batch_.folder = fs::absolute(folder).lexically_normal();
   }
 
   Result<Batch> read() {

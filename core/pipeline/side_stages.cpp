@@ -16,6 +16,7 @@
 #include "pipeline/chain.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/photo_checks.h"
+#include "pipeline/run_log.h"
 #include "pipeline/scale_check.h"
 #include "rig/calibrate.h"
 #include "rig/colmap_program.h"
@@ -46,9 +47,32 @@ Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& i
   return photographs;
 }
 
-const batch::Shot& shotOf(const batch::Batch& batch, const rig::PosedImage& image) {
-  return *std::find_if(batch.shots.begin(), batch.shots.end(),
-                       [&](const batch::Shot& shot) { return shot.file == image.file; });
+// Absent: not of this batch.
+const batch::Shot* findShot(const batch::Batch& batch, const rig::PosedImage& image) {
+  const auto found =
+      std::find_if(batch.shots.begin(), batch.shots.end(), [&](const batch::Shot& shot) {
+        return shot.side == image.side && shot.camera == image.camera && shot.stop == image.stop;
+      });
+  return found == batch.shots.end() ? nullptr : &*found;
+}
+
+// The images of cameras.json with their photographs where they lie now: the batch may have been
+// moved, or be called by another name, since its cameras were found.
+Result<std::vector<rig::PosedImage>> readCamerasOf(const batch::Batch& batch,
+                                                   const fs::path& file) {
+  Result<std::vector<rig::PosedImage>> images = rig::readCameras(file);
+  if (!images) return images;
+  for (rig::PosedImage& image : *images) {
+    const batch::Shot* shot = findShot(batch, image);
+    if (shot == nullptr)
+      return Error{ErrorCode::UnusableInput,
+                   "It names " + image.file +
+                       ", which is not in the batch; delete this file, and the cameras are found "
+                       "again.",
+                   file.string()};
+    image.file = shot->file.string();
+  }
+  return images;
 }
 
 // Of the photograph's own size, so that the two can be laid upon each other.
@@ -87,7 +111,7 @@ Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::Posed
   std::optional<Error> first;
   int usable = 0;
   for (const rig::PosedImage& image : images) {
-    const batch::Shot& shot = shotOf(run.batch, image);
+    const batch::Shot& shot = *findShot(run.batch, image);  // readCamerasOf has seen to it
     Result<cv::Mat1b> mask =
         shot.mask_file.empty()
             ? Result<cv::Mat1b>(Error{ErrorCode::UnusableInput,
@@ -150,9 +174,11 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
     const fs::path workspace = run.work / (std::string("colmap_") + batch::name(side));
     rig::ColmapPoseOptions options;
     options.threads = run.options.threads;
+    WarningsKept kept(run.progress);
     const Result<rig::ColmapPoses> found =
-        rig::poseWithColmap(shots, workspace, options, run.progress, run.stop);
+        rig::poseWithColmap(shots, workspace, options, kept, run.stop);
     if (!found) return found.error();
+    notes.warnings.insert(notes.warnings.end(), kept.warnings.begin(), kept.warnings.end());
     const Result<std::optional<rig::KnownScale>> known =
         knownScale(run.batch, side, *found, run.options.threads, run.stop);
     if (!known) return known.error();
@@ -310,7 +336,8 @@ Result<Staged<Poses>> poseStage(const Run& run) {
   const Result<StageRecord> record =
       runStage(run.work, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work, run.progress);
   if (!record) return record.error();
-  Result<std::vector<rig::PosedImage>> images = rig::readCameras(run.work / "rig" / "cameras.json");
+  Result<std::vector<rig::PosedImage>> images =
+      readCamerasOf(run.batch, run.work / "rig" / "cameras.json");
   if (!images) return images.error();
   if (!run.batch.plate) {
     const bool has_scale = record->notes.figures.value("has_scale", false);
@@ -334,8 +361,8 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
     const Result<mask::MaskResult> made = makeMasks(run, images);
     if (!made) return made.error();
     for (std::size_t i = 0; i < images.size(); ++i)
-      if (const Result<void> written =
-              writeMask(folder / maskName(images[i]), made->masks[i], shotOf(run.batch, images[i]));
+      if (const Result<void> written = writeMask(folder / maskName(images[i]), made->masks[i],
+                                                 *findShot(run.batch, images[i]));
           !written)
         return written.error();
     return StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};

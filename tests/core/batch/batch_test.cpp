@@ -63,6 +63,16 @@ TEST(ReadBatch, ReadsThePapersLayoutWithCamerasFromOneAndItsMasks) {
   EXPECT_EQ(batch->shots[0].mask_file.parent_path().filename(), "top_masks");
 }
 
+TEST(ReadBatch, NamesItsFilesWithoutDetours) {
+  const TemporaryFolder folder("detour");
+  threeViewsPerSide(folder);
+  Listener listener;
+  const auto batch = readBatch(folder.path() / "front" / "..", {}, listener);
+  ASSERT_TRUE(batch.has_value()) << batch.error().sentence();
+  EXPECT_EQ(batch->shots[0].file.string().find(".."), std::string::npos) << batch->shots[0].file;
+  EXPECT_EQ(batch->shots[0].file.lexically_proximate(batch->folder).begin()->string(), "front");
+}
+
 TEST(ReadBatch, NamesTheMissingSide) {
   const TemporaryFolder folder("oneside");
   folder.image("front/cam0_pos00.jpg");

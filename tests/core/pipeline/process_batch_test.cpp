@@ -297,6 +297,22 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   EXPECT_EQ(results(out), before) << "taken back, all is as it was";
 }
 
+TEST_F(ProcessBatch, GoesOnWhereABatchWasStoppedAndThenMoved) {
+  QuietProgress quiet;
+  copyOfWhole("stopped");
+  const auto before = results(folder_ / "stopped");
+  fs::remove(folder_ / "stopped" / "work" / "masks_front" / "stage.json");
+  fs::copy(folder_ / "batch", folder_ / "elsewhere", fs::copy_options::recursive);
+  ProcessOptions options;
+  options.batch = folder_ / "elsewhere";
+  options.output = folder_ / "stopped";
+  const Result<ProcessSummary> summary = processBatch(options, quiet, {});
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  EXPECT_EQ(results(folder_ / "stopped"), before);
+  const std::string log = *readFile(folder_ / "stopped" / "log.txt");
+  EXPECT_NE(log.rfind("rig: whole from an earlier run"), std::string::npos);
+}
+
 TEST_F(ProcessBatch, SetAsideASherdIsNeitherMadeNorMissed) {
   QuietProgress quiet;
   copyOfWhole("aside");

@@ -72,7 +72,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
 
 /// The same from scans that were split already: ProcessOptions::batch holds them as PLY files in
 /// front/ and back/, one a sherd, oriented points, mm. Without photographs nothing is looked at but
-/// rims and outlines. Scans that stand on no plate are turned so that their face is up.
+/// rims and outlines. Scans that stand on no plate are turned so that their face is up, and laid
+/// beside each other.
 Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& progress,
                                     std::stop_token stop);
 

@@ -1,5 +1,6 @@
 // Scans: one cloud for each sherd of a side, as found and as people joined and cut them.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cloud/ply.h"
@@ -80,6 +81,21 @@ PointCloud laidFlat(const scan::Scan& scan) {
   return cloud;
 }
 
+// Beside each other, as on a plate: a decision knows its scan by its place.
+void layApart(std::vector<scan::Scan>& scans) {
+  float longest = 0;
+  for (const scan::Scan& scan : scans)
+    for (const Eigen::Vector3f& p : scan.cloud.points)
+      longest = std::max(longest, 2 * p.head<2>().cwiseAbs().maxCoeff());
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(scans.size())));
+  const float cell_mm = 1.2F * longest + 10;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const Eigen::Vector3f place(static_cast<float>(i % columns) * cell_mm,
+                                static_cast<float>(i / columns) * cell_mm, 0);
+    for (Eigen::Vector3f& p : scans[i].cloud.points) p += place;
+  }
+}
+
 }  // namespace
 
 Result<Scans> importStage(const Run& run, batch::Side side, const ScanFolder& folder) {
@@ -94,13 +110,15 @@ Result<Scans> importStage(const Run& run, batch::Side side, const ScanFolder& fo
       scans[i].id = id;
       if (!on_plate) scans[i].cloud = laidFlat(scans[i]);
     }
+    if (!on_plate) layApart(scans);
     const Result<ordered_json> points =
         writeScans(into, scans, std::string("plate_") + batch::name(side));
     if (!points) return points.error();
     return StageNotes{{{"points", *points}, {"files", files}}, {}};
   };
-  const Result<StageRecord> record = runStage(
-      run.work, name, {{"imported", folder.hash}, {"on_plate", on_plate}}, work, run.progress);
+  const Result<StageRecord> record =
+      runStage(run.work, name, {{"imported", folder.hash}, {"on_plate", on_plate}, {"apart", true}},
+               work, run.progress);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
   if (!found || !hasEdits(run.decisions, side)) return found;

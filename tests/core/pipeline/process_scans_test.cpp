@@ -104,7 +104,13 @@ TEST_F(ProcessScans, ScansThatStandOnNoPlateAreTurnedFaceUp) {
   ASSERT_EQ(summary->sherds.size(), 3u);
   const auto laid = readScanFolder(folder / "out" / "work" / "scans_front", 1);
   ASSERT_TRUE(laid.has_value());
-  for (const scan::Scan& scan : laid->scans) EXPECT_GT(scan.up.z(), 0.95) << scan.id;
+  std::vector<ScanRef> places;
+  for (const scan::Scan& scan : laid->scans) {
+    EXPECT_GT(scan.up.z(), 0.95) << scan.id;
+    const ScanRef place = refOf(scan, batch::Side::Front);
+    EXPECT_EQ(resolved(place, places), -1) << "a decision would take it for another";
+    places.push_back(place);
+  }
 }
 
 // The same chain for photographs and scans: what a person said about a side that was scanned again

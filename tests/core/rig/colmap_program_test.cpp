@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include "simulated_rig.h"
 

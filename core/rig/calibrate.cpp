@@ -18,6 +18,7 @@ namespace ostraka::rig {
 namespace {
 
 constexpr int kMinViewsPerSide = 3;
+constexpr std::size_t kTellTale = 4;  // markers found: as many do not all err by chance
 
 int indexOf(const std::vector<int>& sorted, int value) {
   return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
@@ -412,6 +413,16 @@ class Poser {
         squares += 4 * error * error;
         ++used;
       }
+      if (used == 0 && markers_[i].size() >= kTellTale) {
+        warn(image.file + ": none of its " + std::to_string(markers_[i].size()) +
+             " markers lies where this camera sees them at this stop. It bears another "
+             "photograph's name, or was taken while the plate turned; it is left out.");
+        continue;
+      }
+      if (used == 0)
+        warn(image.file +
+             ": no marker of the plate can be seen in it; its place is taken from the others. Look "
+             "at it, and take it again if it does not show this stop.");
       sum += squares;
       count += 4 * used;
       out_.images.push_back(std::move(image));

@@ -51,6 +51,19 @@ class Start {
     }
   }
 
+  // A photograph under another's name, or taken while the plate turned, must not place its stop or
+  // its camera: each takes what most of its views agree on.
+  void takeVotes(Cameras known) {
+    for (int round = 0; round < 3; ++round) {
+      if (known != Cameras::Known)
+        for (std::size_t c = 0; c < start_.camera_posed.size(); ++c)
+          if (start_.camera_posed[c]) voteOnCamera(static_cast<int>(c));
+      for (int side = 0; side < 2; ++side)
+        for (std::size_t k = 0; k < angles(side).size(); ++k)
+          if (start_.stop_measured[side][k]) voteOnStop(side, static_cast<int>(k));
+    }
+  }
+
   bool sideSeen(int side) const {
     const auto& measured = start_.stop_measured[side];
     return std::find(measured.begin(), measured.end(), 1) != measured.end();
@@ -109,6 +122,41 @@ class Start {
   RigStart take() { return std::move(start_); }
 
  private:
+  static constexpr double kSame_rad = 0.1;  // far less than any step of a plate
+
+  void voteOnStop(int side, int stop) {
+    std::vector<double> said;
+    for (const ViewPose& view : views_)
+      if (view.side == side && view.stop == stop && start_.camera_posed[view.camera])
+        said.push_back(
+            turnAboutZ((start_.state.cameras[view.camera].camera_from_turntable.inverse() *
+                        view.camera_from_plate)
+                           .linear()));
+    const auto votes = [&](double angle) {
+      return std::count_if(said.begin(), said.end(),
+                           [&](double a) { return std::abs(wrapped(a - angle)) < kSame_rad; });
+    };
+    double& angle = angles(side)[stop];
+    for (const double candidate : said)
+      if (votes(candidate) > votes(angle)) angle = candidate;
+  }
+
+  void voteOnCamera(int camera) {
+    std::vector<Eigen::Isometry3d> said;
+    for (const ViewPose& view : views_)
+      if (view.camera == camera && start_.stop_measured[view.side][view.stop])
+        said.push_back(view.camera_from_plate * turned(-angles(view.side)[view.stop]));
+    const auto votes = [&](const Eigen::Isometry3d& pose) {
+      return std::count_if(said.begin(), said.end(), [&](const Eigen::Isometry3d& other) {
+        return Eigen::AngleAxisd(Eigen::Matrix3d(pose.linear().transpose() * other.linear()))
+                   .angle() < kSame_rad;
+      });
+    };
+    Eigen::Isometry3d& pose = start_.state.cameras[camera].camera_from_turntable;
+    for (const Eigen::Isometry3d& candidate : said)
+      if (votes(candidate) > votes(pose)) pose = candidate;
+  }
+
   std::vector<double>& angles(int side) { return start_.state.angles_rad[side]; }
 
   double anyAngle(std::size_t stop) { return angles(start_.stop_measured[0][stop] ? 0 : 1)[stop]; }
@@ -145,6 +193,7 @@ std::optional<RigStart> startRig(const RigState& cameras, const std::vector<View
                                  SidesShot sides) {
   Start start(cameras, views, stop_numbers.size());
   start.spread(known);
+  start.takeVotes(known);
   if (!start.sideSeen(0)) return std::nullopt;
   if (sides == SidesShot::Both && !start.sideSeen(1)) return std::nullopt;
   start.separateTheFlip();

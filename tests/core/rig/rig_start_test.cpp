@@ -47,6 +47,28 @@ TEST(StartRig, FindsCamerasAndAngles) {
   EXPECT_LT(worstAngle(start->state, truth), kTiltRad);
 }
 
+// The best two views of a stop's three bear each other's name.
+TEST(StartRig, FollowsMostViewsWhereOneBearsAnothersName) {
+  RigState truth = trueRig();
+  truth.cameras.push_back(truth.cameras[1]);
+  truth.cameras[2].camera_from_turntable =
+      truth.cameras[1].camera_from_turntable *
+      Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitZ()));
+  std::vector<ViewPose> views;
+  for (int c = 0; c < 3; ++c)
+    for (int side = 0; side < 2; ++side)
+      for (int stop = 0; stop < 8; ++stop) {
+        const bool swapped = c == 1 && side == 0 && (stop == 3 || stop == 4);
+        views.push_back({c, side, stop, truth.cameraFromPlate(c, side, swapped ? 7 - stop : stop),
+                         swapped ? 20 : 10});
+      }
+  RigState lenses;
+  lenses.cameras.resize(3);
+  const auto start = startRig(lenses, views, kStops, Cameras::Free);
+  ASSERT_TRUE(start.has_value());
+  EXPECT_LT(worstAngle(start->state, truth), kTiltRad);
+}
+
 TEST(StartRig, BridgesLostViewsAndAWholeLostStop) {
   const RigState truth = trueRig();
   std::vector<ViewPose> views = allViews(truth);

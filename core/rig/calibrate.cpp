@@ -421,8 +421,7 @@ class Poser {
       }
       if (used == 0)
         warn(image.file +
-             ": no marker of the plate can be seen in it; its place is taken from the others. Look "
-             "at it, and take it again if it does not show this stop.");
+             ": no marker can be seen in it; does it show this stop? If not, take it again.");
       sum += squares;
       count += 4 * used;
       out_.images.push_back(std::move(image));

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
+#include "base/processors.h"
 #include "mask/exponential.h"
-
-// Loops over rows, compiled for newer processors too; plain arithmetic, so the same bits.
-#define OSTRAKA_ROWS __attribute__((target_clones("arch=x86-64-v3", "default")))
 
 namespace ostraka::mask {
 namespace {
@@ -29,9 +27,9 @@ inline float chiSquare(float a, float b, float c, float per_brightness, float pe
          ((a - g) * (a - g) + (b - g) * (b - g) + (c - g) * (c - g)) * per_colour;
 }
 
-OSTRAKA_ROWS void addLook(const Channels value, const Channels light, const Channels before,
-                          const Channels anchor, const Tolerance near, const Tolerance far,
-                          float unseen, int size, const Sums sums) {
+OSTRAKA_CLONED void addLook(const Channels value, const Channels light, const Channels before,
+                            const Channels anchor, const Tolerance near, const Tolerance far,
+                            float unseen, int size, const Sums sums) {
   const float near_g = 1 / (near.brightness * near.brightness),
               near_c = 1 / (near.colour * near.colour),
               far_g = 1 / (far.brightness * far.brightness), far_c = 1 / (far.colour * far.colour);

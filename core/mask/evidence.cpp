@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/median.h"
+#include "base/processors.h"
 #include "mask/exponential.h"
 #include "mask/plate_picture.h"
 
@@ -77,10 +78,8 @@ struct PixelRow {
   explicit PixelRow(int n) : brightness(n), colour2(n), bare(n), edge(n) {}
 };
 
-// Compiled for newer processors too; plain arithmetic, so the same bits.
-__attribute__((target_clones("arch=x86-64-v3", "default"))) void weighRow(
-    const PixelRow& row, const float* texture, const ResidualNoise& noise, int count,
-    float* log_odds, float* clear) {
+OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const ResidualNoise& noise,
+                             int count, float* log_odds, float* clear) {
   constexpr float kTwoPi = 6.2831853F;
   // Any clay: colour differences within +-0.6, brightness within a factor of e^2 either way.
   constexpr float kSherdDensity = 1 / (3.14159F * 0.36F * 4);

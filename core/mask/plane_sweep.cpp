@@ -4,11 +4,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "base/processors.h"
 #include "mask/exponential.h"
 #include "mask/plate_geometry.h"
-
-// Loops over rows, compiled for newer processors too; whole numbers and no contraction: same bits.
-#define OSTRAKA_ROWS __attribute__((target_clones("arch=x86-64-v3", "default")))
 
 namespace ostraka::mask {
 namespace {
@@ -22,14 +20,14 @@ constexpr double kFiner = 1.5;   // picture cells per cell, so that scaling blur
 constexpr int kShares = 256;     // of a cell, for interpolating
 constexpr float kUnseen = -1e3F;
 
-OSTRAKA_ROWS void blendRows(const short* top, const short* bottom, int share, int count,
-                            short* blend) {
+OSTRAKA_CLONED void blendRows(const short* top, const short* bottom, int share, int count,
+                              short* blend) {
   for (int x = 0; x < count; ++x)
     blend[x] = static_cast<short>((top[x] * (kShares - share) + bottom[x] * share + kShares / 2) /
                                   kShares);
 }
 
-OSTRAKA_ROWS void addValues(const short* in, int count, int* sum, int* squares) {
+OSTRAKA_CLONED void addValues(const short* in, int count, int* sum, int* squares) {
   for (int x = 0; x < count; ++x) {
     const int value = in[x];
     sum[x] += value;
@@ -37,7 +35,7 @@ OSTRAKA_ROWS void addValues(const short* in, int count, int* sum, int* squares) 
   }
 }
 
-OSTRAKA_ROWS void takeValues(const short* out, int count, int* sum, int* squares) {
+OSTRAKA_CLONED void takeValues(const short* out, int count, int* sum, int* squares) {
   for (int x = 0; x < count; ++x) {
     const int value = out[x];
     sum[x] -= value;
@@ -45,23 +43,23 @@ OSTRAKA_ROWS void takeValues(const short* out, int count, int* sum, int* squares
   }
 }
 
-OSTRAKA_ROWS void addProducts(const short* a, const short* b, int count, int* sum) {
+OSTRAKA_CLONED void addProducts(const short* a, const short* b, int count, int* sum) {
   for (int x = 0; x < count; ++x) sum[x] += static_cast<int>(a[x]) * b[x];
 }
 
-OSTRAKA_ROWS void takeProducts(const short* a, const short* b, int count, int* sum) {
+OSTRAKA_CLONED void takeProducts(const short* a, const short* b, int count, int* sum) {
   for (int x = 0; x < count; ++x) sum[x] -= static_cast<int>(a[x]) * b[x];
 }
 
 // window[x] = columns[x - 4] + ... + columns[x + 4]; pairs and fours are scratch of that size.
-OSTRAKA_ROWS void sumAcross(const int* columns, int count, int* pairs, int* fours, int* window) {
+OSTRAKA_CLONED void sumAcross(const int* columns, int count, int* pairs, int* fours, int* window) {
   for (int x = 0; x + 1 < count; ++x) pairs[x] = columns[x] + columns[x + 1];
   for (int x = 0; x + 3 < count; ++x) fours[x] = pairs[x] + pairs[x + 2];
   for (int x = kHalf; x + kHalf < count; ++x) window[x] = fours[x - 4] + fours[x] + columns[x + 4];
 }
 
 // 1 / SD of a window, damped by the noise's, so that even surfaces do not agree.
-OSTRAKA_ROWS void strengths(const int* sum, const int* squares, int count, float* strength) {
+OSTRAKA_CLONED void strengths(const int* sum, const int* squares, int count, float* strength) {
   constexpr int kCells = kWindow * kWindow;
   for (int x = kHalf; x < count - kHalf; ++x) {
     const double spread = static_cast<double>(squares[x]) * kCells -
@@ -80,8 +78,8 @@ struct Moments {
       : columns(n, 0), square_columns(n, 0), sum(n), squares(n), strength(n, 0.F) {}
 };
 
-OSTRAKA_ROWS void agreements(const int* products, const int* sum_a, const float* strength_a,
-                             const int* sum_b, const float* strength_b, int count, float* ncc) {
+OSTRAKA_CLONED void agreements(const int* products, const int* sum_a, const float* strength_a,
+                               const int* sum_b, const float* strength_b, int count, float* ncc) {
   constexpr int kCells = kWindow * kWindow;
   for (int x = kHalf; x < count - kHalf; ++x) {
     const double shared = static_cast<double>(products[x]) * kCells -
@@ -90,7 +88,7 @@ OSTRAKA_ROWS void agreements(const int* products, const int* sum_a, const float*
   }
 }
 
-OSTRAKA_ROWS void keepLarger(const float* ncc, int count, float* a, float* b) {
+OSTRAKA_CLONED void keepLarger(const float* ncc, int count, float* a, float* b) {
   for (int x = kHalf; x < count - kHalf; ++x) {
     a[x] = std::max(a[x], ncc[x]);
     b[x] = std::max(b[x], ncc[x]);

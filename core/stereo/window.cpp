@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/processors.h"
+
 namespace ostraka::stereo {
 namespace {
 
@@ -22,9 +24,8 @@ struct LaneSums {
   Floats w{}, i{}, j{}, ii{}, jj{}, ij{};
 };
 
-__attribute__((target_clones("arch=x86-64-v3", "default"))) void correlate(
-    const Window& window, const std::uint32_t* packed, int width, int height, const AffineMap& m,
-    LaneSums& out) {
+OSTRAKA_CLONED void correlate(const Window& window, const std::uint32_t* packed, int width,
+                              int height, const AffineMap& m, LaneSums& out) {
   const auto load = [](const float* from, Floats& value) {
     std::memcpy(&value, from, sizeof value);
   };

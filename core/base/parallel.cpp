@@ -41,4 +41,11 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
   if (first) std::rethrow_exception(first);
 }
 
+void parallelForRanges(std::size_t count, std::size_t at_once, int threads,
+                       const std::function<void(std::size_t, std::size_t)>& body) {
+  parallelFor((count + at_once - 1) / at_once, threads, [&](std::size_t task) {
+    body(task * at_once, std::min(count, (task + 1) * at_once));
+  });
+}
+
 }  // namespace ostraka

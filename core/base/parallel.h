@@ -12,4 +12,8 @@ int availableThreads();
 /// not depend on the number of threads. The first exception is rethrown after all threads ended.
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
+/// The same in tasks of so many neighbouring indices: body(begin, end).
+void parallelForRanges(std::size_t count, std::size_t at_once, int threads,
+                       const std::function<void(std::size_t, std::size_t)>& body);
+
 }  // namespace ostraka

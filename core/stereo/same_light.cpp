@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
@@ -53,14 +52,6 @@ Sight sightOf(const Frame& frame, const PlaneMap& map, const SurfacePoint& point
   const float off = (surface - p).dot(frame.rotation * point.normal);
   if (std::abs(off) < kAgree_px * point.footprint_mm) sight.incidence = incidence;
   return sight;
-}
-
-Link linkBetween(const Frame& from, const Frame& to, int index) {
-  Link link;
-  link.source = index;
-  link.rotation = to.rotation * from.rotation.transpose();
-  link.translation = to.translation - link.rotation * from.translation;
-  return link;
 }
 
 using Costs = std::array<double, 2 * kSteps + 1>;
@@ -120,13 +111,6 @@ bool lightsDiffer(std::span<const Frame* const> frames) {
   return lights.size() > 1 && lights.size() < frames.size();
 }
 
-void inTasks(std::size_t count, int threads,
-             const std::function<void(std::size_t, std::size_t)>& body) {
-  parallelFor((count + kPointsATask - 1) / kPointsATask, threads, [&](std::size_t task) {
-    body(task * kPointsATask, std::min(count, (task + 1) * kPointsATask));
-  });
-}
-
 }  // namespace
 
 std::vector<SurfacePoint> settledInSameLight(std::span<const Frame* const> frames,
@@ -135,11 +119,12 @@ std::vector<SurfacePoint> settledInSameLight(std::span<const Frame* const> frame
                                              const SameLightOptions& options) {
   if (!lightsDiffer(frames)) return points;
   std::vector<Correction> all((points.size() + kEvery - 1) / kEvery);
-  inTasks(all.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<Sight> sights;
-    for (std::size_t i = begin; i < end; ++i)
-      all[i] = measured(frames, maps, points[i * kEvery], sights);
-  });
+  parallelForRanges(all.size(), kPointsATask, options.threads,
+                    [&](std::size_t begin, std::size_t end) {
+                      std::vector<Sight> sights;
+                      for (std::size_t i = begin; i < end; ++i)
+                        all[i] = measured(frames, maps, points[i * kEvery], sights);
+                    });
   std::vector<Correction> known;
   std::vector<Eigen::Vector3f> places, normals;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -149,23 +134,24 @@ std::vector<SurfacePoint> settledInSameLight(std::span<const Frame* const> frame
     normals.push_back(points[i * kEvery].normal);
   }
   const KdTree tree(places);
-  inTasks(points.size(), options.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbour> near;
-    for (std::size_t i = begin; i < end; ++i) {
-      tree.within(points[i].position, options.reach_mm, near);
-      float sum = 0, weights = 0;
-      for (const Neighbour& n : near) {
-        const auto k = static_cast<std::size_t>(n.index);
-        const float like = normals[k].dot(points[i].normal);
-        if (like < 0.5F) continue;  // another face
-        const float d2 = n.squared_distance / (options.reach_mm * options.reach_mm);
-        const float weight = known[k].weight * like * like * like * like * std::exp(-2 * d2);
-        sum += weight * known[k].mm;
-        weights += weight;
-      }
-      if (weights > 0) points[i].position += sum / weights * points[i].normal;
-    }
-  });
+  parallelForRanges(
+      points.size(), kPointsATask, options.threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<Neighbour> near;
+        for (std::size_t i = begin; i < end; ++i) {
+          tree.within(points[i].position, options.reach_mm, near);
+          float sum = 0, weights = 0;
+          for (const Neighbour& n : near) {
+            const auto k = static_cast<std::size_t>(n.index);
+            const float like = normals[k].dot(points[i].normal);
+            if (like < 0.5F) continue;  // another face
+            const float d2 = n.squared_distance / (options.reach_mm * options.reach_mm);
+            const float weight = known[k].weight * like * like * like * like * std::exp(-2 * d2);
+            sum += weight * known[k].mm;
+            weights += weight;
+          }
+          if (weights > 0) points[i].position += sum / weights * points[i].normal;
+        }
+      });
   return points;
 }
 

@@ -27,28 +27,27 @@ std::vector<SurfacePoint> withoutSlant(std::vector<SurfacePoint> points,
   if (places.empty()) return points;
   const KdTree tree(places);
   std::vector<float> moves(points.size(), 0.0F);  // the points stay until all are known
-  const std::size_t tasks = (points.size() + kSlantTask - 1) / kSlantTask;
-  parallelFor(tasks, options.threads, [&](std::size_t task) {
-    std::vector<Neighbour> near;
-    const std::size_t end = std::min(points.size(), (task + 1) * kSlantTask);
-    for (std::size_t i = task * kSlantTask; i < end; ++i) {
-      const SurfacePoint& point = points[i];
-      tree.within(point.position, options.reach_mm, near);
-      float covariance = 0, variance = 0;
-      for (const Neighbour& n : near) {
-        const SurfacePoint& other = points[chosen[static_cast<std::size_t>(n.index)]];
-        const float like = other.normal.dot(point.normal);
-        if (like < 0.5F) continue;  // another face
-        const float weight = like * like * like * like;
-        covariance += weight * other.slant.covariance;
-        variance += weight * other.slant.variance;
-      }
-      if (variance <= 0) continue;
-      const float largest = kLargest_px * point.footprint_mm;
-      const float factor = covariance / (variance * (1 + kDoubt));
-      moves[i] = -std::clamp(factor, -largest, largest) * point.slant.mean;
-    }
-  });
+  parallelForRanges(
+      points.size(), kSlantTask, options.threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<Neighbour> near;
+        for (std::size_t i = begin; i < end; ++i) {
+          const SurfacePoint& point = points[i];
+          tree.within(point.position, options.reach_mm, near);
+          float covariance = 0, variance = 0;
+          for (const Neighbour& n : near) {
+            const SurfacePoint& other = points[chosen[static_cast<std::size_t>(n.index)]];
+            const float like = other.normal.dot(point.normal);
+            if (like < 0.5F) continue;  // another face
+            const float weight = like * like * like * like;
+            covariance += weight * other.slant.covariance;
+            variance += weight * other.slant.variance;
+          }
+          if (variance <= 0) continue;
+          const float largest = kLargest_px * point.footprint_mm;
+          const float factor = covariance / (variance * (1 + kDoubt));
+          moves[i] = -std::clamp(factor, -largest, largest) * point.slant.mean;
+        }
+      });
   for (std::size_t i = 0; i < points.size(); ++i) points[i].position += moves[i] * points[i].normal;
   return points;
 }

@@ -5,6 +5,14 @@
 
 namespace ostraka::stereo {
 
+Link linkBetween(const Frame& view, const Frame& other, int source) {
+  Link link;
+  link.source = source;
+  link.rotation = other.rotation * view.rotation.transpose();
+  link.translation = other.translation - link.rotation * view.translation;
+  return link;
+}
+
 std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frames,
                                              const Eigen::Vector3f& middle,
                                              const DenseOptions& options) {
@@ -30,12 +38,8 @@ std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frame
       const auto best =
           std::max_element(candidates.begin(), candidates.end(),
                            [](const auto& a, const auto& b) { return a.score < b.score; });
-      const Frame& source = *frames[best->frame];
-      Link link;
-      link.source = static_cast<int>(best->frame);
-      link.rotation = source.rotation * frames[i]->rotation.transpose();
-      link.translation = source.translation - link.rotation * frames[i]->translation;
-      all[i].push_back(link);
+      all[i].push_back(
+          linkBetween(*frames[i], *frames[best->frame], static_cast<int>(best->frame)));
       const Eigen::Vector3f taken = best->direction;
       candidates.erase(best);
       for (Candidate& c : candidates)  // two sources in the same place say the same thing

@@ -15,6 +15,9 @@ struct Link {
   Eigen::Vector3f translation;
 };
 
+/// source: the other frame's place among all.
+Link linkBetween(const Frame& view, const Frame& other, int source);
+
 /// The views that each view is compared with, best first: those seen from the object's middle under
 /// an angle near 20 degrees, spread over directions.
 std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frames,

@@ -102,15 +102,15 @@ std::vector<SurfacePoint> insideMasks(std::span<const Frame* const> frames,
                                       const std::vector<SurfacePoint>& points,
                                       const SurfaceOptions& options) {
   std::vector<std::uint8_t> keep(points.size(), 0);
-  const std::size_t blocks = (points.size() + kBlock - 1) / kBlock;
-  parallelFor(blocks, options.threads, [&](std::size_t block) {
-    const std::size_t end = std::min(points.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) {
-      int outside = 0;
-      for (const Frame* frame : frames) outside += outsideMask(*frame, points[i].position) ? 1 : 0;
-      keep[i] = outside <= options.max_views_outside ? 1 : 0;
-    }
-  });
+  parallelForRanges(points.size(), kBlock, options.threads,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t i = begin; i < end; ++i) {
+                        int outside = 0;
+                        for (const Frame* frame : frames)
+                          outside += outsideMask(*frame, points[i].position) ? 1 : 0;
+                        keep[i] = outside <= options.max_views_outside ? 1 : 0;
+                      }
+                    });
   std::vector<SurfacePoint> kept;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (keep[i] != 0) kept.push_back(points[i]);
@@ -126,11 +126,9 @@ std::vector<SurfacePoint> smoothed(const std::vector<SurfacePoint>& points,
   const KdTree tree(positions);
   const std::vector<int> kept = onePerCube(points, options.spacing_px);
   std::vector<SurfacePoint> result(kept.size());
-  const std::size_t blocks = (kept.size() + kBlock - 1) / kBlock;
-  parallelFor(blocks, options.threads, [&](std::size_t block) {
+  parallelForRanges(kept.size(), kBlock, options.threads, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> near;
-    const std::size_t end = std::min(kept.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       const SurfacePoint& p = points[static_cast<std::size_t>(kept[i])];
       const float radius_mm = options.radius_px * p.footprint_mm;
       tree.within(p.position, radius_mm, near);

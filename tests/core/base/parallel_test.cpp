@@ -17,6 +17,18 @@ TEST(ParallelFor, CallsEachIndexOnceForAnyNumberOfThreads) {
   }
 }
 
+TEST(ParallelForRanges, CoversEachIndexOnceWithAShortLastTask) {
+  for (const int threads : {1, 3}) {
+    std::vector<int> calls(10, 0);
+    parallelForRanges(calls.size(), 4, threads, [&](std::size_t begin, std::size_t end) {
+      EXPECT_LE(end - begin, 4U);
+      for (std::size_t i = begin; i < end; ++i) ++calls[i];
+    });
+    EXPECT_EQ(calls, std::vector<int>(10, 1));
+  }
+  parallelForRanges(0, 4, 2, [](std::size_t, std::size_t) { FAIL() << "nothing to do"; });
+}
+
 TEST(ParallelFor, DoesNothingForNothing) {
   parallelFor(0, 4, [](std::size_t) { FAIL(); });
 }

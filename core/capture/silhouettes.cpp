@@ -286,13 +286,13 @@ int partsOf(const MapPiece& piece, double neck_share) {
       if (mask(y, x))
         cloud.points.emplace_back(static_cast<float>(x * PlateMap::kPixelMm),
                                   static_cast<float>(y * PlateMap::kPixelMm), 0.f);
-  return scan::cutTouching(cloud, neck_share, scan::SplitOptions().min_extent_mm).count;
+  return scan::cutTouching(cloud, {.neck_share = neck_share}).count;
 }
 
 }  // namespace
 
 int sherdsInPiece(const MapPiece& piece) {
-  return partsOf(piece, scan::SplitOptions().neck_share);
+  return partsOf(piece, scan::TouchingOptions().neck_share);
 }
 
 namespace {

@@ -151,8 +151,13 @@ bool isSherd(const PointCloud& piece, const SplitOptions& options,
   return true;
 }
 
-void addParts(const PointCloud& piece, const SplitOptions& options, SplitResult& result) {
-  const TouchingParts parts = cutTouching(piece, options.neck_share, options.min_extent_mm);
+// One sherd, or several that touch: what was cut is looked at again, for three may lie in a row.
+void addParts(PointCloud piece, const SplitOptions& options, SplitResult& result) {
+  const TouchingParts parts = cutTouching(piece, options.touching);
+  if (parts.count == 1) {
+    result.scans.push_back({{}, std::move(piece), {}, Eigen::Vector3d::UnitZ()});
+    return;
+  }
   for (const Neck& neck : parts.necks)
     result.warnings.push_back("Two sherds touch " + at(neck.place) +
                               " and were cut apart there; leave a finger's width between sherds.");
@@ -161,8 +166,7 @@ void addParts(const PointCloud& piece, const SplitOptions& options, SplitResult&
     for (std::size_t i = 0; i < piece.size(); ++i)
       if (parts.part[i] == k) indices.push_back(static_cast<int>(i));
     PointCloud part = subset(piece, indices);
-    if (parts.count == 1 || isSherd(part, options, result.warnings))
-      result.scans.push_back({{}, std::move(part), {}, Eigen::Vector3d::UnitZ()});
+    if (isSherd(part, options, result.warnings)) addParts(std::move(part), options, result);
   }
 }
 
@@ -170,7 +174,7 @@ void addParts(const PointCloud& piece, const SplitOptions& options, SplitResult&
 
 Result<void> SplitOptions::check() const {
   if (!(gap_mm > 0)) return Error{ErrorCode::UnusableInput, "gap_mm must be above 0.", {}};
-  if (!(neck_share >= 0 && neck_share < 1))
+  if (!(touching.neck_share >= 0 && touching.neck_share < 1))
     return Error{ErrorCode::UnusableInput, "neck_share must lie in [0, 1).", {}};
   return {};
 }
@@ -189,8 +193,8 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
       flying += indices.size();
       continue;
     }
-    const PointCloud piece = subset(above, indices);
-    if (isSherd(piece, options, result.warnings)) addParts(piece, options, result);
+    PointCloud piece = subset(above, indices);
+    if (isSherd(piece, options, result.warnings)) addParts(std::move(piece), options, result);
   }
   if (result.scans.empty())
     return Error{ErrorCode::NotEnough,

@@ -6,6 +6,7 @@
 #include "base/result.h"
 #include "batch/batch.h"
 #include "scan/scan.h"
+#include "scan/touching.h"
 
 namespace ostraka::scan {
 
@@ -22,8 +23,7 @@ struct SplitOptions {
   double min_extent_mm = 10.0;  ///< smaller pieces are crumbs: no sherd is sorted below 1 cm
   double min_area_mm2 = 50;     ///< so are slivers: a sherd of 1 cm covers more, seen from above
   double min_height_mm = 1.5;   ///< flatter pieces are markers or dirt: walls are 3 mm and more
-  double neck_share = 0.35;     ///< pieces touch where the outline narrows below this share of the
-                                ///< smaller part's width; a sherd's own waist is wider
+  TouchingOptions touching;
   Result<void> check() const;
 };
 
@@ -33,7 +33,7 @@ struct SplitResult {
 };
 
 /// One cloud per sherd: connected pieces above the plate, with what hovers beside them. Crumbs,
-/// plate points, markers and flying points are dropped; touching sherds are cut at an evident neck;
+/// plate points, markers and flying points are dropped; touching sherds are cut apart;
 /// all of it is reported. plate_cloud: oriented points in the side's plate frame, mm. Errors:
 /// NotEnough when nothing is left, UnusableInput without normals. Deterministic; numbers follow the
 /// places on the plate.

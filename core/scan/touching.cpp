@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
+
+#include "scan/seam.h"
 
 namespace ostraka::scan {
 namespace {
 
-constexpr double kCell_mm = 0.5;  // two points of a scan, so that the outline has no holes
-
-struct Plan {
-  cv::Mat1b filled;  // 255 inside, with a free border
-  Eigen::Vector2d origin;
-  cv::Point cellOf(const Eigen::Vector3f& p) const {
-    return {static_cast<int>((p.x() - origin.x()) / kCell_mm),
-            static_cast<int>((p.y() - origin.y()) / kCell_mm)};
-  }
-};
+constexpr double kSeamBroken = 0.8;  // of the line between two parts, or it is no seam
 
 Plan planOf(const PointCloud& piece) {
   Eigen::Vector2f low = piece.points[0].head<2>(), high = low;
@@ -24,8 +18,8 @@ Plan planOf(const PointCloud& piece) {
     low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
   constexpr int kBorder = 4;
   Plan print;
-  print.origin = low.cast<double>() - Eigen::Vector2d::Constant(kBorder * kCell_mm);
-  const Eigen::Vector2d size = (high - low).cast<double>() / kCell_mm;
+  print.origin = low.cast<double>() - Eigen::Vector2d::Constant(kBorder * kPlanCell_mm);
+  const Eigen::Vector2d size = (high - low).cast<double>() / kPlanCell_mm;
   print.filled = cv::Mat1b::zeros(static_cast<int>(size.y()) + 2 * kBorder + 1,
                                   static_cast<int>(size.x()) + 2 * kBorder + 1);
   for (const Eigen::Vector3f& p : piece.points) print.filled(print.cellOf(p)) = 255;
@@ -52,71 +46,95 @@ std::vector<Core> coresOf(const cv::Mat1b& worn, const cv::Mat1f& depth_mm, doub
       cv::connectedComponentsWithStats(worn, numbers, statistics, centroids, 8, CV_32S);
   std::vector<Core> cores;
   for (int k = 1; k < count; ++k) {
+    const cv::Rect box(
+        statistics.at<int>(k, cv::CC_STAT_LEFT), statistics.at<int>(k, cv::CC_STAT_TOP),
+        statistics.at<int>(k, cv::CC_STAT_WIDTH), statistics.at<int>(k, cv::CC_STAT_HEIGHT));
     double widest = 0;
-    cv::minMaxLoc(depth_mm, nullptr, &widest, nullptr, nullptr, numbers == k);
-    const double longest = std::max(statistics.at<int>(k, cv::CC_STAT_WIDTH),
-                                    statistics.at<int>(k, cv::CC_STAT_HEIGHT)) *
-                           kCell_mm;
+    cv::minMaxLoc(depth_mm(box), nullptr, &widest, nullptr, nullptr, numbers(box) == k);
+    const double longest = std::max(box.width, box.height) * kPlanCell_mm;
     cores.push_back({k, widest, longest + 2 * eroded_mm});
   }
   return cores;
 }
 
-// The first wearing-down at which two or more real parts separate; empty when there is none.
-std::vector<Core> separatedCores(const cv::Mat1f& depth_mm, double neck_share, double min_extent_mm,
-                                 double& half_neck_mm, cv::Mat1i& numbers) {
+struct Cut {
+  std::vector<Core> cores;
+  cv::Mat1i parts;  // the core's number in each cell, 0 outside
+  double half_neck_mm = 0;
+};
+
+// Whether all parts that meet do so at a neck or along a seam.
+bool divided(const Cut& cut, double neck_share, const std::optional<SeenSurface>& surface) {
+  for (std::size_t i = 0; i < cut.cores.size(); ++i)
+    for (std::size_t j = i + 1; j < cut.cores.size(); ++j) {
+      const Core &a = cut.cores[i], &b = cut.cores[j];
+      if (cut.half_neck_mm <= neck_share * std::min(a.half_width_mm, b.half_width_mm)) continue;
+      if (surface && brokenShare(cut.parts, a.number, b.number, *surface) < kSeamBroken)
+        return false;
+    }
+  return true;
+}
+
+// The first wearing-down at which two or more real parts are told apart.
+std::optional<Cut> firstCut(const Plan& plan, const TouchingOptions& options,
+                            const std::optional<SeenSurface>& surface) {
+  cv::Mat1f depth_mm;
+  cv::distanceTransform(plan.filled, depth_mm, cv::DIST_L2, cv::DIST_MASK_5);
+  depth_mm *= kPlanCell_mm;
   double deepest = 0;
   cv::minMaxLoc(depth_mm, nullptr, &deepest);
-  for (half_neck_mm = kCell_mm; half_neck_mm < neck_share * deepest; half_neck_mm += kCell_mm / 2) {
-    std::vector<Core> cores = coresOf(depth_mm > half_neck_mm, depth_mm, half_neck_mm, numbers);
-    std::erase_if(cores, [&](const Core& c) {
-      return half_neck_mm > neck_share * c.half_width_mm || c.extent_mm < min_extent_mm;
+  const double share = surface ? options.seam_share : options.neck_share;
+  for (double worn_mm = kPlanCell_mm; worn_mm < share * deepest; worn_mm += kPlanCell_mm / 2) {
+    Cut cut{{}, {}, worn_mm};
+    cv::Mat1i numbers;
+    cut.cores = coresOf(depth_mm > worn_mm, depth_mm, worn_mm, numbers);
+    const auto end = std::stable_partition(cut.cores.begin(), cut.cores.end(), [&](const Core& c) {
+      return worn_mm <= share * c.half_width_mm && c.extent_mm >= options.min_extent_mm;
     });
-    if (cores.size() >= 2) return cores;
+    if (end - cut.cores.begin() < 2) continue;
+    cv::Mat1i cores = numbers.clone();
+    for (auto small = end; small != cut.cores.end(); ++small)
+      cores.setTo(0, numbers == small->number);
+    cut.cores.erase(end, cut.cores.end());
+    cut.parts = partsReached(plan, cores, surface ? &*surface : nullptr);
+    if (divided(cut, options.neck_share, surface)) return cut;
   }
   return {};
 }
 
+// The middle of the line between two parts.
+std::optional<Eigen::Vector2d> meetingPlace(const cv::Mat1i& parts, int a, int b) {
+  const std::vector<cv::Point> seam = seamBetween(parts, a, b);
+  if (seam.empty()) return {};
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const cv::Point& p : seam) sum += Eigen::Vector2d(p.x + 0.5, p.y + 0.5);
+  return sum / static_cast<double>(seam.size());
+}
+
 }  // namespace
 
-TouchingParts cutTouching(const PointCloud& piece, double neck_share, double min_extent_mm) {
-  TouchingParts parts;
-  parts.part.assign(piece.size(), 0);
-  if (piece.empty()) return parts;
-  const Plan print = planOf(piece);
-  cv::Mat1f depth_mm;
-  cv::distanceTransform(print.filled, depth_mm, cv::DIST_L2, cv::DIST_MASK_5);
-  depth_mm *= kCell_mm;
-  double half_neck_mm = 0;
-  cv::Mat1i numbers;
-  const std::vector<Core> cores =
-      separatedCores(depth_mm, neck_share, min_extent_mm, half_neck_mm, numbers);
-  if (cores.size() < 2) return parts;
-
-  // Distance from each core; what lies between belongs to the nearer one.
-  std::vector<cv::Mat1f> from_core;
-  for (const Core& core : cores) {
-    cv::Mat1f distance;
-    cv::distanceTransform(numbers != core.number, distance, cv::DIST_L2, cv::DIST_MASK_5);
-    from_core.push_back(distance);
+TouchingParts cutTouching(const PointCloud& piece, const TouchingOptions& options) {
+  const TouchingParts whole{1, std::vector<int>(piece.size(), 0), {}};
+  if (piece.empty()) return whole;
+  const Plan plan = planOf(piece);
+  std::optional<SeenSurface> surface;
+  if (piece.hasNormals()) surface = surfaceFromAbove(piece, plan);
+  const std::optional<Cut> cut = firstCut(plan, options, surface);
+  if (!cut) return whole;
+  TouchingParts found{0, whole.part, {}};
+  for (const Core& core : cut->cores) {
+    bool holds_points = false;
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      if (cut->parts(plan.cellOf(piece.points[i])) == core.number)
+        found.part[i] = found.count, holds_points = true;
+    if (holds_points) ++found.count;
   }
-  parts.count = static_cast<int>(cores.size());
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    const cv::Point cell = print.cellOf(piece.points[i]);
-    for (int k = 1; k < parts.count; ++k)
-      if (from_core[static_cast<std::size_t>(k)](cell) <
-          from_core[static_cast<std::size_t>(parts.part[i])](cell))
-        parts.part[i] = k;
-  }
-  for (std::size_t k = 1; k < cores.size(); ++k) {
-    cv::Mat1f both = from_core[0] + from_core[k];
-    both.setTo(1e9f, print.filled == 0);
-    cv::Point where;
-    cv::minMaxLoc(both, nullptr, nullptr, &where);
-    parts.necks.push_back(
-        {print.origin + Eigen::Vector2d(where.x, where.y) * kCell_mm, 2 * half_neck_mm});
-  }
-  return parts;
+  if (found.count < 2) return whole;
+  for (std::size_t i = 0; i < cut->cores.size(); ++i)
+    for (std::size_t j = i + 1; j < cut->cores.size(); ++j)
+      if (const auto cells = meetingPlace(cut->parts, cut->cores[i].number, cut->cores[j].number))
+        found.necks.push_back({plan.origin + *cells * kPlanCell_mm, 2 * cut->half_neck_mm});
+  return found;
 }
 
 }  // namespace ostraka::scan

@@ -6,6 +6,13 @@
 
 namespace ostraka::scan {
 
+struct TouchingOptions {
+  double neck_share = 0.35;     ///< pieces touch where the outline narrows below this share of the
+                                ///< smaller part's width; a sherd's own waist is wider,
+  double seam_share = 0.75;     ///< or below this share, where the surface breaks off at the waist
+  double min_extent_mm = 10.0;  ///< smaller parts are none
+};
+
 /// Where two touching sherds were told apart.
 struct Neck {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< plate, mm
@@ -19,9 +26,10 @@ struct TouchingParts {
 };
 
 /// Sherds that touch show as one piece with a neck in its outline seen from above. The outline is
-/// worn down step by step; where it falls into parts and the neck is narrower than neck_share of
-/// the smaller part, each of at least min_extent_mm, the piece is cut and each point goes to the
-/// part that its place is nearest to. A sherd's own waist is wider than that.
-TouchingParts cutTouching(const PointCloud& piece, double neck_share, double min_extent_mm);
+/// worn down step by step until it falls into parts. The piece is cut where the neck between them
+/// is narrow, or, under a wider one, where the surface breaks off by a step, a kink or a groove
+/// along four fifths of the line between the parts (only told from points with normals). Each
+/// point goes to the part from which it is reached without crossing such breaks.
+TouchingParts cutTouching(const PointCloud& piece, const TouchingOptions& options);
 
 }  // namespace ostraka::scan

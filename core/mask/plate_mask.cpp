@@ -201,7 +201,7 @@ class PlateMasker {
         photographs.push_back(&photographs_[i]);
       }
       const std::vector<cv::Mat1f> heights =
-          weighHeights(images, photographs, plate_, options_.max_height_mm);
+          weighHeights(images, photographs, plate_, options_.height_mm);
       for (std::size_t k = 0; k < images.size(); ++k) addHeights(views_[stops[s][k]], heights[k]);
     });
   }
@@ -234,21 +234,22 @@ class PlateMasker {
     const cv::Mat& photograph = empties_[camera];
     if (photograph.type() != CV_8UC3 || photograph.size() != looks[0].log_colours.size())
       return refuse("has another size than the camera's photographs");
+    // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
+    constexpr double kFits = 0.85;
+    const cv::Mat3f empty = logColours(photograph);
+    RingAgreement best;
+    std::size_t at = 0;
     for (std::size_t k = 0; k < members.size(); ++k) {
-      if (images_[members[k]].stop != 0) continue;
-      const cv::Mat3f empty = logColours(photograph);
-      // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
-      constexpr double kFits = 0.85;
       const RingAgreement agreement = ringAgreement(empty, looks[k], paper);
-      if (agreement.typical < kFits)
-        return refuse("does not show the plate at the first stop; take it again there");
-      // Used all the same, it would make a sherd of what lies on the markers in every photograph.
-      if (agreement.whole < kFits)
-        return refuse("shows markers that something covers in " + images_[members[k]].file +
-                      "; take off what lies on them");
-      return {empty, static_cast<int>(k)};
+      if (k == 0 || agreement.typical > best.typical) best = agreement, at = k;
     }
-    return refuse("has no photograph at the first stop beside it");
+    if (best.typical < kFits)
+      return refuse("shows the plate at none of the stops; take it again at the first");
+    // Used all the same, it would make a sherd of what lies on the markers in every photograph.
+    if (best.whole < kFits)
+      return refuse("shows markers that something covers in " + images_[members[at]].file +
+                    "; take off what lies on them");
+    return {empty, static_cast<int>(at)};
   }
 
   HullView reduced(std::size_t index, const Evidence& evidence) const {
@@ -268,13 +269,23 @@ class PlateMasker {
     space_.radius = radius;
     const int half = static_cast<int>(std::ceil(radius / space_.pitch));
     space_.low = Eigen::Vector3d(-half * space_.pitch, -half * space_.pitch, 0.5 * space_.pitch);
-    space_.count = {2 * half + 1, 2 * half + 1,
-                    static_cast<int>(std::ceil(options_.max_height_mm / space_.pitch))};
     hull_.threads = options_.threads;
     std::vector<HullView> views;
     for (const ViewState& view : views_) views.push_back(view.hull);
-    voxels_ = carveHull(space_, views, hull_, stop);
-    return dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2) > 0;
+    int groups = 0;
+    for (double height = options_.height_mm; height <= kTallest_mm; height *= 2) {
+      space_.count = {2 * half + 1, 2 * half + 1,
+                      static_cast<int>(std::ceil(height / space_.pitch))};
+      voxels_ = carveHull(space_, views, hull_, stop);
+      groups = dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
+      if (!reachesTop()) break;
+    }
+    return groups > 0;
+  }
+
+  bool reachesTop() const {
+    const auto layer = static_cast<std::ptrdiff_t>(space_.count.x()) * space_.count.y();
+    return std::any_of(voxels_.end() - layer, voxels_.end(), [](auto voxel) { return voxel != 0; });
   }
 
   // Where the hull shows, and a little beyond: it is as coarse as its voxels.
@@ -404,8 +415,8 @@ class PlateMasker {
 }  // namespace
 
 Result<void> PlateMaskOptions::check() const {
-  if (!(max_height_mm > 0 && max_height_mm <= 500))
-    return Error{ErrorCode::UnusableInput, "max_height_mm must be within 0 and 500.", {}};
+  if (!(height_mm > 0 && height_mm <= kTallest_mm))
+    return Error{ErrorCode::UnusableInput, "height_mm must be within 0 and 320.", {}};
   if (!(min_sherd_area_mm2 >= 0))
     return Error{ErrorCode::UnusableInput, "min_sherd_area_mm2 must not be negative.", {}};
   return {};

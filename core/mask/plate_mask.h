@@ -11,9 +11,12 @@
 
 namespace ostraka::mask {
 
+inline constexpr double kTallest_mm = 320;  ///< as much as a plate is wide
+
 struct PlateMaskOptions {
   int threads = 1;
-  double max_height_mm = 80;  ///< nothing on the plate is taller; bounds the visual hull
+  double height_mm = 80;  ///< of the space that the visual hull is carved from; doubled while
+                          ///< something reaches its top, up to kTallest_mm
   double min_sherd_area_mm2 =
       25;  ///< smaller things are crumbs: a sherd of 5 x 5 mm has no contour
   Result<void> check() const;
@@ -21,10 +24,10 @@ struct PlateMaskOptions {
 
 /// Masks of one side from the turning plate.
 /// images: cameras and poses, plate frame, mm; photographs: CV_8UC3 (BGR), one per image, same size
-/// as its intrinsics say. empty_photographs: the bare plate at stop 0, indexed by
-/// PosedImage::camera; the span or single Mats may be empty. A photograph whose empty partner does
-/// not fit the pose is masked without it, with a warning. Errors: UnusableInput (sizes, counts),
-/// NotEnough (no sherd found, fewer than 3 images), Cancelled.
+/// as its intrinsics say. empty_photographs: the bare plate at one of the stops, indexed
+/// by PosedImage::camera; the span or single Mats may be empty. A photograph whose empty partner
+/// does not fit the pose is masked without it, with a warning. Errors: UnusableInput (sizes,
+/// counts), NotEnough (no sherd found, fewer than 3 images), Cancelled.
 Result<MaskResult> maskByPlate(std::span<const rig::PosedImage> images,
                                std::span<const cv::Mat> photographs, const batch::Plate& plate,
                                std::span<const cv::Mat> empty_photographs,

@@ -10,8 +10,12 @@
 
 namespace ostraka::stereo {
 
-/// The visual hull: cubes that at least 3 views see and none sees outside its mask (Laurentini,
-/// IEEE PAMI 1994).
+/// A mask that misses a sherd must not cost the sherd: so many of a side's views may show as
+/// outside what the others show. One in 24, and one in any case.
+int masksThatMayErr(std::size_t views);
+
+/// The visual hull: cubes that at least 3 views see and no more see outside their masks than may
+/// err (after Laurentini, IEEE PAMI 1994).
 struct Hull {
   Eigen::Vector3f origin;  ///< centre of the first cube, plate frame, mm
   float edge_mm = 1;

@@ -108,7 +108,7 @@ std::vector<SurfacePoint> insideMasks(std::span<const Frame* const> frames,
                         int outside = 0;
                         for (const Frame* frame : frames)
                           outside += outsideMask(*frame, points[i].position) ? 1 : 0;
-                        keep[i] = outside <= options.max_views_outside ? 1 : 0;
+                        keep[i] = outside <= masksThatMayErr(frames.size()) ? 1 : 0;
                       }
                     });
   std::vector<SurfacePoint> kept;

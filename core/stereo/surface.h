@@ -8,14 +8,12 @@
 namespace ostraka::stereo {
 
 struct SurfaceOptions {
-  /// Points further outside than this many pixels in so many views are not on the object.
-  int max_views_outside = 1;
   float spacing_px = 0.85F;  ///< edge of the cubes that keep one point each, in pixels' widths
   float radius_px = 2.6F;    ///< of the fitted neighbourhoods: the scale of the relief that is kept
   int threads = 1;
 };
 
-/// Leaves out the points that more than max_views_outside masks exclude.
+/// Leaves out the points that more masks exclude than may err.
 std::vector<SurfacePoint> insideMasks(std::span<const Frame* const> frames,
                                       const std::vector<SurfacePoint>& points,
                                       const SurfaceOptions& options);

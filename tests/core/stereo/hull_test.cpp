@@ -51,9 +51,24 @@ TEST(Hull, GivesEachPixelARangeAroundItsDepth) {
   EXPECT_EQ(ranges.front().far, 0.0F);  // the corner shows the background
 }
 
-TEST(Hull, IsAnErrorWhenTheMasksHaveNothingInCommon) {
+TEST(Hull, OneMaskThatMissesTheObjectDoesNotCostIt) {
   std::vector<View> views = ballViews({}, 4);
   views[3].mask.setTo(0);
+  const Carved carved = framesOf(views);
+  const Result<Hull> hull = carveHull(carved.frames, {}, 1);
+  ASSERT_TRUE(hull.has_value());
+  EXPECT_TRUE(hull->at(TexturedBall().centre.cast<float>()));
+}
+
+TEST(Hull, OneIn24MasksMayErr) {
+  EXPECT_EQ(masksThatMayErr(3), 1);
+  EXPECT_EQ(masksThatMayErr(24), 1);
+  EXPECT_EQ(masksThatMayErr(48), 2);
+}
+
+TEST(Hull, IsAnErrorWhenTheMasksHaveNothingInCommon) {
+  std::vector<View> views = ballViews({}, 4);
+  for (std::size_t i = 2; i < views.size(); ++i) views[i].mask.setTo(0);
   const Carved carved = framesOf(views);
   const Result<Hull> hull = carveHull(carved.frames, {}, 1);
   ASSERT_FALSE(hull.has_value());

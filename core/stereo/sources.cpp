@@ -17,6 +17,7 @@ std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frame
                                              const Eigen::Vector3f& middle,
                                              const DenseOptions& options) {
   constexpr double ideal_rad = 0.35, spread_rad = 0.3;  // 20 degrees: depth against foreshortening
+  constexpr std::size_t few = 2;  // a view on each side; with none, nothing is seen at all
   std::vector<std::vector<Link>> all(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const Eigen::Vector3f own = (frames[i]->centre - middle).normalized();
@@ -25,15 +26,20 @@ std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frame
       std::size_t frame;
       Eigen::Vector3f direction;
     };
-    std::vector<Candidate> candidates;
+    std::vector<Candidate> candidates, distant;
     for (std::size_t j = 0; j < frames.size(); ++j) {
       const Eigen::Vector3f other = (frames[j]->centre - middle).normalized();
       const double angle = std::acos(std::clamp(static_cast<double>(own.dot(other)), -1.0, 1.0));
-      if (j == i || angle < options.min_source_angle_rad || angle > options.max_source_angle_rad)
+      if (j == i || angle < options.min_source_angle_rad || angle > options.last_source_angle_rad)
         continue;
       const double off = (angle - ideal_rad) / spread_rad;
-      candidates.push_back({std::exp(-0.5 * off * off), j, other});
+      (angle <= options.max_source_angle_rad ? candidates : distant)
+          .push_back({std::exp(-0.5 * off * off), j, other});
     }
+    std::sort(distant.begin(), distant.end(),
+              [](const auto& a, const auto& b) { return a.score > b.score; });
+    for (std::size_t k = 0; candidates.size() < few && k < distant.size(); ++k)
+      candidates.push_back(distant[k]);
     while (!candidates.empty() && static_cast<int>(all[i].size()) < options.max_sources) {
       const auto best =
           std::max_element(candidates.begin(), candidates.end(),

@@ -27,9 +27,11 @@ struct DenseOptions {
   std::optional<double> floor_z_mm;           ///< the plate's surface; nothing lies below it
   std::optional<Eigen::AlignedBox3d> bounds;  ///< plate frame, mm; found from the masks when absent
   /// Angles at the object between a view and the views it is compared with. Below the first depth
-  /// is poorly determined, above the second a rough surface looks too different.
+  /// is poorly determined, above the second a rough surface looks too different; where fewer than
+  /// two views lie within both, the nearest up to the third are taken all the same.
   double min_source_angle_rad = 0.07;
   double max_source_angle_rad = 0.87;
+  double last_source_angle_rad = 1.05;
   int max_sources = 8;  ///< per view: both other cameras of a stop and three at each stop beside it
   /// A point needs this many views that agree on it, its own included.
   int min_agreeing_views = 2;

@@ -7,6 +7,25 @@
 namespace ostraka::stereo {
 namespace {
 
+// Six stops of one camera 30 degrees above the plate lie 51 degrees apart.
+TEST(Sources, AViewFarFromAllOthersGetsItsNeighbours) {
+  const TexturedBall ball;
+  std::vector<std::vector<Frame>> pyramids;
+  std::vector<View> views = ballViews(ball, 6);
+  for (std::size_t i = 0; i < views.size(); i += 2) pyramids.push_back(buildPyramid(views[i], 1));
+  std::vector<const Frame*> frames;
+  for (const auto& pyramid : pyramids) frames.push_back(&pyramid.front());
+  const auto links = chooseSources(frames, ball.centre.cast<float>(), {});
+  ASSERT_EQ(links.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    ASSERT_EQ(links[i].size(), 2U);
+    const auto apart = [&](const Link& link) {
+      return (link.source - static_cast<int>(i) + 6) % 6;
+    };
+    EXPECT_EQ(apart(links[i][0]) + apart(links[i][1]), 6) << "one on each side";
+  }
+}
+
 TEST(Sources, LieWithinTheAnglesAndLinkTheirCameras) {
   const TexturedBall ball;
   std::vector<std::vector<Frame>> pyramids;

@@ -81,6 +81,16 @@ std::vector<int> measuredPoints(const PointCloud& cloud) {
   return lost > kMostFar * static_cast<double>(kept.size()) ? kept : near;
 }
 
+// Coordinates are kept with 24 bits: at a thousand lengths of 100 mm they are rounded to 0.006 mm.
+constexpr double kMostLengthsAway = 1000;
+
+double awayFromOrigin(const PointCloud& cloud) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : cloud.points) box.extend(p);
+  const double length = box.sizes().maxCoeff();
+  return length > 0 ? box.center().norm() / length : 0;
+}
+
 std::string leftOut(const fs::path& file, std::size_t n, const std::string& what) {
   return file.string() + ": " + std::to_string(n) + (n == 1 ? " point " : " points ") + what +
          (n == 1 ? " was" : " were") + " left out; check the export.";
@@ -111,6 +121,13 @@ Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
   }
   if (!scan.cloud.hasNormals()) {
     return Error{ErrorCode::UnusableInput, "The scan has no normals; export it with nx, ny and nz.",
+                 file.string()};
+  }
+  if (const double lengths = awayFromOrigin(scan.cloud); lengths > kMostLengthsAway) {
+    return Error{ErrorCode::UnusableInput,
+                 "The scan lies " + fixed(lengths, 0) +
+                     " times its length away from 0, 0, 0, so its coordinates are rounded; move it "
+                     "there and export it again.",
                  file.string()};
   }
   scan.up = scan::estimateUp(scan.cloud);

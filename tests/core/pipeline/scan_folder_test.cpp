@@ -89,6 +89,19 @@ TEST_F(ScanFolders, DoNotLookAtHiddenFiles) {
   EXPECT_FALSE(holdsScans(folder / "photos"));
 }
 
+TEST_F(ScanFolders, InAMapsCoordinatesAreNamedInsteadOfRounded) {
+  PointCloud surveyed = disc();
+  for (Eigen::Vector3f& p : surveyed.points) p += Eigen::Vector3f(300e3f, 400e3f, 0);
+  write("front/a.ply", surveyed);
+  write("front/b.ply", disc());
+  const ScanFolder side = read("front");
+  EXPECT_EQ(side.scans.size(), 1u);
+  EXPECT_EQ(side.unusable, 1);
+  ASSERT_EQ(side.warnings.size(), 1u);
+  EXPECT_THAT(side.warnings[0], HasSubstr("a.ply"));
+  EXPECT_THAT(side.warnings[0], HasSubstr("times its length away from 0, 0, 0"));
+}
+
 TEST_F(ScanFolders, InAnotherUnitAreNamedWithIt) {
   struct Case {
     double front, back;

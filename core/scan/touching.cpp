@@ -114,7 +114,7 @@ std::optional<Eigen::Vector2d> meetingPlace(const cv::Mat1i& parts, int a, int b
 }  // namespace
 
 TouchingParts cutTouching(const PointCloud& piece, const TouchingOptions& options) {
-  const TouchingParts whole{1, std::vector<int>(piece.size(), 0), {}};
+  TouchingParts whole{1, std::vector<int>(piece.size(), 0), {}};
   if (piece.empty()) return whole;
   const Plan plan = planOf(piece);
   std::optional<SeenSurface> surface;

@@ -42,7 +42,8 @@ Seen seen(const Frame& f, const Eigen::Vector3f& p_plate, float margin_mm) {
   if (p.z() <= 0) return Seen::NotInPicture;
   const Eigen::Vector2f pixel = f.project(p);
   if (!f.holds(pixel)) return Seen::NotInPicture;
-  const int x = static_cast<int>(pixel.x() + 0.5F), y = static_cast<int>(pixel.y() + 0.5F);
+  const Eigen::Vector2i nearest = (pixel.array() + 0.5F).cast<int>();
+  const int x = nearest.x(), y = nearest.y();
   const int reach = static_cast<int>(std::ceil(margin_mm * f.fx / p.z()));
   for (int v = std::max(0, y - reach); v <= std::min(f.height - 1, y + reach); ++v)
     for (int u = std::max(0, x - reach); u <= std::min(f.width - 1, x + reach); ++u)
@@ -158,11 +159,14 @@ std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame) {
           ranges[static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) +
                  static_cast<std::size_t>(x)];
       const float step = step_mm / direction.norm();
-      for (float s = enter; s <= leave; s += step)
+      float s = enter;
+      while (s <= leave) {
         if (hull.at(frame.centre + s * direction)) {
           if (range.far == 0) range.near = s - step;
           range.far = s + step;
         }
+        s += step;
+      }
     }
   return ranges;
 }

@@ -85,7 +85,7 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
 TEST_F(CommandLine, WithoutACommandAndWithoutADisplayItSaysWhatToDo) {
   const Outcome alone = run("");
   EXPECT_EQ(alone.status, 2);
-  EXPECT_TRUE(says(alone, "no display")) << alone.text;
+  EXPECT_TRUE(says(alone, OSTRAKA_WITHOUT_DISPLAY)) << alone.text;
   EXPECT_EQ(run(path("")).status, 2);
 }
 

@@ -12,6 +12,7 @@
 #include "cloud/ply.h"
 #include "pairing/common_scale.h"
 #include "pipeline/candidate_table.h"
+#include "pipeline/lone_scans.h"
 #include "pipeline/no_plate.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/preflight.h"
@@ -141,14 +142,21 @@ Result<void> publish(const Run& run, const std::string& number) {
   return {};
 }
 
-Result<void> publishLone(const Run& run, const std::vector<std::string>& ids,
-                         const std::vector<scan::Scan>& scans, batch::Side side) {
+std::vector<const scan::Scan*> scansNamed(const std::vector<std::string>& ids,
+                                          const std::vector<scan::Scan>& scans) {
+  std::vector<const scan::Scan*> named;
   for (const scan::Scan& scan : scans)
-    if (std::find(ids.begin(), ids.end(), scan.id) != ids.end()) {
-      const Result<void> written = writePly(run.options.output / "unpaired" / (scan.id + ".ply"),
-                                            scan.cloud, std::string("plate_") + batch::name(side));
-      if (!written) return written;
-    }
+    if (std::find(ids.begin(), ids.end(), scan.id) != ids.end()) named.push_back(&scan);
+  return named;
+}
+
+Result<void> publishLone(const Run& run, std::span<const scan::Scan* const> scans,
+                         batch::Side side) {
+  for (const scan::Scan* scan : scans) {
+    const Result<void> written = writePly(run.options.output / "unpaired" / (scan->id + ".ply"),
+                                          scan->cloud, std::string("plate_") + batch::name(side));
+    if (!written) return written;
+  }
   return {};
 }
 
@@ -245,16 +253,20 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
           makeModels(run, pairs->value.pairs, front, back, shares.models, report, summary);
       !r)
     return r.error();
-  if (const auto r = publishLone(run, report.unpaired_front, front.scans.value, batch::Side::Front);
-      !r)
-    return r.error();
-  if (const auto r = publishLone(run, report.unpaired_back, back.scans.value, batch::Side::Back);
-      !r)
-    return r.error();
+  const auto lone_fronts = scansNamed(report.unpaired_front, front.scans.value);
+  const auto lone_backs = scansNamed(report.unpaired_back, back.scans.value);
+  if (const auto r = publishLone(run, lone_fronts, batch::Side::Front); !r) return r.error();
+  if (const auto r = publishLone(run, lone_backs, batch::Side::Back); !r) return r.error();
   report.warnings = reading;
   for (const ReportStage& stage : report.stages)
     report.warnings.insert(report.warnings.end(), stage.record.notes.warnings.begin(),
                            stage.record.notes.warnings.end());
+  for (const auto& words :
+       {perhapsTouching(lone_fronts, lone_backs), perhapsTouching(lone_backs, lone_fronts)})
+    for (const std::string& warning : words) {
+      run.progress.note(NoteLevel::Warning, warning);
+      report.warnings.push_back(warning);
+    }
 
   run.progress.begin("report", 0.02);
   if (const auto r = writeReports(run.options.output, pairs->value, report); !r) return r.error();

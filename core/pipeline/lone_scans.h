@@ -1,0 +1,16 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scan/scan.h"
+
+namespace ostraka::pipeline {
+
+/// Sherds that lie side against side on the plate, without a neck between them, become one scan
+/// that no other side fits. What gives them away: it is as large, seen from above, as two scans of
+/// the other side together that have no partner either. One sentence for each such scan of `lone`.
+std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone,
+                                         std::span<const scan::Scan* const> others);
+
+}  // namespace ostraka::pipeline

@@ -21,6 +21,8 @@ constexpr double kFromEdge = 20.0 / 24, kPaperMargin_mm = 3.5;
 constexpr double kSpacing =
     1.45;  // of the inner edges, in markers' sides: room for paper and shade
 constexpr int kFewestMarkers = 6;
+constexpr double kLeastFree_mm = 12.5;  // radius of the free disc: a ruler of 20 mm fits
+constexpr double kWordsFromEdge_mm = 4;
 // Crosses that sheets are glued by: their places along a seam, in radii of the free disc; how far
 // an arm reaches over the cut edge; half the line where that edge comes to lie.
 constexpr std::array<double, 4> kCrosses{-0.85, -0.55, 0.55, 0.85};
@@ -57,8 +59,15 @@ Vector2d onPaper(const Eigen::Vector3d& p) {
   return {p.x(), -p.y()};
 }
 
-// A ruler of full millimetres from `from`, along `along`, its ticks to the right of it.
-void drawRuler(Sheet& sheet, const Vector2d& from, const Vector2d& along, double length_mm) {
+// Of the disc that is free of markers and their paper.
+double freeRadiusOf(double diameter_mm, double marker_mm) {
+  return ringRadius(diameter_mm, marker_mm) - marker_mm / 2 - kPaperMargin_mm;
+}
+
+// A ruler of full millimetres from `from`, along `along`, its ticks to the right of it; without
+// numbers where another one crosses it, `crossed_mm` from its start.
+void drawRuler(Sheet& sheet, const Vector2d& from, const Vector2d& along, double length_mm,
+               double crossed_mm = -100) {
   const Vector2d across(-along.y(), along.x());
   sheet.line(from, from + length_mm * along, 0.15);
   for (int mm = 0; mm <= static_cast<int>(std::lround(length_mm)); ++mm) {
@@ -66,7 +75,7 @@ void drawRuler(Sheet& sheet, const Vector2d& from, const Vector2d& along, double
     const Vector2d p = from + mm * along;
     sheet.line(p, p + tick * across, mm % 10 == 0 ? 0.15 : 0.08);
     const bool upright = along.x() > 0.5;
-    if (mm % 20 == 0)
+    if (mm % 20 == 0 && (mm < crossed_mm - 3 || mm > crossed_mm + 11))
       sheet.text(p + (upright ? Vector2d(0, 8.2) : Vector2d(-6, 1)), 2.6, std::to_string(mm),
                  upright ? Anchor::Middle : Anchor::Right);
   }
@@ -90,11 +99,7 @@ class Drawing {
 
  private:
   double radius() const { return options_.diameter_mm / 2; }
-  // Of the disc that is free of markers and their paper.
-  double freeRadius() const {
-    return ringRadius(options_.diameter_mm, options_.marker_mm) - options_.marker_mm / 2 -
-           kPaperMargin_mm;
-  }
+  double freeRadius() const { return freeRadiusOf(options_.diameter_mm, options_.marker_mm); }
 
   void drawPlate() {
     const bool black = options_.ground == Ground::Black;
@@ -108,7 +113,7 @@ class Drawing {
     if (out_.ruler_mm < 50) out_.ruler_mm = 10 * std::floor(1.6 * freeRadius() / 10);
     const double half = out_.ruler_mm / 2, aside = 0.22 * freeRadius();
     drawRuler(sheet_, {-half, aside}, {1, 0}, out_.ruler_mm);
-    drawRuler(sheet_, {-aside, -half}, {0, 1}, out_.ruler_mm);
+    drawRuler(sheet_, {-aside, -half}, {0, 1}, out_.ruler_mm, half + aside);
     drawWords();
   }
 
@@ -123,48 +128,75 @@ class Drawing {
         "Turntable's axis at the small cross; sherds within the dashed circle, on dark cloth "
         "without gloss that is cut to it."};
     const double size = freeRadius() > 100 ? 3.2 : 2.2, step = 1.5 * size;
-    for (const std::size_t letters : {62, 46, 34, 26}) {
-      std::vector<std::string> lines;
-      double width = 0;
-      for (const std::string& sentence : sentences)
-        for (std::string& line : wrapped(sentence, letters)) {
-          width = std::max(width, textWidth({{0, 0}, size, line, Anchor::Left, Weight::Plain}));
-          lines.push_back(std::move(line));
-        }
-      const auto at = placeForWords({width, step * static_cast<double>(lines.size())});
-      if (!at && letters > 26) continue;  // too wide for this plate's sheets
-      for (std::size_t i = 0; i < lines.size(); ++i)
-        sheet_.text(at.value_or(Vector2d(8, 0.22 * freeRadius() + 12)) +
-                        Vector2d(0, size + step * static_cast<double>(i)),
-                    size, lines[i]);
-      return;
-    }
+    for (const bool inside : {true, false})
+      for (const std::size_t letters : {62, 46, 34, 26}) {
+        std::vector<std::string> lines;
+        double width = 0;
+        for (const std::string& sentence : sentences)
+          for (std::string& line : wrapped(sentence, letters)) {
+            width = std::max(width, textWidth({{0, 0}, size, line, Anchor::Left, Weight::Plain}));
+            lines.push_back(std::move(line));
+          }
+        const double height = step * static_cast<double>(lines.size());
+        const auto at = inside ? placeForWords({width, height}) : placeOutside({width, height});
+        if (!at) continue;  // too wide for this plate's sheets
+        for (std::size_t i = 0; i < lines.size(); ++i)
+          sheet_.text(*at + Vector2d(0, size + step * static_cast<double>(i)), size, lines[i]);
+        return;
+      }
   }
 
-  // Upper left of the words: whole on one sheet, clear of rulers and crosses, below the ruler and
-  // right of the middle where that can be.
+  // Upper left of the words within the free disc: whole on one sheet, clear of rulers and crosses,
+  // below the ruler and right of the middle where that can be.
   std::optional<Vector2d> placeForWords(const Vector2d& size) const {
-    const double aside = 0.22 * freeRadius();
-    const Vector2d wanted(8, aside + 12);
+    const Vector2d wanted(8, 0.22 * freeRadius() + 12), reach(freeRadius(), freeRadius());
+    return nearestPlace(size, wanted, {-reach, reach}, [&](const Eigen::AlignedBox2d& box) {
+      for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
+                                Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight})
+        if (box.corner(corner).norm() > freeRadius() - kWordsFromEdge_mm) return false;
+      return clear(box);
+    });
+  }
+
+  // Small plates leave no room: beside the plate, below it on a page of the plate's own size.
+  std::optional<Vector2d> placeOutside(const Vector2d& size) {
+    const Vector2d wanted(-size.x() / 2, radius() + kWordsFromEdge_mm);
+    if (!options_.paper) {
+      if (size.x() > 2 * radius()) return std::nullopt;
+      below_mm_ = kWordsFromEdge_mm + size.y();
+      return wanted;
+    }
+    const double label = across_.count * down_.count > 1 ? 16 : 2;  // "Sheet 1 of 2" and its advice
+    const auto end = [&](const Rows& rows) {
+      return rows.begin + (rows.count - 1) * rows.step(options_.overlap_mm) + rows.usable;
+    };
+    const Vector2d low(across_.begin + 2, down_.begin + label),
+        high(end(across_) - 2, end(down_) - label);
+    return nearestPlace(size, wanted, {low, high - size}, [&](const Eigen::AlignedBox2d& box) {
+      return box.exteriorDistance(Vector2d(0, 0)) > radius() + kWordsFromEdge_mm / 2 && clear(box);
+    });
+  }
+
+  // In steps of 2 mm, upper left.
+  template <class Fits>
+  static std::optional<Vector2d> nearestPlace(const Vector2d& size, const Vector2d& wanted,
+                                              const Eigen::AlignedBox2d& reach, Fits fits) {
     std::optional<Vector2d> best;
     double nearest = 1e9;
-    for (double y = -freeRadius(); y < freeRadius(); y += 2)
-      for (double x = -freeRadius(); x < freeRadius(); x += 2) {
+    for (double y = reach.min().y(); y < reach.max().y(); y += 2)
+      for (double x = reach.min().x(); x < reach.max().x(); x += 2) {
         const Eigen::AlignedBox2d box(Vector2d(x, y), Vector2d(x, y) + size);
         const double off = (box.min() - wanted).norm();
-        if (off < nearest && clear(box)) {
-          nearest = off;
-          best = box.min();
-        }
+        if (off >= nearest || !fits(box)) continue;
+        nearest = off;
+        best = box.min();
       }
     return best;
   }
 
+  // Of rulers, the small cross, and what sheets are glued by.
   bool clear(const Eigen::AlignedBox2d& box) const {
     const double aside = 0.22 * freeRadius(), half = out_.ruler_mm / 2;
-    for (const auto corner : {Eigen::AlignedBox2d::BottomLeft, Eigen::AlignedBox2d::BottomRight,
-                              Eigen::AlignedBox2d::TopLeft, Eigen::AlignedBox2d::TopRight})
-      if (box.corner(corner).norm() > freeRadius() - 4) return false;
     const auto meets = [&](const Vector2d& low, const Vector2d& high) {
       return box.intersects(Eigen::AlignedBox2d(low, high));
     };
@@ -275,7 +307,7 @@ class Drawing {
     if (!options_.paper) {
       const double size = 2 * (radius() + options_.printer_margin_mm);
       out_.centres.emplace_back(size / 2, size / 2);
-      out_.pages.push_back({size, size, {{sheet_, {size / 2, size / 2}, {}}}});
+      out_.pages.push_back({size, size + below_mm_, {{sheet_, {size / 2, size / 2}, {}}}});
       return;
     }
     out_.sheets_across = across_.count;
@@ -367,6 +399,7 @@ class Drawing {
   Sheet sheet_;  // origin at the plate's centre
   Vector2d paper_ = Vector2d::Zero();
   Rows across_, down_;
+  double below_mm_ = 0;  // room for words below the plate, on a page of the plate's size
   PlatePrint out_;
 };
 
@@ -383,6 +416,11 @@ Result<void> PlatePrintOptions::check() const {
   if (markersOnRing(diameter_mm, marker_mm) < kFewestMarkers)
     return bad(
         words("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; make the "
+              "markers smaller or the plate larger.",
+              marker_mm, diameter_mm));
+  if (freeRadiusOf(diameter_mm, marker_mm) < kLeastFree_mm)
+    return bad(
+        words("Markers of %.0f mm leave no room for a sherd on a plate of %.0f mm; make the "
               "markers smaller or the plate larger.",
               marker_mm, diameter_mm));
   if (!(printer_margin_mm >= 0 && printer_margin_mm <= 40))

@@ -110,7 +110,7 @@ TEST_F(PlatePrintTest, OnSheetsIsTrueWithEachMarkerWholeOnOneOfThem) {
 // Sentences, not the rulers' numbers, whose place is fixed.
 TEST(PlatePrint, LeavesItsWordsWholeOnOneSheet) {
   for (const Paper paper : {Paper::A3, Paper::A4})
-    for (const double diameter : {250.0, 330.0, 420.0}) {
+    for (const double diameter : {150.0, 250.0, 330.0, 420.0, 500.0}) {
       PlatePrintOptions options;
       options.paper = paper;
       options.diameter_mm = diameter;
@@ -131,6 +131,55 @@ TEST(PlatePrint, LeavesItsWordsWholeOnOneSheet) {
       }
       EXPECT_GE(whole, 6) << diameter;
       EXPECT_EQ(sentences, whole) << diameter;  // on one sheet each, cut by none
+    }
+}
+
+Eigen::AlignedBox2d boxOf(const Text& text) {
+  const double width = textWidth(text);
+  const double left = text.anchor == Anchor::Left     ? 0
+                      : text.anchor == Anchor::Middle ? width / 2
+                                                      : width;
+  const Eigen::Vector2d at = text.at - Eigen::Vector2d(left, 0);
+  return {at - Eigen::Vector2d(0, 0.7 * text.size_mm), at + Eigen::Vector2d(width, 0)};
+}
+
+// Where the disc within the markers is too small for the words they stand beside the plate.
+TEST(PlatePrint, KeepsItsWordsOffMarkersAndOffEachOtherOnSmallPlates) {
+  for (const auto& [diameter, marker] : std::vector<std::pair<double, double>>{
+           {60, 8}, {80, 12}, {100, 12}, {120, 16}, {150, 12}, {150, 24}, {180, 20}, {220, 33}})
+    for (const std::optional<Paper> paper :
+         {std::optional(Paper::A4), std::optional(Paper::A3), std::optional<Paper>()}) {
+      PlatePrintOptions options;
+      options.diameter_mm = diameter;
+      options.marker_mm = marker;
+      options.paper = paper;
+      const auto print = printPlate(options);
+      ASSERT_TRUE(print.has_value()) << print.error().sentence();
+      const Layer& layer = print->pages.front().layers.front();
+      std::vector<Eigen::AlignedBox2d> boxes;
+      std::string all;
+      for (const auto& item : layer.sheet.items)
+        if (const Text* text = std::get_if<Text>(&item)) {
+          boxes.push_back(boxOf(*text));
+          all += text->text + " ";
+          for (const batch::Marker& m : print->plate.markers) {
+            const Eigen::Vector3d middle = (m.corners[0] + m.corners[2]) / 2;
+            EXPECT_GT(boxes.back().exteriorDistance(Eigen::Vector2d(middle.x(), -middle.y())),
+                      marker / 2)
+                << diameter << " " << text->text;
+          }
+        }
+      EXPECT_THAT(all, testing::HasSubstr("cut to it."));  // the last of the words
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+          EXPECT_FALSE(boxes[i].intersects(boxes[k])) << diameter << " " << marker;
+      const Page& page = print->pages.front();
+      if (!paper) {
+        for (const Eigen::AlignedBox2d& box : boxes)
+          EXPECT_TRUE(Eigen::AlignedBox2d(Eigen::Vector2d(0, 0),
+                                          Eigen::Vector2d(page.width_mm, page.height_mm))
+                          .contains(box.translated(layer.at)));
+      }
     }
 }
 
@@ -168,6 +217,10 @@ TEST(PlatePrint, RefusesWhatCannotBe) {
   PlatePrintOptions options;
   options.diameter_mm = 70;
   EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("Fewer than six markers"));
+  options.diameter_mm = 30;
+  options.marker_mm = 5;
+  EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("no room for a sherd"));
+  options.marker_mm = 24;
   options.diameter_mm = 1900;
   EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("too few markers"));
   options.diameter_mm = 330;

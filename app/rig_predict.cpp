@@ -31,12 +31,28 @@ ordered_json asJson(const Prediction& p) {
                      {"seen_pct", 100 * s.seen},
                      {"break_seen_pct", 100 * s.break_seen},
                      {"seconds_expected", p.expectedSeconds(s.seconds)}});
+  ordered_json moves = ordered_json::array();
+  for (const virtualrig::MoveTried& tried : p.moves) {
+    ordered_json there = ordered_json::array();
+    for (std::size_t k = 0; k < 3; ++k)
+      there.push_back({{"size", p.sizes[k].name},
+                       {"without_model", tried.sizes[k].without_model},
+                       {"accuracy_expected_mm", p.expectedAccuracy(tried.sizes[k])},
+                       {"completeness_pct", tried.sizes[k].completeness_percent}});
+    moves.push_back({{"camera", p.cameras[static_cast<std::size_t>(tried.move.camera)]},
+                     {"raise_deg", tried.move.raise_rad * 180 / M_PI},
+                     {"better", tried.better},
+                     {"sizes", there}});
+  }
   return {{"sizes", sizes},
           {"simulated_width_share", p.width_share},
           {"seconds_simulated", p.seconds},
           {"seconds_expected", p.expectedSeconds(p.seconds)},
           {"seconds_of_any_batch", p.expectedSeconds(p.fixed_seconds)},
+          {"processors", p.processors},
+          {"threads", p.threads},
           {"photographs", p.photographs},
+          {"moves", moves},
           {"cameras", p.cameras},
           {"elevations_rad", p.elevations_rad},
           {"pixels_mm", p.pixels_mm},
@@ -62,6 +78,12 @@ void print(const Prediction& p) {
   }
   std::printf("A batch of %d photographs takes %.0f s on this computer, and each sherd its own.\n",
               p.photographs, p.expectedSeconds(p.fixed_seconds));
+  // A computer to itself keeps nine tenths of its processors at work.
+  if (const double idle = p.processors / (0.9 * p.threads); idle < 0.8)
+    std::printf(
+        "Other programs kept it busy: %.1f of %d processors worked at this; with all of them it "
+        "takes about %.0f %% of these seconds.\n",
+        p.processors, p.threads, 100 * idle);
   if (p.width_share < 1)
     std::printf(
         "Extrapolated from pictures of %.0f %% of the width, which took %.0f s for %d sherds: the "
@@ -101,10 +123,13 @@ void addRigPredict(CLI::App& rig, Command& chosen) {
       "Virtual sherds of about 26, 48 and 82 mm, matte and on the standard dark plate, are\n"
       "photographed by the rig's own cameras at its stops and go through the whole chain; the\n"
       "models are compared with the truth. 90 % of a model's surface lie within 'accuracy' of\n"
-      "the truth; 'completeness' is the share of the truth within 0.25 mm of the model. 'seen',\n"
-      "and which camera to move, comes from rays: by three photographs of a side; breaks by both\n"
-      "sides. The advice is not simulated: calibrate and predict again once the camera stands\n"
-      "there. With a smaller --width accuracy and seconds are extrapolated: errors with the size\n"
+      "the truth; 'completeness' is the share of the truth within 0.25 mm of the model. 'seen'\n"
+      "comes from rays: by three photographs of a side; breaks by both sides. Rays also say which\n"
+      "camera, 10 or 20 degrees higher or lower, would look at the sherds more squarely, or close "
+      "a\n"
+      "step between cameras that is too wide for pictures to match; the same\n"
+      "sherds are then photographed from there, and it is recommended only if their models become\n"
+      "better. With a smaller --width accuracy and seconds are extrapolated: errors with the size\n"
       "of a pixel, time with its square. Depth of field, gloss and an unsteady turntable are not\n"
       "simulated: real figures can only be worse. Small sherds vary most: two of them may differ\n"
       "by a third, --sherds-per-size 4 tells more.");
@@ -117,6 +142,11 @@ void addRigPredict(CLI::App& rig, Command& chosen) {
       "what 'ostraka process' works on: the rig's own, or 5 megapixels of it");
   command
       ->add_option("--sherds-per-size", options->sherds_per_size, "Small, medium, large: of each")
+      ->capture_default_str();
+  command
+      ->add_option("--moves", options->moves,
+                   "Of cameras, to simulate at most, until one makes better models; 0: none. Each "
+                   "takes as long as the rest")
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Start of all chance")->capture_default_str();
   command->add_option("--work", options->work,

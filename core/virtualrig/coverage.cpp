@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "base/parallel.h"
@@ -39,7 +40,7 @@ std::vector<Sample> samplesOf(const VirtualSherd& sherd, int count) {
 }
 
 struct Tally {
-  double area = 0, seen = 0, broken = 0, broken_seen = 0;
+  double area = 0, seen = 0, broken = 0, broken_seen = 0, square = 0, broken_square = 0;
   std::int64_t views = 0, outside = 0;
 };
 
@@ -53,27 +54,37 @@ class Look {
       }
   }
 
-  // Counts this side for the samples that enough of its views see.
-  void side(const Scene& scene, const std::vector<Sample>& samples, std::vector<char>& sides,
-            Tally& tally) const {
+  // Of each sample the cosine between ray and normal in the least square of enough views of this
+  // side; 0: too few views.
+  std::vector<float> side(const Scene& scene, const std::vector<Sample>& samples,
+                          Tally& tally) const {
+    std::vector<float> square(samples.size(), 0);
+    std::vector<std::pair<float, std::size_t>> views;  // cosine, view
     const std::vector<Eigen::Vector3f>&points = scene.vertices(0), &normals = scene.normals(0);
     const double least = std::cos(options_.most_slant_rad);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const Eigen::Vector3f& p = points[samples[i].vertex];
       const Eigen::Vector3f& n = normals[samples[i].vertex];
-      int views = 0;
+      views.clear();
       for (std::size_t v = 0; v < eyes_.size(); ++v) {
         const Eigen::Vector3f to_eye = eyes_[v] - p;
-        if (n.dot(to_eye) < least * to_eye.norm()) continue;
+        const float cosine = n.dot(to_eye) / to_eye.norm();
+        if (cosine < least) continue;
         ++tally.views;
-        if (!inPicture(v, p)) {
+        if (inPicture(v, p))
+          views.emplace_back(cosine, v);
+        else
           ++tally.outside;
-          continue;
-        }
-        if (views < options_.least_views && !scene.blocked(p + kFacetLift * n, to_eye, 1)) ++views;
       }
-      if (views >= options_.least_views) ++sides[i];
+      std::sort(views.begin(), views.end(), std::greater<>());
+      int seen = 0;
+      for (const auto& [cosine, v] : views)
+        if (!scene.blocked(p + kFacetLift * n, eyes_[v] - p, 1) && ++seen == options_.least_views) {
+          square[i] = cosine;
+          break;
+        }
     }
+    return square;
   }
 
  private:
@@ -96,30 +107,37 @@ SherdCoverage ofSherd(const VirtualSherd& sherd, const Look& look, const Coverag
   Tally tally;
   const std::vector<VirtualSherd> alone{sherd};
   for (const double away : {0.0, kHalfWay_mm}) {
-    std::vector<char> sides(samples.size(), 0);
-    for (const double up : {1.0, -1.0}) {
-      Eigen::Isometry3d pose = restPose(sherd.mesh, {0, 0, up});
+    std::array<std::vector<float>, 2> sides;
+    for (const int down : {0, 1}) {
+      Eigen::Isometry3d pose = restPose(sherd.mesh, {0, 0, down == 0 ? 1.0 : -1.0});
       pose.pretranslate(Eigen::Vector3d(away, 0, 0));
       const Scene scene(alone, {pose});
-      look.side(scene, samples, sides, tally);
+      sides[down] = look.side(scene, samples, tally);
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
+      const auto [worse, better] = std::minmax(sides[0][i], sides[1][i]);
       tally.area += samples[i].area;
-      tally.seen += sides[i] > 0 ? samples[i].area : 0;
+      tally.seen += better > 0 ? samples[i].area : 0;
+      tally.square += samples[i].area * better;
       if (!samples[i].broken) continue;
       tally.broken += samples[i].area;
-      tally.broken_seen += sides[i] == 2 ? samples[i].area : 0;
+      tally.broken_seen += worse > 0 ? samples[i].area : 0;
+      tally.broken_square += samples[i].area * worse;
     }
   }
   const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 0; };
   return {share(tally.seen, tally.area), share(tally.broken_seen, tally.broken),
+          0.5 * (share(tally.square, tally.area) + share(tally.broken_square, tally.broken)),
           share(static_cast<double>(tally.outside), static_cast<double>(tally.views))};
 }
 
-double breaksSeen(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
-                  const CoverageOptions& options) {
+// How much of the sherds models can rest on: seen squarely, and with a break that both sides see,
+// which ties them together.
+double promise(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
+               const CoverageOptions& options) {
   double sum = 0;
-  for (const SherdCoverage& one : coverage(sherds, rig, options)) sum += one.break_seen;
+  for (const SherdCoverage& one : coverage(sherds, rig, options))
+    sum += one.square + 0.3 * one.break_seen;
   return sum / static_cast<double>(sherds.size());
 }
 
@@ -134,15 +152,6 @@ double widestStep(const VirtualRig& rig) {
   return widest;
 }
 
-// The camera carried about the plate's middle, still looking at the same places.
-VirtualRig raised(VirtualRig rig, int camera, double raise_rad) {
-  Eigen::Isometry3d& pose = rig.camera_from_room[static_cast<std::size_t>(camera)];
-  const Eigen::Vector3d eye = pose.inverse().translation();
-  const Eigen::Vector3d axis = eye.cross(Eigen::Vector3d::UnitZ()).normalized();
-  pose = pose * Eigen::AngleAxisd(-raise_rad, axis);
-  return rig;
-}
-
 }  // namespace
 
 std::vector<SherdCoverage> coverage(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
@@ -154,28 +163,50 @@ std::vector<SherdCoverage> coverage(const std::vector<VirtualSherd>& sherds, con
   return found;
 }
 
-Result<CameraAdvice> bestMove(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
-                              const CoverageOptions& options, std::stop_token stop) {
+Eigen::Isometry3d raised(const Eigen::Isometry3d& camera_from_room, double raise_rad) {
+  const Eigen::Vector3d eye = camera_from_room.inverse().translation();
+  const Eigen::Vector3d axis = eye.cross(Eigen::Vector3d::UnitZ()).normalized();
+  return camera_from_room * Eigen::AngleAxisd(-raise_rad, axis);
+}
+
+Result<std::vector<CameraMove>> promisingMoves(const std::vector<VirtualSherd>& sherds,
+                                               const VirtualRig& rig,
+                                               const CoverageOptions& options,
+                                               std::stop_token stop) {
   constexpr double kLeastGain = 0.01;
   // Pictures from farther apart do not match: the demo's middle camera carried down from 44 to 24
   // degrees, 40 below the highest, saw a fifth more of the breaks, and models became worse.
   constexpr double kWidestStep = 26 * std::numbers::pi / 180;
-  CameraAdvice best;
-  if (sherds.empty()) return best;
-  const double now = breaksSeen(sherds, rig, options);
+  std::vector<CameraMove> moves;
+  if (sherds.empty()) return moves;
+  const double now = promise(sherds, rig, options);
   const double widest = std::max(kWidestStep, widestStep(rig));
-  for (int camera = 0; camera < rig.cameras(); ++camera)
+  CameraMove closing{0, 0, -1};
+  for (int camera = 0; camera < rig.cameras(); ++camera) {
+    CameraMove best{camera, 0, kLeastGain};
     for (const double degrees : {-20.0, -10.0, 10.0, 20.0}) {
       if (stop.stop_requested()) return Error::cancelled();
       const double then = elevation(rig, camera) * 180 / std::numbers::pi + degrees;
       if (then < 10 || then > 85) continue;
       const double raise = degrees * std::numbers::pi / 180;
-      const VirtualRig moved = raised(rig, camera, raise);
+      VirtualRig moved = rig;
+      Eigen::Isometry3d& pose = moved.camera_from_room[static_cast<std::size_t>(camera)];
+      pose = raised(pose, raise);
       if (widestStep(moved) > widest + 1e-9) continue;
-      const double gain = breaksSeen(sherds, moved, options) - now;
-      if (gain > std::max(kLeastGain, best.gain + 1e-9)) best = {camera, raise, gain};
+      const double gain = promise(sherds, moved, options) - now;
+      if (gain > best.gain) best = {camera, raise, gain};
+      if (widest > kWidestStep && widestStep(moved) <= kWidestStep && gain > closing.gain)
+        closing = {camera, raise, gain};
     }
-  return best;
+    if (best.raise_rad != 0) moves.push_back(best);
+  }
+  std::stable_sort(moves.begin(), moves.end(),
+                   [](const CameraMove& a, const CameraMove& b) { return a.gain > b.gain; });
+  if (closing.raise_rad != 0) {
+    std::erase_if(moves, [&](const CameraMove& m) { return m.camera == closing.camera; });
+    moves.insert(moves.begin(), closing);
+  }
+  return moves;
 }
 
 double elevation(const VirtualRig& rig, int camera) {

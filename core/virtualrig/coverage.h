@@ -19,24 +19,35 @@ struct CoverageOptions {
 struct SherdCoverage {
   double seen = 0;        ///< of the whole surface, by enough views of one side
   double break_seen = 0;  ///< of the broken edge, from both sides: only that ties them together
-  double outside = 0;     ///< of points and views: the point lies outside of the picture
+  /// How squarely it is seen: cosine between ray and normal in the third best view, 0 where there
+  /// are fewer. Mean of the whole surface, from the better side, and of the broken edge, from the
+  /// worse one: models need both.
+  double square = 0;
+  double outside = 0;  ///< of points and views: the point lies outside of the picture
 };
 /// Each sherd lies at the plate's middle and half-way to the ring in turn; means of both.
 std::vector<SherdCoverage> coverage(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
                                     const CoverageOptions& options);
 
-/// What would make the rig see more.
-struct CameraAdvice {
+/// One camera carried about the plate's middle, still looking at the same places.
+struct CameraMove {
   int camera = 0;        ///< index
-  double raise_rad = 0;  ///< about the plate's middle; negative: lower
-  double gain = 0;       ///< more of the broken edge seen, share
+  double raise_rad = 0;  ///< negative: lower
+  double gain = 0;       ///< of square and 0.3 break_seen, mean over the sherds
 };
 /// Every camera raised and lowered by 10 and 20 degrees, alone, as far as it stays between 10 and
 /// 85 degrees above the plate and opens no wider step between the cameras' elevations than 26
-/// degrees or what is there; the best of these when it shows at least one per cent more of the
-/// breaks, else raise_rad = 0. Errors: Cancelled.
-Result<CameraAdvice> bestMove(const std::vector<VirtualSherd>& sherds, const VirtualRig& rig,
-                              const CoverageOptions& options, std::stop_token stop);
+/// degrees or what is there; of each camera the move by which sherds are seen most squarely and
+/// their breaks from both sides, when that gains at least 0.01, best first. Where there is a wider
+/// step than 26 degrees the move that closes it comes before them, and sherds are seen most
+/// squarely after. Rays tell what may be worth a try, not what models become: that takes
+/// photographs. Errors: Cancelled.
+Result<std::vector<CameraMove>> promisingMoves(const std::vector<VirtualSherd>& sherds,
+                                               const VirtualRig& rig,
+                                               const CoverageOptions& options,
+                                               std::stop_token stop);
+/// camera_from_room of a camera that was carried so, mm.
+Eigen::Isometry3d raised(const Eigen::Isometry3d& camera_from_room, double raise_rad);
 
 /// Height of a camera above the plate's plane as an angle, radians.
 double elevation(const VirtualRig& rig, int camera);

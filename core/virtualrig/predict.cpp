@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/parallel.h"
 #include "cloud/ply.h"
 #include "evaluate/model.h"
 #include "evaluate/truth.h"
@@ -20,9 +22,12 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 3> kNames{"small", "medium", "large"};
 constexpr std::array<double, 3> kRadii_mm{12, 22, 37};  // of outlines; sherds are 2.2 times as wide
 
-std::string words(const char* format, double a, double b = 0) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, a, b);
+// Of a trial's time; simulating takes what is left of processing it.
+constexpr double kProcessShare = 0.75;
+
+std::string words(const char* format, double a, double b = 0, double c = 0) {
+  char text[240];
+  std::snprintf(text, sizeof text, format, a, b, c);
   return text;
 }
 
@@ -31,6 +36,21 @@ int workingWidth(const rig::Rig& rig) {
   const rig::Intrinsics& own = rig.cameras.front().intrinsics;
   return rig::reducedTo(own, pipeline::ProcessOptions{}.megapixels).width / 4 * 4;
 }
+
+// One of several trials: its stages have their share of it.
+class TrialProgress final : public Progress {
+ public:
+  TrialProgress(Progress& whole, double share) : whole_(whole), share_(share) {}
+  void begin(std::string_view stage, double share) override {
+    whole_.begin(stage, share * share_ * kProcessShare);
+  }
+  void report(std::int64_t done, std::int64_t total) override { whole_.report(done, total); }
+  void note(NoteLevel level, std::string_view text) override { whole_.note(level, text); }
+
+ private:
+  Progress& whole_;
+  double share_;
+};
 
 SimulateOptions simulateOptions(const rig::Rig& rig, const PredictOptions& options) {
   SimulateOptions out;
@@ -51,10 +71,10 @@ SizePrediction& sizeOf(Prediction& prediction, std::size_t sherd, int per_size) 
   return prediction.sizes[2 - sherd / static_cast<std::size_t>(per_size)];
 }
 
-// What the rays tell, and the sentences about the rig itself.
-Result<void> lookByRays(const rig::Rig& rig, const SimulateOptions& simulated,
-                        const PredictOptions& options, Prediction& prediction,
-                        std::stop_token stop) {
+// What the rays tell, and which moves they recommend.
+Result<std::vector<CameraMove>> lookByRays(const rig::Rig& rig, const SimulateOptions& simulated,
+                                           const PredictOptions& options, Prediction& prediction,
+                                           std::stop_token stop) {
   const Result<std::vector<VirtualSherd>> sherds = makeSherds(simulated);
   if (!sherds) return sherds.error();
   const VirtualRig real = asVirtual(rig, rig.cameras.front().intrinsics.width);
@@ -68,42 +88,65 @@ Result<void> lookByRays(const rig::Rig& rig, const SimulateOptions& simulated,
     size.break_seen += found[i].break_seen / options.sherds_per_size;
     prediction.outside += found[i].outside / static_cast<double>(found.size());
   }
-  const Result<CameraAdvice> advice = bestMove(*sherds, real, coverage_options, stop);
-  if (!advice) return advice.error();
-  prediction.advice = *advice;
   for (int c = 0; c < real.cameras(); ++c) {
     prediction.cameras.push_back(rig.cameras[static_cast<std::size_t>(c)].camera);
     prediction.elevations_rad.push_back(elevation(real, c));
     prediction.pixels_mm.push_back(pixelSize(real, c));
   }
-  return {};
+  if (options.moves == 0) return std::vector<CameraMove>();
+  return promisingMoves(*sherds, real, coverage_options, stop);
 }
 
-void remark(const rig::Rig& rig, Prediction& prediction) {
-  const auto name = [&](std::size_t c) {
-    return "Camera " + batch::cameraLetter(rig.cameras[c].camera);
-  };
+std::string cameraName(const rig::Rig& rig, std::size_t c) {
+  return "Camera " + batch::cameraLetter(rig.cameras[c].camera);
+}
+
+// Of small, medium and large sherds.
+std::string figuresOf(const Prediction& prediction, const std::array<SizePrediction, 3>& sizes) {
+  return words("%.3f, %.3f, %.3f mm and ", prediction.expectedAccuracy(sizes[0]),
+               prediction.expectedAccuracy(sizes[1]), prediction.expectedAccuracy(sizes[2])) +
+         words("%.1f, %.1f, %.1f %%", sizes[0].completeness_percent, sizes[1].completeness_percent,
+               sizes[2].completeness_percent);
+}
+
+void remarkOnMoves(const rig::Rig& rig, const PredictOptions& options, Prediction& prediction) {
+  for (const MoveTried& tried : prediction.moves) {
+    const double degrees = tried.move.raise_rad * 180 / M_PI;
+    const std::string name = cameraName(rig, static_cast<std::size_t>(tried.move.camera)),
+                      where = degrees > 0 ? "higher" : "lower",
+                      figures =
+                          "; the same sherds simulated so: accuracy and completeness of small, "
+                          "medium and large ones " +
+                          figuresOf(prediction, tried.sizes) + " instead of " +
+                          figuresOf(prediction, prediction.sizes) + ".";
+    prediction.remarks.push_back(
+        tried.better
+            ? name + " should stand " + where +
+                  words(", by %.0f degrees about the plate's middle", std::abs(degrees)) + figures
+            : name + " can stay: " + words("%.0f degrees ", std::abs(degrees)) + where +
+                  " promised most, but models would not be better" + figures);
+  }
+  if (prediction.moves.empty() && options.moves > 0)
+    prediction.remarks.push_back(
+        "No camera needs to be moved: 10 or 20 degrees higher or lower none would look at the "
+        "sherds more squarely and still near enough to the others for pictures to match.");
+}
+
+void remark(const rig::Rig& rig, const PredictOptions& options, Prediction& prediction) {
   const double finest = *std::min_element(prediction.pixels_mm.begin(), prediction.pixels_mm.end());
   for (std::size_t c = 0; c < prediction.pixels_mm.size(); ++c)
     if (prediction.pixels_mm[c] > 1.3 * finest)
       prediction.remarks.push_back(
-          name(c) + words(" resolves %.2f mm a pixel, the finest %.2f; bring it nearer or zoom in, "
-                          "and calibrate again.",
-                          prediction.pixels_mm[c], finest));
+          cameraName(rig, c) +
+          words(" resolves %.2f mm a pixel, the finest %.2f; bring it nearer or zoom in, "
+                "and calibrate again.",
+                prediction.pixels_mm[c], finest));
   if (prediction.outside > 0.005)
     prediction.remarks.push_back(words(
         "%.1f %% of what the cameras look at falls outside of their pictures; aim them at the "
         "plate's middle or move them back.",
         100 * prediction.outside));
-  if (prediction.advice.raise_rad != 0)
-    prediction.remarks.push_back(
-        name(static_cast<std::size_t>(prediction.advice.camera)) +
-        (prediction.advice.raise_rad > 0 ? " should stand higher" : " should stand lower") +
-        words(", by %.0f degrees about the plate's middle: %.1f %% more of the broken edges would "
-              "be seen.",
-              std::abs(prediction.advice.raise_rad) * 180 / M_PI, 100 * prediction.advice.gain));
-  else
-    prediction.remarks.push_back("No camera needs to be moved.");
+  remarkOnMoves(rig, options, prediction);
 }
 
 Result<std::vector<evaluate::NamedMesh>> modelsOf(const fs::path& output,
@@ -146,8 +189,11 @@ Result<Times> timesOf(const fs::path& output) {
 
 // The whole chain on the simulated batch, and its models against the truth.
 Result<void> tryTheChain(const rig::Rig& rig, const SimulateOptions& simulated,
-                         const PredictOptions& options, Prediction& prediction, Progress& progress,
-                         std::stop_token stop) {
+                         const PredictOptions& options, Prediction& prediction,
+                         Progress& whole_progress, std::stop_token stop) {
+  const double share = 1.0 / (1 + options.moves);
+  whole_progress.begin("simulated photographs", share * (1 - kProcessShare));
+  TrialProgress progress(whole_progress, share);
   if (const Result<void> made = simulateBatch(simulated, progress, stop); !made)
     return made.error();
   rig::Rig scaled = rig;
@@ -166,9 +212,12 @@ Result<void> tryTheChain(const rig::Rig& rig, const SimulateOptions& simulated,
   process.output = options.work / "result";
   process.rig = rig_file;
   process.threads = options.threads;
+  const std::clock_t before = std::clock();  // of all threads
   const Result<pipeline::ProcessSummary> summary = pipeline::processBatch(process, progress, stop);
   if (!summary) return summary.error();
   prediction.seconds = summary->seconds;
+  prediction.processors = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC /
+                          std::max(summary->seconds, 1e-3);
   const Result<std::vector<evaluate::NamedMesh>> models = modelsOf(process.output, *summary);
   if (!models) return models.error();
   const Result<std::vector<evaluate::TrueSherd>> truth =
@@ -209,7 +258,50 @@ Result<void> tryTheChain(const rig::Rig& rig, const SimulateOptions& simulated,
   return {};
 }
 
+// The same sherds from where the camera would stand.
+Result<MoveTried> tryMove(const rig::Rig& rig, const CameraMove& move, PredictOptions options,
+                          const std::string& folder, Progress& progress, std::stop_token stop) {
+  rig::Rig moved = rig;
+  Eigen::Isometry3d& pose =
+      moved.cameras[static_cast<std::size_t>(move.camera)].camera_from_turntable;
+  pose = raised(pose, move.raise_rad);
+  options.work /= folder;
+  Prediction there;
+  const Result<void> tried =
+      tryTheChain(moved, simulateOptions(moved, options), options, there, progress, stop);
+  if (!tried && tried.error().code == ErrorCode::NotEnough)  // no sherd found, or the like
+    for (SizePrediction& size : there.sizes)
+      size.sherds = size.without_model = options.sherds_per_size;
+  else if (!tried)
+    return tried.error();
+  return MoveTried{move, there.sizes, false};
+}
+
 }  // namespace
+
+bool isBetter(const std::array<SizePrediction, 3>& after,
+              const std::array<SizePrediction, 3>& before) {
+  constexpr double kBetter = 0.9, kBetterPercent = 1, kSame = 1.03, kSamePercent = 0.3,
+                   kWorse = 4.0 / 3, kWorsePercent = 3;
+  double log_ratio = 0, percent = 0;
+  int more_models = 0, compared = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SizePrediction &a = after[k], &b = before[k];
+    if (a.without_model > b.without_model) return false;
+    more_models += b.without_model - a.without_model;
+    if (b.without_model == b.sherds) continue;
+    const double more_percent = a.completeness_percent - b.completeness_percent;
+    if (a.accuracy_mm > kWorse * b.accuracy_mm || more_percent < -kWorsePercent) return false;
+    log_ratio += std::log(a.accuracy_mm / b.accuracy_mm);
+    percent += more_percent;
+    ++compared;
+  }
+  if (compared == 0) return more_models > 0;
+  const double ratio = std::exp(log_ratio / compared);
+  percent /= compared;
+  if (ratio > kSame || percent < -kSamePercent) return false;
+  return more_models > 0 || ratio < kBetter || percent > kBetterPercent;
+}
 
 Result<void> PredictOptions::check() const {
   if (width != 0 && (width < 400 || width > 8192 || width % 4 != 0))
@@ -218,6 +310,8 @@ Result<void> PredictOptions::check() const {
                  {}};
   if (sherds_per_size < 1 || sherds_per_size > 4)
     return Error{ErrorCode::UnusableInput, "sherds_per_size must lie between 1 and 4.", {}};
+  if (moves < 0 || moves > 9)
+    return Error{ErrorCode::UnusableInput, "moves must lie between 0 and 9.", {}};
   if (work.empty()) return Error{ErrorCode::UnusableInput, "work must name a folder.", {}};
   return {};
 }
@@ -236,12 +330,23 @@ Result<Prediction> predict(const rig::Rig& rig, const PredictOptions& options, P
   prediction.photographs = static_cast<int>(2 * rig.cameras.size() * rig.stops.size());
   const SimulateOptions simulated = simulateOptions(rig, fitting);
   if (const Result<void> valid = simulated.check(); !valid) return valid.error();
-  if (const Result<void> seen = lookByRays(rig, simulated, fitting, prediction, stop); !seen)
-    return seen.error();
-  remark(rig, prediction);
+  const Result<std::vector<CameraMove>> moves =
+      lookByRays(rig, simulated, fitting, prediction, stop);
+  if (!moves) return moves.error();
+  fitting.moves = std::min(fitting.moves, static_cast<int>(moves->size()));
+  prediction.threads = options.threads > 0 ? options.threads : availableThreads();
   if (const Result<void> tried = tryTheChain(rig, simulated, fitting, prediction, progress, stop);
       !tried)
     return tried.error();
+  for (int k = 0; k < fitting.moves; ++k) {
+    Result<MoveTried> tried = tryMove(rig, (*moves)[static_cast<std::size_t>(k)], fitting,
+                                      "move" + std::to_string(k + 1), progress, stop);
+    if (!tried) return tried.error();
+    tried->better = isBetter(tried->sizes, prediction.sizes);
+    prediction.moves.push_back(*tried);
+    if (tried->better) break;
+  }
+  remark(rig, options, prediction);
   return prediction;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,8 @@
 
 namespace ostraka::virtualrig {
 namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
 
 VirtualRig standardRig() {
   Random random(5);
@@ -57,29 +60,70 @@ TEST(Coverage, IsTheSameForAnyNumberOfThreads) {
   for (std::size_t i = 0; i < sherds.size(); ++i) EXPECT_EQ(a[i].seen, b[i].seen);
 }
 
-TEST(Coverage, LowersACameraWhenAllLookDownSteeply) {
+// The designed rig with its cameras at these elevations, degrees.
+VirtualRig rigAt(std::array<double, 3> elevations) {
   VirtualRig rig = standardRig();
-  for (int c = 0; c < 3; ++c)
-    rig.camera_from_room[static_cast<std::size_t>(c)] =
-        rig.camera_from_room[2];  // all at 64 degrees
-  const auto advice = bestMove(twoSherds(), rig, quick(), {});
-  ASSERT_TRUE(advice.has_value());
-  EXPECT_LT(advice->raise_rad, 0);
-  EXPECT_GT(advice->gain, 0.01);
+  for (int c = 0; c < 3; ++c) {
+    Eigen::Isometry3d& pose = rig.camera_from_room[static_cast<std::size_t>(c)];
+    pose = raised(pose, elevations[static_cast<std::size_t>(c)] * kDegree - elevation(rig, c));
+  }
+  return rig;
 }
 
-// Rays alone would lower the middle camera beside the lowest: pictures 40 degrees apart do not
-// match.
-TEST(Coverage, OpensNoStepBetweenTheCamerasThatPicturesDoNotMatchOver) {
-  const VirtualRig rig = standardRig();
-  const auto advice = bestMove(twoSherds(), rig, quick(), {});
-  ASSERT_TRUE(advice.has_value());
+std::vector<CameraMove> movesOf(const VirtualRig& rig) {
+  const auto moves = promisingMoves(twoSherds(), rig, quick(), {});
+  EXPECT_TRUE(moves.has_value());
+  return moves ? *moves : std::vector<CameraMove>();
+}
+
+double widestStepAfter(const VirtualRig& rig, const CameraMove& move) {
   std::vector<double> elevations;
   for (int c = 0; c < rig.cameras(); ++c)
-    elevations.push_back(elevation(rig, c) + (c == advice->camera ? advice->raise_rad : 0));
+    elevations.push_back(elevation(rig, c) + (c == move.camera ? move.raise_rad : 0));
   std::sort(elevations.begin(), elevations.end());
+  double widest = 0;
   for (std::size_t c = 1; c < elevations.size(); ++c)
-    EXPECT_LT(elevations[c] - elevations[c - 1], 26.1 * std::numbers::pi / 180);
+    widest = std::max(widest, elevations[c] - elevations[c - 1]);
+  return widest / kDegree;
+}
+
+TEST(Coverage, RaisedTurnsACameraAboutThePlatesMiddle) {
+  const VirtualRig rig = standardRig();
+  const Eigen::Isometry3d& pose = rig.camera_from_room[1];
+  VirtualRig moved = rig;
+  moved.camera_from_room[1] = raised(pose, 10 * kDegree);
+  EXPECT_NEAR(elevation(moved, 1), elevation(rig, 1) + 10 * kDegree, 1e-9);
+  EXPECT_NEAR((moved.camera_from_room[1].translation() - pose.translation()).norm(), 0, 1e-9);
+}
+
+TEST(Coverage, LowersACameraWhenAllLookDownSteeply) {
+  const auto moves = movesOf(rigAt({64, 65, 66}));
+  ASSERT_FALSE(moves.empty());
+  EXPECT_LT(moves.front().raise_rad, 0);
+  EXPECT_GT(moves.front().gain, 0.01);
+}
+
+TEST(Coverage, RaisesACameraWhenAllLookAlongThePlate) {
+  const auto moves = movesOf(rigAt({24, 26, 28}));
+  ASSERT_FALSE(moves.empty());
+  EXPECT_GT(moves.front().raise_rad, 0);
+}
+
+// From 26 to 64 degrees pictures do not match, however squarely the two low cameras look.
+TEST(Coverage, ClosesAStepThatPicturesDoNotMatchOver) {
+  const VirtualRig rig = rigAt({24, 26, 64});
+  const auto moves = movesOf(rig);
+  ASSERT_FALSE(moves.empty());
+  EXPECT_LT(widestStepAfter(rig, moves.front()), 26);
+}
+
+// Rays alone would lower the middle camera of the designed rig beside the lowest, 40 degrees from
+// the highest.
+TEST(Coverage, OpensNoStepBetweenTheCamerasThatPicturesDoNotMatchOver) {
+  for (const auto& elevations :
+       {std::array{25.0, 44.0, 64.0}, std::array{30.0, 50.0, 70.0}, std::array{40.0, 50.0, 60.0}})
+    for (const CameraMove& move : movesOf(rigAt(elevations)))
+      EXPECT_LT(widestStepAfter(rigAt(elevations), move), 26.1);
 }
 
 TEST(Coverage, KnowsWhereACameraStands) {

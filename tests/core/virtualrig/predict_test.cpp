@@ -120,10 +120,55 @@ TEST_F(Predict, RanksARigThatOnlyLooksDownSteeplyAsWorse) {
     EXPECT_LT(steep_.sizes[k].break_seen, designed_.sizes[k].break_seen) << steep_.sizes[k].name;
 }
 
-TEST_F(Predict, NamesTheCameraToMove) {
-  EXPECT_LT(steep_.advice.raise_rad, 0);
-  EXPECT_THAT(steep_.remarks,
-              Contains(AllOf(HasSubstr("Camera "), HasSubstr(" should stand lower, by "))));
+// Four stops show the breaks better with the highest camera lower; whether models are better is
+// for the simulation to say.
+TEST_F(Predict, SimulatesAMoveBeforeItIsRecommended) {
+  ASSERT_EQ(designed_.moves.size(), 1U);
+  const MoveTried& tried = designed_.moves[0];
+  EXPECT_LT(tried.move.raise_rad, 0);
+  for (const SizePrediction& size : tried.sizes) EXPECT_EQ(size.sherds, 1);
+  EXPECT_NE(tried.sizes[2].accuracy_mm, designed_.sizes[2].accuracy_mm);
+  EXPECT_EQ(tried.better, isBetter(tried.sizes, designed_.sizes));
+  char figure[32];
+  std::snprintf(figure, sizeof figure, ", %.3f mm and ",
+                designed_.expectedAccuracy(tried.sizes[2]));
+  EXPECT_THAT(designed_.remarks,
+              Contains(AllOf(HasSubstr("Camera C"), HasSubstr(figure), HasSubstr(" instead of "),
+                             HasSubstr(tried.better ? " should stand lower, by "
+                                                    : "models would not be better"))));
+}
+
+TEST(IsBetter, AsksForMoreThanChanceAndForNoLossElsewhere) {
+  std::array<SizePrediction, 3> before;
+  for (SizePrediction& size : before) {
+    size.sherds = 2;
+    size.accuracy_mm = 0.1;
+    size.completeness_percent = 96;
+  }
+  const auto changed = [&](double accuracy_mm, double percent, int without_model = 0) {
+    auto after = before;
+    after[0].accuracy_mm = accuracy_mm;
+    after[0].completeness_percent = percent;
+    after[0].without_model = without_model;
+    return isBetter(after, before);
+  };
+  EXPECT_FALSE(changed(0.1, 96));
+  EXPECT_TRUE(changed(0.07, 96));        // 11 % in the geometric mean of the sizes
+  EXPECT_FALSE(changed(0.08, 96));       // 7 %
+  EXPECT_TRUE(changed(0.1, 99.3));       // 1.1 % in the mean
+  EXPECT_FALSE(changed(0.07, 95));       // more accurate, less complete
+  EXPECT_FALSE(changed(0.11, 99.3));     // more complete, less accurate: 3.2 %
+  EXPECT_FALSE(changed(0.07, 99.9, 1));  // but a model is lost
+  auto after = before;
+  for (SizePrediction& size : after) size.accuracy_mm = 0.05;
+  EXPECT_TRUE(isBetter(after, before));
+  after[2].accuracy_mm = 0.14;  // two sizes gain, one loses too much
+  EXPECT_FALSE(isBetter(after, before));
+  before[0].without_model = 1;
+  EXPECT_TRUE(changed(0.1, 96, 0));  // a model more
+}
+
+TEST_F(Predict, KnowsHowTheCamerasStand) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(steep_.elevations_rad[c], 64 * kDegree, 3 * kDegree);
   EXPECT_THAT(designed_.remarks, Not(Contains(HasSubstr("falls outside"))));
   EXPECT_GT(designed_.elevations_rad[2], designed_.elevations_rad[0]);

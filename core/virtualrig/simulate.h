@@ -16,7 +16,7 @@ enum class PlateColor { Dark, Grey };
 
 /// What goes wrong on purpose, to train people and to test the program.
 enum class Fault {
-  Blur,      ///< one camera is out of focus at three stops of the front
+  Blur,      ///< one camera is out of focus at three stops of the front, by 2.2 pixels at least
   Missing,   ///< three photographs are not there
   Moved,     ///< a sherd was pushed by 4 mm and 6 degrees in mid-turn of the front
   Covered,   ///< a cloth lies on a third of the markers in the front

@@ -14,7 +14,10 @@
 #include "base/json.h"
 #include "cloud/nearest.h"
 #include "cloud/ply.h"
+#include "pipeline/photo_checks.h"
 #include "rig/camera.h"
+#include "rig/edge_width.h"
+#include "rig/plate_markers.h"
 
 namespace ostraka::virtualrig {
 namespace {
@@ -162,6 +165,36 @@ TEST_F(SimulatedBatch, MasksCoverTheProjectedMeshes) {
                  either = cv::countNonZero(drawn);
     EXPECT_GE(both, 0.995 * cv::countNonZero(mask));
     EXPECT_GT(both / either, 0.8) << name;
+  }
+}
+
+// The chain asks for so much wider edges before it names a blur.
+TEST_F(SimulatedBatch, IsBlurredByEnoughToBeToldInSmallPicturesToo) {
+  SimulateOptions options = tiny(root / "blurred");
+  options.sherds = 1;
+  options.width = 480;
+  options.fault = Fault::Blur;
+  QuietProgress quiet;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  const Result<batch::Plate> plate = batch::readPlate(options.output / "plate.json");
+  ASSERT_TRUE(plate);
+  const auto edges = [&](const char* file) {
+    const cv::Mat1b grey =
+        cv::imread((options.output / "front" / file).string(), cv::IMREAD_GRAYSCALE);
+    std::vector<double> widths;
+    const std::vector<rig::SeenMarker> markers = *rig::findPlateMarkers(grey, *plate);
+    for (const rig::SeenMarker& marker : markers) {
+      const std::vector<double> found = rig::edgeWidths(grey, marker.corners);
+      widths.insert(widths.end(), found.begin(), found.end());
+    }
+    return rig::typicalWidth(std::move(widths));
+  };
+  const double sharp = std::min(edges("cam1_pos00.jpg"), edges("cam1_pos01.jpg"));
+  ASSERT_GT(sharp, 0);
+  const pipeline::PhotoCheckOptions check;
+  for (const char* file : {"cam1_pos02.jpg", "cam1_pos03.jpg"}) {
+    EXPECT_GT(edges(file), check.most_edge_growth * sharp) << file;
+    EXPECT_GT(edges(file), sharp + check.wide_edge_px) << file;
   }
 }
 

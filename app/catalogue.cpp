@@ -28,6 +28,7 @@ struct Options {
   std::string filter, batch;
   catalogue::ProjectRecord record;
   std::vector<Form> forms;
+  double lighter_mm = 0;
   bool enter = false, make_places = false;
 };
 
@@ -123,6 +124,7 @@ int runExport(const Options& options, Session& session) {
   how.target = options.output;
   how.program = kProgram;
   if (!options.forms.empty()) how.forms = {options.forms.begin(), options.forms.end()};
+  how.deviation_mm = options.lighter_mm;
   session.progress.begin("export", 1.0);
   const auto done = exchange::exportFolder(project->catalogue(), project->folder(), *rows, how,
                                            session.progress, session.stop);
@@ -253,6 +255,9 @@ void addCatalogue(CLI::App& root, Command& chosen) {
                                                               {"ods", Form::Ods},
                                                               {"views", Form::Views}}))
       ->default_str("csv,json,ply,glb,pictures");
+  out->add_option("--lighter", options->lighter_mm,
+                  "Models with fewer triangles, 99.9 % of each within this many mm")
+      ->check(CLI::Range(0.01, 1.0));
   CLI::App* enter = add("enter", "Enter the results of 'ostraka process' of a batch", runEnter);
   addProject(enter, *options);
   enter->add_option("BATCH", options->batch, "Number of the batch, as B0031")->required();

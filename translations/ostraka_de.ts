@@ -2008,6 +2008,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bilder, Masken, Posen für COLMAP und OpenMVS</translation>
     </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feinheit der Modelle</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von PLY, GLB und OBJ: Mit weniger Dreiecken sind die Dateien um ein Vielfaches kleiner. Wie weit sie abweichen, wird gemessen und steht in jeder.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wie berechnet</translation>
+    </message>
+    <message>
+      <source>lighter, to %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>leichter, auf %1 mm</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>

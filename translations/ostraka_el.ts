@@ -2008,6 +2008,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνες, μάσκες, θέσεις για COLMAP και OpenMVS</translation>
     </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λεπτομέρεια των μοντέλων</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για PLY, GLB και OBJ: με λιγότερα τρίγωνα τα αρχεία είναι πολύ μικρότερα. Η απόκλισή τους μετριέται και γράφεται σε καθένα.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όπως υπολογίστηκαν</translation>
+    </message>
+    <message>
+      <source>lighter, to %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ελαφρύτερα, έως %1 mm</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>

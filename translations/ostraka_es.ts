@@ -2008,6 +2008,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imágenes, máscaras y poses para COLMAP y OpenMVS</translation>
     </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detalle de los modelos</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De PLY, GLB y OBJ: con menos triángulos los archivos son mucho menores. Su desviación se mide y consta en cada uno.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>como se calcularon</translation>
+    </message>
+    <message>
+      <source>lighter, to %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>más ligeros, hasta %1 mm</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>

@@ -2008,6 +2008,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Images, masques, poses pour COLMAP et OpenMVS</translation>
     </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Détail des modèles</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pour PLY, GLB et OBJ : avec moins de triangles, les fichiers sont bien plus petits. Leur écart est mesuré et inscrit dans chacun.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>comme calculés</translation>
+    </message>
+    <message>
+      <source>lighter, to %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>allégés, à %1 mm près</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>

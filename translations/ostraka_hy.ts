@@ -2008,6 +2008,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերներ, դիմակներ, դիրքեր COLMAP-ի և OpenMVS-ի համար</translation>
     </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելների մանրամասնությունը</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY, GLB և OBJ. քիչ եռանկյուններով նիշքերը շատ ավելի փոքր են։ Շեղումը չափվում և գրվում է յուրաքանչյուրում։</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչպես հաշվարկվել է</translation>
+    </message>
+    <message>
+      <source>lighter, to %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>թեթև, մինչև %1 մմ</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>

@@ -1980,6 +1980,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP ve OpenMVS için resimler, maskeler, duruşlar</translation>
     </message>
+    <message>
+      <source>Detail of the models</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modellerin ayrıntısı</translation>
+    </message>
+    <message>
+      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY, GLB ve OBJ için: daha az üçgenle dosyalar çok daha küçüktür. Sapmaları ölçülür ve her birine yazılır.</translation>
+    </message>
+    <message>
+      <source>as computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hesaplandığı gibi</translation>
+    </message>
+    <message>
+      <source>lighter, to %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>daha hafif, %1 mm’ye kadar</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FooterLine</name>

@@ -9,9 +9,11 @@
 #include "catalogue/names.h"
 #include "catalogue/values.h"
 #include "catalogue/words.h"
+#include "cloud/glb.h"
 #include "cloud/ply.h"
 #include "exchange/bagit.h"
 #include "exchange/drawn_sherds.h"
+#include "exchange/lighter_model.h"
 #include "exchange/metadata.h"
 #include "exchange/model_files.h"
 #include "exchange/sherd_json.h"
@@ -28,6 +30,7 @@ constexpr double kScales[] = {1, 1 / 2.0, 1 / 3.0, 1 / 4.0, 1 / 5.0};  // those 
 constexpr int kDrawingAsCopies = 20;             // for the progress: a drawing takes its time
 constexpr int kViewAsCopies = 5;                 // likewise a photograph without its lens
 constexpr std::int64_t kViewTimesJpeg = 5;       // PNG with masks, of a JPEG
+constexpr std::int64_t kLighterPart = 40;        // of a sherd of 60 mm, by 0.1 mm
 constexpr std::int64_t kDrawingBytes = 300'000;  // SVG and PDF of a sherd of 60 mm together
 
 std::string slugOf(const SherdRecord& sherd) {
@@ -60,7 +63,8 @@ class Plan {
     }
     if (sherd.model_path.empty()) ++without_model;
     want(Form::Ply, sherd, "model", "models/" + name + ".ply", sherd.model_path);
-    want(Form::Glb, sherd, "model", "models/" + name + ".glb", glb);
+    want(Form::Glb, sherd, "model", "models/" + name + ".glb",
+         options_.deviation_mm > 0 ? sherd.model_path : glb);
     want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
     want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
     const auto drawings = options_.drawings.find(sherd.row);
@@ -139,23 +143,22 @@ Result<std::vector<SherdRecord>> readAll(const Catalogue& catalogue, std::span<c
   return sherds;
 }
 
-Result<BagFile> addModel(BagWriter& bag, const Wanted& file, const SherdRecord& sherd,
-                         const std::string& licence, const std::string& program,
-                         const std::string& scale_doubts) {
-  const Result<std::string> bytes = readFile(file.from);
-  if (!bytes) return bytes.error();
-  if (file.form != Form::Pictures && !file.sha256.empty() && sha256(*bytes) != file.sha256)
-    return Error{ErrorCode::UnusableInput,
-                 "This model is not the one that was entered; enter the batch's results again.",
-                 file.from.string()};
-  const ModelLabel label{sherd.id, sherd.number, licence, program, scale_doubts};
-  const std::string where = file.from.string();
-  Result<std::string> labelled = file.form == Form::Ply   ? labelledPly(*bytes, label, where)
-                                 : file.form == Form::Glb ? labelledGlb(*bytes, label, where)
-                                 : file.form == Form::Obj ? labelledObj(*bytes, label, where)
-                                                          : *bytes;
-  if (!labelled) return labelled.error();
-  return bag.add(file.to, *labelled);
+// Rounded up: what is said holds.
+double saidOf(double off_mm) {
+  return std::ceil(1000 * off_mm) / 1000;
+}
+
+bool isModel(Form form) {
+  return form == Form::Ply || form == Form::Glb || form == Form::Obj;
+}
+
+// bytes are a GLB for that form, otherwise a PLY.
+Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,
+                             const std::string& where) {
+  return form == Form::Ply   ? labelledPly(bytes, label, where)
+         : form == Form::Glb ? labelledGlb(bytes, label, where)
+         : form == Form::Obj ? labelledObj(bytes, label, where)
+                             : bytes;
 }
 
 class Exporting {
@@ -215,10 +218,9 @@ class Exporting {
         continue;
       }
       const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
-      const Result<BagFile> added =
-          whole ? bag_.addFile(file.to, file.from, stop_)
-                : addModel(bag_, file, *by_row[file.sherd], licence, options_.program,
-                           scale_doubts[by_row[file.sherd]->batch]);
+      const Result<BagFile> added = whole ? bag_.addFile(file.to, file.from, stop_)
+                                          : addModel(file, *by_row[file.sherd], licence,
+                                                     scale_doubts[by_row[file.sherd]->batch]);
       if (!added) return added.error();
       if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
         exported_.warnings.push_back(file.from.string() +
@@ -226,6 +228,45 @@ class Exporting {
       if (file.sherd) name(file.sherd, file.role, file.to, *added);
     }
     return {};
+  }
+
+  Result<BagFile> addModel(const Wanted& file, const SherdRecord& sherd, const std::string& licence,
+                           const std::string& scale_doubts) {
+    Result<std::string> bytes = readFile(file.from);
+    if (!bytes) return bytes.error();
+    if (file.form != Form::Pictures && !file.sha256.empty() && sha256(*bytes) != file.sha256)
+      return Error{ErrorCode::UnusableInput,
+                   "This model is not the one that was entered; enter the batch's results again.",
+                   file.from.string()};
+    ModelLabel label{sherd.id, sherd.number, licence, options_.program, scale_doubts};
+    if (isModel(file.form) && options_.deviation_mm > 0) {
+      const Result<LighterModel> lighter = lightened(sherd, *bytes, file.from.string());
+      if (!lighter) return lighter.error();
+      label.deviation_mm = saidOf(lighter->deviation_mm);
+      label.farthest_mm = saidOf(lighter->farthest_mm);
+      GlbExtras extras;
+      if (sherd.measures.contains("filled_pct"))
+        extras.filled_percent = sherd.measures.at("filled_pct");
+      bytes = file.form == Form::Glb ? formatGlb(lighter->mesh, extras)
+                                     : formatPly(lighter->mesh, "plate_front");
+      if (!bytes) return bytes.error();
+    }
+    const Result<std::string> added = labelled(file.form, *bytes, label, file.from.string());
+    if (!added) return added.error();
+    return bag_.add(file.to, *added);
+  }
+
+  // A sherd's files come one after the other: its lighter model is made once for all of them.
+  const Result<LighterModel>& lightened(const SherdRecord& sherd, const std::string& ply,
+                                        const std::string& where) {
+    if (lighter_of_ == sherd.row) return lighter_;
+    lighter_of_ = sherd.row;
+    Result<PlyContents> model = parsePly(ply, where);
+    if (!model) return lighter_ = model.error();
+    lighter_ = lighterModel(model->mesh, options_.deviation_mm);
+    if (lighter_) return lighter_;
+    exported_.warnings.push_back(where + " goes along whole: " + lighter_.error().sentence());
+    return lighter_ = LighterModel{std::move(model->mesh), 0};
   }
 
   void name(SherdRow sherd, const std::string& role, const std::string& to, const BagFile& added) {
@@ -356,6 +397,8 @@ class Exporting {
   std::stop_token stop_;
   Exported exported_;
   std::int64_t done_ = 0, total_ = 0;
+  SherdRow lighter_of_;
+  Result<LighterModel> lighter_ = LighterModel();
   std::map<SherdRow, std::vector<SherdFile>> files_;
   FilesOfSherds named_;
 };
@@ -379,13 +422,19 @@ Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& proj
     const std::uintmax_t bytes = fs::file_size(photograph, code);
     if (!code) size.bytes += kViewTimesJpeg * static_cast<std::int64_t>(bytes);
   }
+  std::set<SherdRow> lightened;
   for (const Wanted& file : plan.files()) {
     std::error_code code;
-    const std::uintmax_t bytes = fs::file_size(file.from, code);
+    auto bytes = static_cast<std::int64_t>(fs::file_size(file.from, code));
     if (code) continue;
-    // A binary PLY grows about 2.2 times when it becomes text.
-    size.bytes += static_cast<std::int64_t>(file.form == Form::Obj ? bytes * 11 / 5 : bytes);
+    if (file.form == Form::Obj) bytes = bytes * 11 / 5;  // a binary PLY that becomes text
+    if (options.deviation_mm > 0 && isModel(file.form)) {
+      bytes /= kLighterPart;
+      lightened.insert(file.sherd);
+    }
+    size.bytes += bytes;
   }
+  size.lightened = static_cast<int>(lightened.size());
   return size;
 }
 

@@ -36,13 +36,17 @@ struct ExportOptions {
   /// mm on paper per mm; nothing: for each sherd the largest of 1:1 to 1:5 that fits its sheet.
   std::optional<double> drawing_scale = 1;
   std::string program = "ostraka";  ///< with its version
+  /// PLY, GLB and OBJ with fewer triangles, this far off the model (see lighterModel); what it came
+  /// to is stated in each file. 0: as computed, and the GLB as it is kept.
+  double deviation_mm = 0;
 };
 
 struct ExportSize {
   int sherds = 0, files = 0;
   std::int64_t bytes = 0;  ///< of the copied files; records add about 2 kB a sherd
   int without_model = 0;
-  int drawings = 0;  ///< sherds that will be drawn, two of the files each
+  int drawings = 0;   ///< sherds that will be drawn, two of the files each
+  int lightened = 0;  ///< sherds whose models will get fewer triangles
 };
 /// What the export will take, before it starts.
 Result<ExportSize> sizeOfExport(const catalogue::Catalogue& catalogue,

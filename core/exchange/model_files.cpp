@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/json.h"
+#include "catalogue/values.h"
 #include "cloud/obj.h"
 #include "cloud/ply.h"
 
@@ -26,6 +27,10 @@ std::string comments(const ModelLabel& label, const std::string& begin) {
   if (!label.number.empty()) text += " number " + label.number;
   if (!label.licence.empty()) text += " licence " + label.licence;
   std::string lines = begin + oneLine(text) + "\n";
+  if (label.deviation_mm >= 0)
+    lines += begin + "lighter than the model as computed: 99.9 % within " +
+             catalogue::numberText(label.deviation_mm) + " mm, all within " +
+             catalogue::numberText(label.farthest_mm) + " mm\n";
   std::istringstream doubts(label.scale_doubts);
   for (std::string doubt; std::getline(doubts, doubt);)
     if (!doubt.empty()) lines += begin + "measures in doubt: " + oneLine(doubt) + "\n";
@@ -85,6 +90,8 @@ Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
   extras["number"] = label.number;
   extras["unit"] = "m";
   extras.erase("scale_doubts");
+  if (label.deviation_mm >= 0) extras["deviation_mm"] = label.deviation_mm;
+  if (label.farthest_mm >= 0) extras["farthest_mm"] = label.farthest_mm;
   if (!label.scale_doubts.empty()) extras["scale_doubts"] = label.scale_doubts;
   std::string text = json.dump();
   text.append((4 - text.size() % 4) % 4, ' ');

@@ -10,6 +10,7 @@ namespace ostraka::exchange {
 struct ModelLabel {
   std::string id, number, licence, program;
   std::string scale_doubts;  ///< why its measures are in doubt, a sentence a line; empty: not
+  double deviation_mm = -1, farthest_mm = -1;  ///< of a lighter model, see there; < 0: it is whole
 };
 
 /// The PLY with a comment that names sherd, number, unit and licence, and one for each doubt about

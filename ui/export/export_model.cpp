@@ -16,6 +16,7 @@ namespace {
 // Measured on a laptop's disk with hashing: writing, syncing and reading back.
 constexpr double kBytesPerSecond = 60e6;
 constexpr double kSecondsPerDrawing = 2;  // of a sherd of 60 mm
+constexpr double kSecondsPerLighter = 3;  // likewise
 
 Result<std::vector<catalogue::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
                                                 ExportModel::What what, const QString& line,
@@ -81,6 +82,11 @@ void ExportModel::setDrawingScale(std::optional<double> scale) {
   emit changed();
 }
 
+void ExportModel::setDeviation(double deviation_mm) {
+  deviation_mm_ = deviation_mm;
+  measureSize();
+}
+
 void ExportModel::setTarget(const QString& folder) {
   target_ = folder.trimmed();
   if (state_ != State::Running) state_ = State::Choosing;
@@ -92,6 +98,7 @@ exchange::ExportOptions ExportModel::options() const {
   options.target = target_.toStdString();
   options.forms = forms_;
   options.drawing_scale = drawing_scale_;
+  options.deviation_mm = deviation_mm_;
   options.program = ("ostraka " + QCoreApplication::applicationVersion()).trimmed().toStdString();
   return options;
 }
@@ -135,7 +142,8 @@ QString ExportModel::sizeText() const {
   const QLocale locale;
   const double seconds = static_cast<double>(size_->bytes) / kBytesPerSecond +
                          0.01 * static_cast<double>(size_->sherds) +
-                         kSecondsPerDrawing * static_cast<double>(size_->drawings);
+                         kSecondsPerDrawing * static_cast<double>(size_->drawings) +
+                         kSecondsPerLighter * static_cast<double>(size_->lightened);
   const QString time =
       seconds < 60 ? tr("less than a minute")
                    : tr("about %n minute(s)", nullptr, static_cast<int>(seconds / 60 + 0.5));

@@ -33,6 +33,8 @@ class ExportModel final : public QObject {
   void setChosen(std::vector<catalogue::SherdRow> sherds);
   void setForm(exchange::Form form, bool wanted);
   void setDrawingScale(std::optional<double> scale);  ///< nothing: what fits the sheet
+  /// Models with fewer triangles, this far off at most, mm; 0: as computed.
+  void setDeviation(double deviation_mm);
   void setTarget(const QString& folder);
 
   State state() const { return state_; }
@@ -62,6 +64,7 @@ class ExportModel final : public QObject {
   std::vector<catalogue::SherdRow> chosen_;
   std::set<exchange::Form> forms_ = exchange::ExportOptions().forms;
   std::optional<double> drawing_scale_ = 1;
+  double deviation_mm_ = 0;
   State state_ = State::Choosing;
   std::optional<exchange::ExportSize> size_;
   std::optional<exchange::Exported> done_;

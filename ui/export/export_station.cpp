@@ -84,13 +84,13 @@ QWidget* ExportStation::buildForms() {
     connect(check, &QCheckBox::clicked, this,
             [this, kind = form](bool wanted) { model_.setForm(kind, wanted); });
     forms_.emplace_back(check, form);
-    if (form != exchange::Form::Drawings) {
+    if (form != exchange::Form::Drawings && form != exchange::Form::Ply) {
       column->addWidget(check);
       continue;
     }
     auto* row = new QHBoxLayout;
     row->addWidget(check);
-    row->addWidget(buildScale(box));
+    row->addWidget(form == exchange::Form::Ply ? buildDetail(box) : buildScale(box));
     row->addStretch();
     column->addLayout(row);
   }
@@ -110,6 +110,22 @@ QWidget* ExportStation::buildScale(QWidget* box) {
     model_.setDrawingScale(chosen.isValid() ? std::optional(chosen.toDouble()) : std::nullopt);
   });
   return scale;
+}
+
+QWidget* ExportStation::buildDetail(QWidget* box) {
+  auto* detail = new QComboBox(box);
+  detail->setObjectName("exportDetail");
+  detail->setAccessibleName(tr("Detail of the models"));
+  detail->setToolTip(tr(
+      "Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they "
+      "are off is measured and stated in each."));
+  detail->setMinimumHeight(targetSize(*this) * 3 / 4);
+  detail->addItem(tr("as computed"), 0.0);
+  for (const double off_mm : {0.1, 0.2, 0.4})
+    detail->addItem(tr("lighter, to %1 mm").arg(locale().toString(off_mm)), off_mm);
+  connect(detail, &QComboBox::activated, &model_,
+          [this, detail](int at) { model_.setDeviation(detail->itemData(at).toDouble()); });
+  return detail;
 }
 
 QWidget* ExportStation::buildWhere() {

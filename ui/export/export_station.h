@@ -35,6 +35,7 @@ class ExportStation final : public Station {
   QWidget* buildForms();
   QWidget* buildWhere();
   QWidget* buildScale(QWidget* box);
+  QWidget* buildDetail(QWidget* box);
   void refresh();
   void browse();
 

@@ -32,6 +32,36 @@ TEST_F(Export, HoldsEverythingThatWasChosenWithItsChecksum) {
   EXPECT_EQ(*readFile(data / "photographs/B0001/front/cam0_pos00.jpg"), "JPEG");
 }
 
+TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
+  ExportOptions options;
+  options.target = folder_.path() / "light";
+  options.forms = {Form::Ply, Form::Glb, Form::Obj};
+  options.deviation_mm = 0.1;
+  const Result<ExportSize> size = sizeOfExport(catalogue(), project_->folder(), rows, options);
+  ASSERT_TRUE(size);
+  EXPECT_EQ(size->lightened, 3);
+  const Result<Exported> done =
+      exportFolder(catalogue(), project_->folder(), rows, options, quiet, {});
+  ASSERT_TRUE(done) << done.error().sentence();
+  const fs::path models = options.target / "data/models";
+  for (const char* sherd : {"ARM1-T3-0012-0001", "ARM1-T3-0012-0003"}) {
+    for (const char* ending : {".ply", ".obj"})
+      EXPECT_THAT(
+          *readFile(models / (std::string(sherd) + ending)),
+          testing::HasSubstr(
+              " lighter than the model as computed: 99.9 % within 0 mm, all within 0 mm\n"));
+    EXPECT_THAT(*readFile(models / (std::string(sherd) + ".glb")),
+                testing::HasSubstr("\"deviation_mm\":0"));
+  }
+  put(project_->resultsFolder("B0001") / "sherds/02/model.ply", "another one");
+  options.target = folder_.path() / "changed";
+  const Result<Exported> refused =
+      exportFolder(catalogue(), project_->folder(), rows, options, quiet, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_FALSE(fs::exists(options.target));
+}
+
 TEST_F(Export, TheTableNamesTheFilesOfEachSherd) {
   ASSERT_TRUE(exportTo("out", all));
   const std::string text = *readFile(folder_.path() / "out/data/sherds.csv");

@@ -63,6 +63,25 @@ TEST(ModelFiles, ALabelledGlbKeepsItsBuffersAndItsLengths) {
   EXPECT_TRUE(glb.ends_with(labelled->substr(binary))) << "the buffer is untouched";
 }
 
+TEST(ModelFiles, ALighterModelSaysHowFarItIsOff) {
+  ModelLabel label = kLabel;
+  label.deviation_mm = 0.047;
+  label.farthest_mm = 0.2;
+  const std::string ply = formatPly(tetrahedron(), "f");
+  for (const Result<std::string>& file :
+       {labelledPly(ply, label, "m"), labelledObj(ply, label, "m")}) {
+    ASSERT_TRUE(file);
+    EXPECT_NE(
+        file->find(
+            " lighter than the model as computed: 99.9 % within 0.047 mm, all within 0.2 mm\n"),
+        std::string::npos);
+  }
+  const auto glb = labelledGlb(*formatGlb(tetrahedron(), {}), label, "m");
+  ASSERT_TRUE(glb);
+  EXPECT_NE(glb->find("\"deviation_mm\":0.047,\"farthest_mm\":0.2"), std::string::npos);
+  EXPECT_EQ(labelledPly(ply, kLabel, "m")->find("lighter than"), std::string::npos);
+}
+
 TEST(ModelFiles, StrangeGlbFilesAreRefused) {
   const std::string glb = *formatGlb(tetrahedron(), {});
   for (std::size_t size :

@@ -108,6 +108,26 @@ class ExportStationTest : public QObject {
     QVERIFY(svg.readAll().contains("1 : 2"));
   }
 
+  void lighterModelsStateHowFarTheyAreOff() {
+    sample_->giveModel(1);
+    station_->showItem(QString("rows:%1").arg(sample_->sherds()[1].value));
+    auto* detail = child<QComboBox>("exportDetail");
+    QCOMPARE(detail->currentText(), QString("as computed"));
+    detail->setFocus();
+    QTest::keyClick(detail, Qt::Key_Down);
+    QTest::keyClick(detail, Qt::Key_Down);
+    QVERIFY(detail->currentText().contains("0.2 mm"));
+    toFolder("lighter");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
+    QCOMPARE(station_->model().problem(), QString());
+    QFile ply(sample_->folder() + "/lighter/data/models/ARM1-T3-0013-0001.ply");
+    QVERIFY(ply.open(QIODevice::ReadOnly));
+    QVERIFY(ply.readAll().contains("comment lighter than the model as computed: 99.9 % within 0."));
+  }
+
   void stoppingLeavesNothingBehind() {
     toFolder("stopped");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());

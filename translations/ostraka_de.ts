@@ -979,7 +979,35 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::CaptureFoot</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leertaste</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Getippt, vom Codeleser, oder vom Beuteletikett unter der Kamera</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mehr</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einlesen, anderer Messplatz</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leertaste</translation>
+    </message>
     <message>
       <source>%1 is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1034,21 +1062,6 @@
       <translation>Kamera %1</translation>
     </message>
     <message>
-      <source>Space</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Leertaste</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mehr</translation>
-    </message>
-    <message>
-      <source>Import, another rig</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einlesen, anderer Messplatz</translation>
-    </message>
-    <message>
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aufnahme</translation>
@@ -1082,11 +1095,6 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>antwortet nicht</translation>
-    </message>
-    <message>
-      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Getippt, vom Codeleser, oder vom Beuteletikett unter der Kamera</translation>
     </message>
     <message>
       <source>%1 The desktop holds a camera, by its program %2.</source>
@@ -1418,21 +1426,6 @@
       <translation>Katalog</translation>
     </message>
     <message>
-      <source>Filter of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Filter des Katalogs</translation>
-    </message>
-    <message>
-      <source>rim T3 thickness&gt;6</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
-    </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wörter werden überall gesucht; auch ware:grey, thickness&gt;6, -burnt, note:* gehen.</translation>
-    </message>
-    <message>
       <source>Export these</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese ausgeben</translation>
@@ -1466,19 +1459,6 @@
       <source>Give numbers</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nummern geben</translation>
-    </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Bedingung %1 wegnehmen</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n Scherbe</numerusform>
-        <numerusform>%n Scherben</numerusform>
-      </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
@@ -2027,6 +2007,37 @@
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>leichter, auf %1 mm</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FilterLine</name>
+    <message>
+      <source>Filter of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Filter des Katalogs</translation>
+    </message>
+    <message>
+      <source>rim T3 thickness&gt;6</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wörter werden überall gesucht; auch ware:grey, thickness&gt;6, -burnt, note:* gehen.</translation>
+    </message>
+    <message>
+      <source>Take away the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Bedingung %1 wegnehmen</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe</numerusform>
+        <numerusform>%n Scherben</numerusform>
+      </translation>
     </message>
   </context>
   <context>

@@ -140,13 +140,6 @@
         <numerusform>change %1 of %n sherds</numerusform>
       </translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translation>
-        <numerusform>%n sherd</numerusform>
-        <numerusform>%n sherds</numerusform>
-      </translation>
-    </message>
   </context>
   <context>
     <name>ostraka::ui::DrawingPage</name>
@@ -210,6 +203,16 @@
       <translation>
         <numerusform>The %n chosen in the catalogue</numerusform>
         <numerusform>The %n chosen in the catalogue</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FilterLine</name>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translation>
+        <numerusform>%n sherd</numerusform>
+        <numerusform>%n sherds</numerusform>
       </translation>
     </message>
   </context>

@@ -979,7 +979,35 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::CaptureFoot</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espacio</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escrito, con un lector de códigos, o con la etiqueta de la bolsa bajo la cámara</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Más</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importar, otro equipo</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espacio</translation>
+    </message>
     <message>
       <source>%1 is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1034,21 +1062,6 @@
       <translation>Cámara %1</translation>
     </message>
     <message>
-      <source>Space</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Espacio</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Más</translation>
-    </message>
-    <message>
-      <source>Import, another rig</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importar, otro equipo</translation>
-    </message>
-    <message>
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Captura</translation>
@@ -1082,11 +1095,6 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>no responde</translation>
-    </message>
-    <message>
-      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Escrito, con un lector de códigos, o con la etiqueta de la bolsa bajo la cámara</translation>
     </message>
     <message>
       <source>%1 The desktop holds a camera, by its program %2.</source>
@@ -1418,21 +1426,6 @@
       <translation>Catálogo</translation>
     </message>
     <message>
-      <source>Filter of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Filtro del catálogo</translation>
-    </message>
-    <message>
-      <source>rim T3 thickness&gt;6</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
-    </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras se buscan en todas partes; también sirven ware:grey, thickness&gt;6, -burnt, note:*.</translation>
-    </message>
-    <message>
       <source>Export these</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Exportar estos</translation>
@@ -1466,19 +1459,6 @@
       <source>Give numbers</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numerar</translation>
-    </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Quitar la condición %1</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fragmento</numerusform>
-        <numerusform>%n fragmentos</numerusform>
-      </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
@@ -2027,6 +2007,37 @@
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>más ligeros, hasta %1 mm</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FilterLine</name>
+    <message>
+      <source>Filter of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Filtro del catálogo</translation>
+    </message>
+    <message>
+      <source>rim T3 thickness&gt;6</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras se buscan en todas partes; también sirven ware:grey, thickness&gt;6, -burnt, note:*.</translation>
+    </message>
+    <message>
+      <source>Take away the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quitar la condición %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento</numerusform>
+        <numerusform>%n fragmentos</numerusform>
+      </translation>
     </message>
   </context>
   <context>

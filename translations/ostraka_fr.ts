@@ -979,7 +979,35 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::CaptureFoot</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espace</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Saisi, par un lecteur de codes, ou par l’étiquette du sac posée sous l’appareil</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plus</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer, autre banc</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Espace</translation>
+    </message>
     <message>
       <source>%1 is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1034,21 +1062,6 @@
       <translation>Appareil %1</translation>
     </message>
     <message>
-      <source>Space</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Espace</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Plus</translation>
-    </message>
-    <message>
-      <source>Import, another rig</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importer, autre banc</translation>
-    </message>
-    <message>
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Prise de vue</translation>
@@ -1082,11 +1095,6 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ne répond pas</translation>
-    </message>
-    <message>
-      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Saisi, par un lecteur de codes, ou par l’étiquette du sac posée sous l’appareil</translation>
     </message>
     <message>
       <source>%1 The desktop holds a camera, by its program %2.</source>
@@ -1418,21 +1426,6 @@
       <translation>Catalogue</translation>
     </message>
     <message>
-      <source>Filter of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Filtre du catalogue</translation>
-    </message>
-    <message>
-      <source>rim T3 thickness&gt;6</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
-    </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots sont cherchés partout ; ware:grey, thickness&gt;6, -burnt, note:* fonctionnent aussi.</translation>
-    </message>
-    <message>
       <source>Export these</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Exporter ceux-ci</translation>
@@ -1466,19 +1459,6 @@
       <source>Give numbers</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numéroter</translation>
-    </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enlever la condition %1</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n tesson</numerusform>
-        <numerusform>%n tessons</numerusform>
-      </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
@@ -2027,6 +2007,37 @@
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>allégés, à %1 mm près</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FilterLine</name>
+    <message>
+      <source>Filter of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Filtre du catalogue</translation>
+    </message>
+    <message>
+      <source>rim T3 thickness&gt;6</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots sont cherchés partout ; ware:grey, thickness&gt;6, -burnt, note:* fonctionnent aussi.</translation>
+    </message>
+    <message>
+      <source>Take away the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enlever la condition %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson</numerusform>
+        <numerusform>%n tessons</numerusform>
+      </translation>
     </message>
   </context>
   <context>

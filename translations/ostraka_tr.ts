@@ -967,7 +967,35 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::CaptureFoot</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boşluk</translation>
+    </message>
+    <message>
+      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yazarak, kod okuyucuyla ya da kameranın altına konan torba etiketinden</translation>
+    </message>
+    <message>
+      <source>More</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Daha</translation>
+    </message>
+    <message>
+      <source>Import, another rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Al, başka düzenek</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::CaptureStation</name>
+    <message>
+      <source>Space</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boşluk</translation>
+    </message>
     <message>
       <source>%1 is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1021,21 +1049,6 @@
       <translation>Kamera %1</translation>
     </message>
     <message>
-      <source>Space</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Boşluk</translation>
-    </message>
-    <message>
-      <source>More</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Daha</translation>
-    </message>
-    <message>
-      <source>Import, another rig</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al, başka düzenek</translation>
-    </message>
-    <message>
       <source>Capture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çekim</translation>
@@ -1069,11 +1082,6 @@
       <source>does not answer</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yanıt vermiyor</translation>
-    </message>
-    <message>
-      <source>Typed, from a code reader, or from the bag's label laid under the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yazarak, kod okuyucuyla ya da kameranın altına konan torba etiketinden</translation>
     </message>
     <message>
       <source>%1 The desktop holds a camera, by its program %2.</source>
@@ -1399,21 +1407,6 @@
       <translation>Katalog</translation>
     </message>
     <message>
-      <source>Filter of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Katalog süzgeci</translation>
-    </message>
-    <message>
-      <source>rim T3 thickness&gt;6</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
-    </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sözcükler her yerde aranır; ware:grey, thickness&gt;6, -burnt, note:* da olur.</translation>
-    </message>
-    <message>
       <source>Export these</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bunları dışa aktar</translation>
@@ -1447,18 +1440,6 @@
       <source>Give numbers</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara ver</translation>
-    </message>
-    <message>
-      <source>Take away the condition %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 koşulunu kaldır</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n parça</numerusform>
-      </translation>
     </message>
     <message>
       <source>No sherds yet. They come by themselves when a batch is computed; start with Capture.</source>
@@ -1999,6 +1980,36 @@
       <source>lighter, to %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>daha hafif, %1 mm’ye kadar</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::FilterLine</name>
+    <message>
+      <source>Filter of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalog süzgeci</translation>
+    </message>
+    <message>
+      <source>rim T3 thickness&gt;6</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rim T3 thickness&gt;6</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sözcükler her yerde aranır; ware:grey, thickness&gt;6, -burnt, note:* da olur.</translation>
+    </message>
+    <message>
+      <source>Take away the condition %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 koşulunu kaldır</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça</numerusform>
+      </translation>
     </message>
   </context>
   <context>

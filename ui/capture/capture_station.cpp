@@ -4,15 +4,13 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "batch/batch.h"
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
+#include "ui/capture/capture_foot.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
@@ -23,7 +21,6 @@
 #include "ui/capture/rig_renewal.h"
 #include "ui/capture/sherd_numbers.h"
 #include "ui/capture/stop_board.h"
-#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
@@ -35,34 +32,6 @@ namespace {
 constexpr const char* kRigKey = "rig";
 constexpr const char* kPlaceKey = "capture.place";
 constexpr int kMostCameras = 3;
-
-// Side by side, or below each other where large letters leave no room for that.
-class FootRow final : public QWidget {
- public:
-  explicit FootRow(QWidget* parent)
-      : QWidget(parent), box_(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
-    box_->setContentsMargins(0, 0, 0, 0);
-  }
-  void add(QWidget* part, int stretch) { box_->addWidget(part, stretch); }
-  QSize minimumSizeHint() const override {
-    int widest = 0;
-    for (int i = 0; i < box_->count(); ++i)
-      widest = std::max(widest, box_->itemAt(i)->minimumSize().width());
-    return {widest, box_->minimumSize().height()};
-  }
-
- protected:
-  void resizeEvent(QResizeEvent* event) override {
-    QWidget::resizeEvent(event);
-    int needed = box_->spacing() * (box_->count() - 1);
-    for (int i = 0; i < box_->count(); ++i) needed += box_->itemAt(i)->minimumSize().width();
-    const auto wanted = needed <= width() ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
-    if (box_->direction() != wanted) box_->setDirection(wanted);
-  }
-
- private:
-  QBoxLayout* box_;
-};
 
 }  // namespace
 
@@ -85,8 +54,6 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   connect(wizard_, &CaptureWizard::changed, this, &CaptureStation::follow);
   connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureStation::followLive);
   connect(wizard_, &CaptureWizard::shotsChanged, board_, &StopBoard::follow);
-  connect(wizard_, &CaptureWizard::shotsChanged, this,
-          [this] { button_->setText(wizard_->buttonText()); });
   connect(wizard_, &CaptureWizard::said, this, &Station::said);
   connect(wizard_, &CaptureWizard::batchQueued, this,
           [this](const QString& number) { emit said(tr("%1 is in the queue.").arg(number)); });
@@ -207,63 +174,17 @@ QWidget* CaptureStation::buildWorkPage() {
 }
 
 QWidget* CaptureStation::buildFoot() {
-  auto* foot = new FootRow(this);
-  place_ = new PlaceEdit(foot);
-  place_->setToolTip(
-      tr("Typed, from a code reader, or from the bag's label laid under the camera"));
-  button_ = new BigButton(foot);
-  button_->setObjectName(QStringLiteral("captureButton"));
-  button_->setKeyHint(tr("Space"));
-  connect(button_, &QPushButton::clicked, next_, &QAction::trigger);
-  connect(place_, &PlaceEdit::entered, this, qOverload<>(&QWidget::setFocus));
+  foot_ = new CaptureFoot(
+      wizard_, {next_, stop_, cameras_, {import_photographs_, import_scans_, change_rig_}}, this);
+  place_ = foot_->place();
+  connect(foot_, &CaptureFoot::entered, this, qOverload<>(&QWidget::setFocus));
   connect(place_, &PlaceEdit::edited, this, &CaptureStation::placeTyped);
   connect(wizard_, &CaptureWizard::placeRead, this, [this] {
     place_->setText(wizard_->place().typed());
     placeTyped();
   });
-  count_ = new CountEdit(foot);
-  connect(count_, &CountEdit::counted, wizard_, &CaptureWizard::setCounted);
-  connect(count_, &CountEdit::entered, this, qOverload<>(&QWidget::setFocus));
-  connect(count_sherds_, &QAction::triggered, count_, &CountEdit::takeKeys);
-  auto* more = new QToolButton(foot);
-  more->setObjectName(QStringLiteral("captureMore"));
-  more->setText(tr("More"));
-  more->setAccessibleName(tr("Import, another rig"));
-  more->setPopupMode(QToolButton::InstantPopup);
-  more->setMinimumHeight(targetSize(*this));
-  auto* menu = new QMenu(more);
-  menu->addActions({import_photographs_, import_scans_, change_rig_});
-  more->setMenu(menu);
-  auto* tools = new QWidget(foot);
-  auto* row = new QHBoxLayout(tools);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (QAction* camera : cameras_) {
-    auto* button = new QToolButton(foot);
-    button->setDefaultAction(camera);
-    button->setObjectName(camera->objectName() + QStringLiteral("Button"));
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setAccessibleName(camera->text());
-    button->setMinimumSize(targetSize(*this), targetSize(*this));
-    row->addWidget(button);
-  }
-  auto* stop = new QToolButton(foot);
-  stop->setDefaultAction(stop_);
-  stop->setObjectName(QStringLiteral("captureStopButton"));
-  stop->setAccessibleName(stop_->text());
-  stop->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  stop->setMinimumHeight(targetSize(*this));
-  row->addWidget(stop);
-  row->addWidget(more);
-  row->addStretch();
-  auto* where = new QWidget(foot);
-  auto* typed = new QHBoxLayout(where);
-  typed->setContentsMargins(0, 0, 0, 0);
-  typed->addWidget(place_, 1);
-  typed->addWidget(count_);
-  foot->add(where, 1);
-  foot->add(tools, 0);
-  foot->add(button_, 2);
-  return foot;
+  connect(count_sherds_, &QAction::triggered, foot_->count(), &CountEdit::takeKeys);
+  return foot_;
 }
 
 QString CaptureStation::title() const {
@@ -384,18 +305,12 @@ void CaptureStation::follow() {
   headline_->setFont(scaledFont(*this, phase == CapturePhase::Done ? 3.0 : 1.8));
   instruction_->setText(wizard_->instruction());
   instruction_->setFont(scaledFont(*this, 1.2));
-  button_->setText(wizard_->buttonText());
-  button_->setEnabled(wizard_->canGoOn());
-  button_->setVisible(!wizard_->fault());
+  foot_->follow();
   next_->setEnabled(no_rig || wizard_->canGoOn());
   stop_->setEnabled(wizard_->isBusy() && shooting);
   again_->setEnabled(!wizard_->isBusy() &&
                      (phase == CapturePhase::Flip || phase == CapturePhase::Done));
-  const bool placing = phase == CapturePhase::Place || phase == CapturePhase::Opening;
-  place_->setEnabled(placing);
-  count_->setEnabled(placing);
-  count_sherds_->setEnabled(placing);
-  count_->setCount(wizard_->counted());
+  count_sherds_->setEnabled(phase == CapturePhase::Place || phase == CapturePhase::Opening);
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
     cameras_[i]->setEnabled(static_cast<int>(i) < wizard_->cameras());
     cameras_[i]->setChecked(static_cast<int>(i) == wizard_->camera());

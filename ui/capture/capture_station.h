@@ -12,9 +12,8 @@ class QStackedWidget;
 namespace ostraka::ui {
 
 class BatchImporter;
-class BigButton;
+class CaptureFoot;
 class CaptureWizard;
-class CountEdit;
 class FactList;
 class MessagePanel;
 class PlaceEdit;
@@ -80,12 +79,11 @@ class CaptureStation final : public Station {
   StopBoard* board_;
   QLabel *headline_, *instruction_;
   FactList* facts_;
+  CaptureFoot* foot_;
   PlaceEdit* place_;
-  CountEdit* count_;
   SherdNumbers* numbers_;
   NumberEdit* number_edit_;
   MessagePanel *doubts_, *fault_;
-  BigButton* button_;
   QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
       *change_rig_;
   std::vector<QAction*> cameras_;

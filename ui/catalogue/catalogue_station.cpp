@@ -12,14 +12,13 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
-#include <QTimer>
-#include <QToolButton>
 
 #include "catalogue/project.h"
 #include "exchange/import_table.h"
 #include "ui/catalogue/bulk_edit.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/field_words.h"
+#include "ui/catalogue/filter_line.h"
 #include "ui/catalogue/import_dialog.h"
 #include "ui/catalogue/import_model.h"
 #include "ui/catalogue/model_pane.h"
@@ -69,22 +68,12 @@ QString CatalogueStation::title() const {
   return tr("Catalogue");
 }
 
-QLayout* CatalogueStation::buildFilterLine() {
-  filter_ = new QLineEdit(this);
-  filter_->setObjectName("filter");
-  filter_->setAccessibleName(tr("Filter of the catalogue"));
-  filter_->setPlaceholderText(tr("rim T3 thickness>6"));
-  filter_->setToolTip(
-      tr("Words are looked for everywhere; ware:grey, thickness>6, -burnt, note:* also work."));
-  filter_->setClearButtonEnabled(true);
-  filter_->setMinimumHeight(targetSize(*this));
-  filter_->addAction(icon("search"), QLineEdit::LeadingPosition);
-  typing_ = new QTimer(this);
-  typing_->setSingleShot(true);
-  typing_->setInterval(150);
-  connect(filter_, &QLineEdit::textChanged, this, [this] { typing_->start(); });
-  connect(filter_, &QLineEdit::returnPressed, this, &CatalogueStation::applyFilter);
-  connect(typing_, &QTimer::timeout, this, &CatalogueStation::applyFilter);
+QWidget* CatalogueStation::buildFilterLine() {
+  filter_ = new FilterLine(this);
+  connect(filter_, &FilterLine::wanted, this, [this](const QString& line) {
+    complain(model_->setFilter(line));
+    filter_->showConditions(model_->filter());
+  });
   auto* to_import = new QPushButton(icon("import"), tr("Import …"), this);
   to_import->setObjectName("import");
   to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
@@ -98,12 +87,9 @@ QLayout* CatalogueStation::buildFilterLine() {
     emit wantsStation("export",
                       rows.size() > 1 ? "rows:" + rows.join(',') : "filter:" + filter_->text());
   });
-  for (QPushButton* button : {to_import, to_export}) button->setMinimumHeight(targetSize(*this));
-  auto* line = new QHBoxLayout;
-  line->addWidget(filter_, 1);
-  line->addWidget(to_import);
-  line->addWidget(to_export);
-  return line;
+  filter_->addButton(to_import);
+  filter_->addButton(to_export);
+  return filter_;
 }
 
 QWidget* CatalogueStation::buildWho() {
@@ -167,20 +153,12 @@ QWidget* CatalogueStation::buildLeft() {
 
 void CatalogueStation::buildLayout() {
   auto* column = new QVBoxLayout(this);
-  column->addLayout(buildFilterLine());
-  chips_ = new QHBoxLayout;
-  count_ = new QLabel(this);
-  count_->setObjectName("count");
+  column->addWidget(buildFilterLine());
   problem_ = new QLabel(this);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
   connect(problem_, &QLabel::linkActivated, this, &CatalogueStation::forgetImports);
   problem_->hide();
-  auto* chips_row = new QHBoxLayout;
-  chips_row->addLayout(chips_);
-  chips_row->addStretch();
-  chips_row->addWidget(count_);
-  column->addLayout(chips_row);
   column->addWidget(problem_);
   column->addWidget(buildWho());
   auto* split = new QSplitter(Qt::Horizontal, this);
@@ -231,10 +209,7 @@ void CatalogueStation::addActions() {
     connect(action, &QAction::triggered, this, act);
     addAction(action);
   };
-  add(tr("Search"), "search", QKeySequence::Find, "search", [this] {
-    filter_->setFocus(Qt::ShortcutFocusReason);
-    filter_->selectAll();
-  });
+  add(tr("Search"), "search", QKeySequence::Find, "search", [this] { filter_->takeKeys(); });
   add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] {
     right_->setCurrentWidget(edit_);
     if (edit_->currentWidget() == bulk_)
@@ -308,7 +283,6 @@ void CatalogueStation::closeProject() {
   delete edits_;
   edits_ = nullptr;
   filter_->clear();
-  typing_->stop();
   model_->setCatalogue(nullptr, {}, nullptr);
   bulk_->setSherds(nullptr, {});
   details_->clear();
@@ -330,50 +304,18 @@ void CatalogueStation::showItem(const QString& what) {
   if (!sherd || !*sherd) {
     filter_->setText(
         session_->project().catalogue().batchByNumber(what.toStdString()) ? "batch:" + what : what);
-    applyFilter();
     return;
   }
   if (model_->rowOf(*sherd) < 0) {
-    filter_->clear();
-    applyFilter();
+    filter_->setText({});
   }
   table_->selectRow(model_->rowOf(*sherd));
   table_->scrollTo(model_->index(model_->rowOf(*sherd), 0), QAbstractItemView::PositionAtCenter);
 }
 
-void CatalogueStation::applyFilter() {
-  typing_->stop();
-  complain(model_->setFilter(filter_->text()));
-  showChips();
-}
-
-void CatalogueStation::showChips() {
-  while (QLayoutItem* item = chips_->takeAt(0)) {
-    if (item->widget()) item->widget()->deleteLater();
-    delete item;
-  }
-  const auto& conditions = model_->filter().conditions;
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    auto* chip = new QToolButton(this);
-    const QString text = QString::fromStdString(conditions[i].text);
-    chip->setText(text);
-    chip->setIcon(icon("cancel"));
-    chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    chip->setObjectName("chip");
-    chip->setAccessibleName(tr("Take away the condition %1").arg(text));
-    connect(chip, &QToolButton::clicked, this, [this, i] {
-      catalogue::Filter fewer = model_->filter();
-      fewer.conditions.erase(fewer.conditions.begin() + static_cast<std::ptrdiff_t>(i));
-      filter_->setText(QString::fromStdString(fewer.text()));
-      applyFilter();
-    });
-    chips_->addWidget(chip);
-  }
-}
-
 void CatalogueStation::showCount() {
   const int rows = model_->rowCount();
-  count_->setText(tr("%n sherd(s)", nullptr, rows));
+  filter_->showCount(rows);
   empty_->setText(model_->filter().conditions.empty()
                       ? tr("No sherds yet. They come by themselves when a batch is computed; "
                            "start with Capture.")

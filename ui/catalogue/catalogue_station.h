@@ -4,18 +4,16 @@
 #include "catalogue/catalogue.h"
 #include "ui/frame/station.h"
 
-class QHBoxLayout;
 class QLabel;
-class QLineEdit;
 class QStackedWidget;
 class QTabWidget;
 class QTableView;
-class QTimer;
 
 namespace ostraka::ui {
 
 class BulkEdit;
 class DrawingPage;
+class FilterLine;
 class ImportDialog;
 class ImportModel;
 class ModelPane;
@@ -46,12 +44,10 @@ class CatalogueStation final : public Station {
  private:
   void buildLayout();
   void addActions();
-  void applyFilter();
-  void showChips();
   void showSelection();
   void showCount();
   void showModelOf(catalogue::SherdRow sherd);
-  QLayout* buildFilterLine();
+  QWidget* buildFilterLine();
   QWidget* buildWho();
   QWidget* buildLeft();
   QWidget* buildRight();
@@ -68,10 +64,7 @@ class CatalogueStation final : public Station {
   ProjectSession* session_ = nullptr;
   SherdEdits* edits_ = nullptr;
   SherdTableModel* model_ = nullptr;
-  QLineEdit* filter_ = nullptr;
-  QTimer* typing_ = nullptr;
-  QHBoxLayout* chips_ = nullptr;
-  QLabel* count_ = nullptr;
+  FilterLine* filter_ = nullptr;
   QLabel* problem_ = nullptr;
   QWidget* who_ = nullptr;
   QTableView* table_ = nullptr;

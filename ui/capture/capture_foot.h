@@ -1,0 +1,43 @@
+#pragma once
+#include <vector>
+
+#include "ui/frame/side_by_side.h"
+
+class QAction;
+
+namespace ostraka::ui {
+
+class BigButton;
+class CaptureWizard;
+class CountEdit;
+class PlaceEdit;
+
+/// The foot of the wizard: the bag, the count, the cameras, and the one big button.
+class CaptureFoot final : public SideBySide {
+  Q_OBJECT
+
+ public:
+  struct Acts {
+    QAction *next, *stop;
+    std::vector<QAction*> cameras;
+    QList<QAction*> more;
+  };
+  CaptureFoot(CaptureWizard* wizard, const Acts& acts, QWidget* parent);
+  PlaceEdit* place() const { return place_; }
+  CountEdit* count() const { return count_; }
+  void follow();
+
+ signals:
+  void entered();  ///< Return in a field: the person is done with it
+
+ private:
+  QWidget* buildFields();
+  QWidget* buildTools(const Acts& acts);
+
+  CaptureWizard* wizard_;
+  PlaceEdit* place_;
+  CountEdit* count_;
+  BigButton* button_;
+};
+
+}  // namespace ostraka::ui

@@ -57,12 +57,17 @@ class OstrakaStyle final : public QProxyStyle {
     if (metric == PM_ButtonIconSize || metric == PM_SmallIconSize || metric == PM_TabBarIconSize ||
         metric == PM_LineEditIconSize)
       usual = std::max(usual, QFontMetrics(QApplication::font()).height());
+    if (metric == PM_IndicatorWidth || metric == PM_IndicatorHeight ||
+        metric == PM_ExclusiveIndicatorWidth || metric == PM_ExclusiveIndicatorHeight ||
+        metric == PM_SliderThickness || metric == PM_SliderLength)
+      usual = std::max(usual, QFontMetrics(QApplication::font()).height());
     if (!qApp->property(kSunlightProperty).toBool()) return usual;
     if (metric == PM_DefaultFrameWidth) return usual + 1;
     return usual;
   }
 
-  // Fusion tells what is pressed in, and where one can type, by a shade that the dark theme lacks.
+  // Fusion tells what is pressed in, and where one can type, tick or pull, by a shade that the sun
+  // takes away and the dark theme lacks.
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
@@ -70,9 +75,23 @@ class OstrakaStyle final : public QProxyStyle {
     const bool button = element == PE_PanelButtonTool || element == PE_PanelButtonCommand;
     if (button && (option->state & State_On))
       frame(*painter, option->rect, colours.color(QPalette::Highlight), kPressedFrame);
-    const bool dark = colours.color(QPalette::Window).lightnessF() < 0.5F;
-    if (element == PE_FrameLineEdit && dark && !(option->state & State_HasFocus))
-      frame(*painter, option->rect, colours.color(QPalette::PlaceholderText), 1);
+    const QColor faint = colours.color(QPalette::PlaceholderText);
+    if (element == PE_IndicatorCheckBox) frame(*painter, option->rect, faint, 1);
+    if (element == PE_IndicatorRadioButton)
+      frame(*painter, option->rect, faint, 1, option->rect.height() / 2.0);
+    if (element == PE_FrameLineEdit && isDark(colours) && !(option->state & State_HasFocus))
+      frame(*painter, option->rect, faint, 1);
+  }
+
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override {
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    if (!isDark(option->palette)) return;
+    const QColor faint = option->palette.color(QPalette::PlaceholderText);
+    if (control == CC_SpinBox && !(option->state & State_HasFocus))
+      frame(*painter, option->rect, faint, 1);
+    if (control == CC_Slider)
+      frame(*painter, subControlRect(CC_Slider, option, SC_SliderHandle, widget), faint, 1);
   }
 
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -83,13 +102,19 @@ class OstrakaStyle final : public QProxyStyle {
   }
 
  private:
-  static void frame(QPainter& painter, const QRect& where, const QColor& colour, double wide) {
+  static bool isDark(const QPalette& colours) {
+    return colours.color(QPalette::Window).lightnessF() < 0.5F;
+  }
+
+  static void frame(QPainter& painter, const QRect& where, const QColor& colour, double wide,
+                    double corner = 2) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(colour, wide));
     painter.setBrush(Qt::NoBrush);
     const double inwards = wide / 2;
-    painter.drawRoundedRect(QRectF(where).adjusted(inwards, inwards, -inwards, -inwards), 2, 2);
+    painter.drawRoundedRect(QRectF(where).adjusted(inwards, inwards, -inwards, -inwards), corner,
+                            corner);
     painter.restore();
   }
 };

@@ -1,8 +1,10 @@
 #include "ui/frame/look.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDir>
 #include <QLabel>
+#include <QRadioButton>
 #include <QToolButton>
 #include <QtTest>
 #include <cmath>
@@ -62,6 +64,31 @@ class LookTest : public QObject {
     QVERIFY(qAbs(bold.font().pointSizeF() - QApplication::font().pointSizeF()) < 0.01);
     applyLook(*qApp, Theme::Light, 100);
     QVERIFY(qAbs(heading.font().pointSizeF() - before) < 0.01);
+  }
+
+  void whatIsNotTickedCanBeSeenAndGrowsWithTheText_data() { themes_data(); }
+  void whatIsNotTickedCanBeSeenAndGrowsWithTheText() {
+    QFETCH(int, theme);
+    applyLook(*qApp, static_cast<Theme>(theme), 200);
+    QCheckBox box;
+    QRadioButton choice;
+    for (QAbstractButton* button :
+         {static_cast<QAbstractButton*>(&box), static_cast<QAbstractButton*>(&choice)}) {
+      button->resize(80, 60);
+      const QImage shown = button->grab().toImage();
+      const QColor around = shown.pixelColor(shown.width() - 1, 0);
+      double strongest = 1;
+      int widest = 0;
+      for (int x = 0; x < shown.width(); ++x) {
+        const double seen = contrast(shown.pixelColor(x, shown.height() / 2), around);
+        strongest = std::max(strongest, seen);
+        if (seen > 1.3) widest = x;
+      }
+      QVERIFY2(strongest >= 2, qPrintable(QString::number(strongest)));
+      QVERIFY2(widest >= button->fontMetrics().height() * 3 / 4,
+               qPrintable(QString::number(widest)));
+    }
+    applyLook(*qApp, Theme::Light, 100);
   }
 
   void whatIsPressedInShowsItInEachTheme_data() { themes_data(); }

@@ -31,7 +31,7 @@ PlateView::PlateView(QWidget* parent) : QWidget(parent) {
 }
 
 QSize PlateView::sizeHint() const {
-  return {fontMetrics().height() * 28, fontMetrics().height() * 18};
+  return {fontMetrics().height() * 28, fontMetrics().height() * 7};
 }
 
 void PlateView::setPicture(const std::optional<PlatePicture>& picture, const QString& otherwise) {

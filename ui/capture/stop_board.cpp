@@ -18,7 +18,7 @@ StopBoard::StopBoard(const CaptureWizard* wizard, QWidget* parent)
 }
 
 QSize StopBoard::sizeHint() const {
-  return {fontMetrics().height() * 28, fontMetrics().height() * 18};
+  return {fontMetrics().height() * 28, fontMetrics().height() * 7};
 }
 
 void StopBoard::setThumbnails(Thumbnails* thumbnails) {

@@ -17,6 +17,7 @@
 
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
+#include "ui/frame/side_by_side.h"
 
 namespace ostraka::ui {
 
@@ -172,15 +173,15 @@ void ExportStation::buildLayout() {
   connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
   connect(open_, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(model_.target())); });
-  auto* upper = new QHBoxLayout;
-  upper->addWidget(buildWhat(), 1);
-  upper->addWidget(buildForms(), 1);
+  auto* upper = new SideBySide(this);
+  upper->add(buildWhat(), 1);
+  upper->add(buildForms(), 1);
   auto* act = new QHBoxLayout;
   act->addWidget(start_, 1);
   act->addWidget(cancel_);
   act->addWidget(open_);
   auto* column = new QVBoxLayout(this);
-  column->addLayout(upper);
+  column->addWidget(upper);
   column->addWidget(buildWhere());
   column->addWidget(size_);
   column->addWidget(bar_);

@@ -62,14 +62,16 @@ HeaderLine::HeaderLine(QWidget* parent)
     : QFrame(parent),
       where_(label(this, tr("Where"), QStringLiteral("headerWhere"))),
       rig_(label(this, tr("Rig"), QStringLiteral("headerRig"))),
-      room_(label(this, tr("Room on the disk"), QStringLiteral("headerRoom"))) {
+      room_(new QLabel(this)) {  // never cut short: 4… is not 44
+  room_->setObjectName(QStringLiteral("headerRoom"));
+  room_->setAccessibleName(tr("Room on the disk"));
   QFont bold = where_->font();
   bold.setBold(true);
   where_->setFont(bold);
   auto* row = new QHBoxLayout(this);
   row->addWidget(where_, 3);
   row->addWidget(rig_, 2);
-  row->addWidget(room_, 2);
+  row->addWidget(room_);
   rig_->setAlignment(Qt::AlignCenter);
   room_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 }

@@ -89,7 +89,7 @@ void MainWindow::buildLayout() {
   footer_ = new FooterLine(queue_station_->pauseAction(), queue_station_->logAction(), work);
   for (Station* station : stations_) {
     pages_->addWidget(new PageArea(station, pages_));
-    rail_->addStation(station);
+    addAction(rail_->addStation(station));  // its key works on the side pages too
     connect(station, &Station::said, footer_, &FooterLine::say);
     connect(station, &Station::wantsStation, this, &MainWindow::showStationNamed);
   }

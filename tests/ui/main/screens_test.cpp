@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTextBrowser>
@@ -120,6 +121,14 @@ class ScreensTest : public QObject {
     QVERIFY(named<QTextBrowser>(*window_, "helpText")->toPlainText().size() > 100);
     QTest::keyClick(window_.get(), Qt::Key_Escape);
     QTRY_VERIFY(stations.back()->isVisible());
+    for (const auto& [key, with] :
+         {std::pair(Qt::Key_F1, Qt::NoModifier), std::pair(Qt::Key_Comma, Qt::ControlModifier)}) {
+      QTest::keyClick(window_.get(), key, with);
+      QTRY_VERIFY(!stations.back()->isVisible());
+      QTest::keyClick(window_.get(), Qt::Key_2, Qt::ControlModifier);
+      QTRY_VERIFY(stations[1]->isVisible());
+      window_->showStation(static_cast<int>(stations.size()) - 1);
+    }
   }
 
   void theSameProjectIsNotOpenedTwice() {
@@ -188,6 +197,19 @@ class ScreensTest : public QObject {
                                 .arg(least.height())));
       }
     }
+    // However large the letters are: the next thing to do is in sight, and nothing lies beside it.
+    window_->resize(laptop);
+    for (std::size_t i = 0; i < window_->stations().size(); ++i) {
+      window_->showStation(static_cast<int>(i));
+      const QScrollArea* area = areaOf(*window_->stations()[i]);
+      QVERIFY(area != nullptr);
+      QTRY_VERIFY2(area->horizontalScrollBar()->maximum() == 0,
+                   qPrintable(window_->stations()[i]->title()));
+    }
+    window_->showStation(0);
+    QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
+    const auto* next = named<QPushButton>(*window_, "captureButton");
+    QTRY_COMPARE(next->visibleRegion().boundingRect(), next->rect());
     // In the usual size nothing has to be scrolled.
     applyLook(*qApp, Theme::Light, 100);
     window_->resize(laptop);
@@ -195,7 +217,7 @@ class ScreensTest : public QObject {
       window_->showStation(static_cast<int>(i));
       QCoreApplication::processEvents();
       const QWidget* page = window_->stations()[i];
-      const auto* area = qobject_cast<const PageArea*>(page->parentWidget()->parentWidget());
+      const QScrollArea* area = areaOf(*page);
       QVERIFY(area != nullptr);
       QTRY_VERIFY2(page->size() == area->viewport()->size(),
                    qPrintable(QStringLiteral("%1: %2 in %3")
@@ -248,6 +270,9 @@ class ScreensTest : public QObject {
   }
 
  private:
+  static const QScrollArea* areaOf(const QWidget& page) {
+    return qobject_cast<const PageArea*>(page.parentWidget()->parentWidget());
+  }
   void openVirtual() {
     if (project_.isEmpty() || !QDir(project_).exists()) {
       project_ = home_->path("Ostraka/Virtual");

@@ -12,6 +12,7 @@
 namespace ostraka::ui {
 namespace {
 
+constexpr int kEdges = 8;  // pixels of the frame and between picture and words
 constexpr int kReasonLines = 3;
 
 int pictureSize(const QFontMetrics& metrics) {
@@ -48,8 +49,8 @@ QRect CardDelegate::backPicture(const QRect& card, const QFontMetrics& metrics) 
 
 QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
   const QFontMetrics metrics(option.font);
-  return {metrics.height() * 13,
-          pictureSize(metrics) + 2 * (metrics.height() / 3) + kReasonLines * metrics.height()};
+  return {metrics.height() * 13, pictureSize(metrics) + 2 * (metrics.height() / 3) +
+                                     kReasonLines * metrics.height() + kEdges};
 }
 
 void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,

@@ -325,7 +325,11 @@ QString PairReviewModel::inHand() const {
 }
 
 void PairReviewModel::accept() {
-  if (!canAccept()) return emit failed(whyNotAccept());
+  if (!canAccept()) {
+    emit failed(whyNotAccept());
+    if (person_.isEmpty()) emit personWanted();
+    return;
+  }
   PairDecision decision = about(DecisionKind::Pair);
   decision.scans.push_back(backRef(trial_.back));
   decision.front_from_back = trial_.front_from_back;
@@ -394,6 +398,7 @@ void PairReviewModel::split(Side side, const Eigen::Vector2d& a_mm, const Eigen:
 bool PairReviewModel::personIsKnown() {
   if (!person_.isEmpty()) return true;
   emit failed(tr("Enter your initials first: each decision keeps its name."));
+  emit personWanted();
   return false;
 }
 

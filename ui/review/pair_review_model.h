@@ -64,8 +64,7 @@ class PairReviewModel final : public QAbstractListModel {
   QString whyNotAccept() const;  ///< empty when it can
   int holderOf(int back) const;  ///< the front that holds this back now, -1: none
   int waiting() const { return review_.waiting(); }
-  /// Something was decided that changes pairs or pieces, not only confirmed.
-  bool wantsComputing() const;
+  bool wantsComputing() const;  ///< pairs or pieces were changed, not only confirmed
 
  public slots:
   void select(int front);
@@ -100,6 +99,7 @@ class PairReviewModel final : public QAbstractListModel {
   void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);
   void decided(const ostraka::pipeline::PairDecision& decision);  ///< is on disk
   void failed(const QString& sentence);
+  void personWanted();  ///< a decision was refused, for nobody has said who decides
   void waitingChanged();
 
  private:

@@ -124,6 +124,7 @@ void ReviewStation::openProject(ProjectSession& session) {
   connect(&session, &ProjectSession::batchChanged, this, &ReviewStation::follow);
   connect(model_, &PairReviewModel::waitingChanged, this, &Station::waitingChanged);
   connect(model_, &PairReviewModel::failed, this, &ReviewStation::say);
+  connect(model_, &PairReviewModel::personWanted, person_, qOverload<>(&QWidget::setFocus));
   connect(model_, &PairReviewModel::decided, this, &ReviewStation::enter);
   listBatches();
   if (batches_->count() > 0) openOutput(batches_->itemText(0));

@@ -40,16 +40,15 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
       wizard_(wizard),
       importer_(new BatchImporter(this)),
       renewal_(new RigRenewal(this)),
-      pages_(new QStackedWidget(this)),
       rig_page_(new RigPage(this)) {
   setObjectName(QStringLiteral("capture"));
   setFocusPolicy(Qt::ClickFocus);  // so that its keys work wherever a person clicked
   setAccessibleName(tr("Capture"));
   buildActions();
-  pages_->addWidget(rig_page_);
-  pages_->addWidget(buildWorkPage());
+  work_page_ = buildWorkPage();
   auto* all = new QVBoxLayout(this);
-  all->addWidget(pages_);
+  all->addWidget(rig_page_);
+  all->addWidget(work_page_);
 
   connect(wizard_, &CaptureWizard::changed, this, &CaptureStation::follow);
   connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureStation::followLive);
@@ -112,7 +111,7 @@ void CaptureStation::buildActions() {
     cameras_.push_back(action);
   }
   connect(next_, &QAction::triggered, this,
-          [this] { pages_->currentWidget() == rig_page_ ? rig_page_->goOn() : wizard_->next(); });
+          [this] { rig_page_->isHidden() ? wizard_->next() : rig_page_->goOn(); });
   connect(stop_, &QAction::triggered, wizard_, &CaptureWizard::stop);
   connect(again_, &QAction::triggered, wizard_, &CaptureWizard::again);
   connect(import_photographs_, &QAction::triggered, this,
@@ -290,13 +289,8 @@ void CaptureStation::placeTyped() {
 void CaptureStation::follow() {
   const CapturePhase phase = wizard_->phase();
   const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
-  pages_->setCurrentIndex(no_rig ? 0 : 1);
-  // The page that is not shown takes no room.
-  for (int page = 0; page < pages_->count(); ++page) {
-    const auto policy =
-        page == pages_->currentIndex() ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-    pages_->widget(page)->setSizePolicy(policy, policy);
-  }
+  rig_page_->setVisible(no_rig);
+  work_page_->setVisible(!no_rig);
   const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
   // What was photographed stays in sight when it is done.
   const bool board = shooting || (phase == CapturePhase::Done && !wizard_->shots().empty());

@@ -73,8 +73,9 @@ class CaptureStation final : public Station {
   RigRenewal* renewal_;
   QPointer<ProjectSession> session_;
   Thumbnails* thumbnails_ = nullptr;
-  QStackedWidget *pages_, *middle_;
   RigPage* rig_page_;
+  QWidget* work_page_;
+  QStackedWidget* middle_;
   PlateView* plate_;
   StopBoard* board_;
   QLabel *headline_, *instruction_;

@@ -1540,6 +1540,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das nicht wieder melden</translation>
     </message>
+    <message>
+      <source>Choose the sherds that are to get numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen Sie die Scherben, die Nummern bekommen sollen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::DrawingPage</name>

@@ -1540,6 +1540,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Να μην αναφερθεί ξανά</translation>
     </message>
+    <message>
+      <source>Choose the sherds that are to get numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλέξτε τα όστρακα που θα πάρουν αριθμό.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::DrawingPage</name>

@@ -1540,6 +1540,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No volver a avisar de esto</translation>
     </message>
+    <message>
+      <source>Choose the sherds that are to get numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elija los fragmentos que deben recibir número.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::DrawingPage</name>

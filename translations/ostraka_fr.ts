@@ -1540,6 +1540,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ne plus le signaler</translation>
     </message>
+    <message>
+      <source>Choose the sherds that are to get numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisissez les tessons qui doivent recevoir un numéro.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::DrawingPage</name>

@@ -1540,6 +1540,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այլևս չհիշեցնել</translation>
     </message>
+    <message>
+      <source>Choose the sherds that are to get numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրեք այն բեկորները, որոնք պետք է համար ստանան։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::DrawingPage</name>

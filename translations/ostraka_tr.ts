@@ -1521,6 +1521,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bunu bir daha bildirme</translation>
     </message>
+    <message>
+      <source>Choose the sherds that are to get numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numara alacak parçaları seçin.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::DrawingPage</name>

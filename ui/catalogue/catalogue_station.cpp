@@ -293,6 +293,7 @@ void CatalogueStation::closeProject() {
 }
 
 void CatalogueStation::setInFront(bool in_front) {
+  if (in_front) table_->setFocus();  // the arrow keys choose a sherd
   if (!in_front || !stale_ || !session_) return;
   stale_ = false;
   model_->reload();
@@ -400,7 +401,10 @@ void CatalogueStation::openImport() {
 }
 
 void CatalogueStation::giveNumbers() {
-  if (edits_) complain(edits_->assignNumbers(selected()));
+  if (!edits_) return;
+  const std::vector<catalogue::SherdRow> sherds = selected();
+  complain(sherds.empty() ? tr("Choose the sherds that are to get numbers.")
+                          : edits_->assignNumbers(sherds));
 }
 
 void CatalogueStation::sherdsChanged(const std::vector<catalogue::SherdRow>& sherds) {

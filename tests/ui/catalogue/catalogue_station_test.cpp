@@ -1,6 +1,7 @@
 #include "ui/catalogue/catalogue_station.h"
 
 #include <QAccessible>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QHeaderView>
@@ -113,11 +114,19 @@ class CatalogueStationTest : public QObject {
     QStringList told;
     for (const QTreeWidget* tree : station_->findChildren<QTreeWidget*>())
       if (tree->accessibleName() == QLatin1String("History"))
-        for (int i = 0; i < tree->topLevelItemCount(); ++i)
-          told << tree->topLevelItem(i)->text(2);
+        for (int i = 0; i < tree->topLevelItemCount(); ++i) told << tree->topLevelItem(i)->text(2);
     const QStringList lengths = told.filter(QLatin1String("length, mm: "));
     QCOMPARE(lengths.size(), 1);
     QCOMPARE(lengths.front(), QString("length, mm: 40.00"));
+  }
+
+  void withoutAMouseTheArrowsChooseWhatGetsANumber() {
+    station_->setInFront(true);
+    child<QTableView>("sherds")->clearSelection();
+    child<QAction>("giveNumbers")->trigger();
+    QVERIFY(child<QLabel>("problem")->text().startsWith("Choose the sherds"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Down);
+    QVERIFY(child<QTableView>("sherds")->selectionModel()->hasSelection());
   }
 
   void aSherdMovesToAnotherContextInOneStep() {

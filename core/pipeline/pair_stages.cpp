@@ -120,6 +120,7 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decision
   if (!pairs) return pairs.error();
   StageNotes notes{{{"pairs", pairs->pairs.size()}, {"decided", settled.pairs.size()}},
                    settled.warnings};
+  QuietProgress quiet;  // about a second each, after all others are compared
   for (SherdPair& pair : pairs->pairs) {
     if (pair.decided == 0 || pair.registration.start >= 0) continue;
     if (run.stop.stop_requested()) return Error::cancelled();
@@ -128,7 +129,7 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder, const Decision
     const scan::Scan& front = fronts.value[static_cast<std::size_t>(pair.decision.front)];
     const scan::Scan& back = backs.value[static_cast<std::size_t>(pair.decision.back)];
     const Result<registration::Registration> found =
-        registerDecided(*decision, front, back, witnesses, options, run.progress, run.stop);
+        registerDecided(*decision, front, back, witnesses, options, quiet, run.stop);
     if (!found && found.error().code == ErrorCode::Cancelled) return found.error();
     if (found) {
       pair.registration = *found;

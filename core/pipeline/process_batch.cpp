@@ -187,6 +187,23 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   return line;
 }
 
+// One of several equal parts of a stage: a bar does not begin again with each of them.
+class PartProgress final : public Progress {
+ public:
+  PartProgress(Progress& outer, std::size_t part, std::size_t parts)
+      : outer_(outer),
+        part_(static_cast<std::int64_t>(part)),
+        parts_(static_cast<std::int64_t>(parts)) {}
+  void report(std::int64_t done, std::int64_t total) override {
+    outer_.report(part_ * total + done, parts_ * total);
+  }
+  void note(NoteLevel level, std::string_view text) override { outer_.note(level, text); }
+
+ private:
+  Progress& outer_;
+  std::int64_t part_, parts_;
+};
+
 // The model of each pair, in their order, its part of the report and its line of the summary.
 Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided, const Sides& front,
                         const Sides& back, double share, ReportInput& report,
@@ -198,15 +215,17 @@ Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided,
     const scan::Scan& f = front.scans.value[static_cast<std::size_t>(decided[i].front)];
     const scan::Scan& b = back.scans.value[static_cast<std::size_t>(decided[i].back)];
     const std::string number = sherdNumber(f.id);
-    const Result<StageRecord> record = modelStage(run, number, decided[i], f, b, scans);
+    PartProgress progress(run.progress, i, decided.size());
+    const Run one{run.options,     run.batch,     run.work, run.batch_hash,
+                  run.photographs, run.decisions, progress, run.stop};
+    const Result<StageRecord> record = modelStage(one, number, decided[i], f, b, scans);
     if (!record) return record.error();
     if (const Result<void> published = publish(run, number); !published) return published;
     report.stages.push_back({"model " + number, *record});
     report.sherds.push_back({number, &decided[i], &f, &b, record->notes.figures,
                              run.work / ("model_" + number) / "preview.png"});
     summary.sherds.push_back(summaryOf(report.sherds.back(), *record));
-    run.progress.report(static_cast<std::int64_t>(i) + 1,
-                        static_cast<std::int64_t>(decided.size()));
+    progress.report(1, 1);
   }
   removeStaleSherds(run.options.output, summary.sherds);
   return {};

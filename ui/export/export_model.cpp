@@ -152,7 +152,8 @@ QString ExportModel::sizeText() const {
           .arg(locale.toString(size_->files), locale.formattedDataSize(size_->bytes), time);
   if (size_->without_model > 0)
     text += "\n" + tr("%n of them without a model", nullptr, size_->without_model);
-  if (QFileInfo::exists(target_))
+  const bool before = state_ == State::Choosing || state_ == State::Failed;
+  if (before && QFileInfo::exists(target_))
     text += "\n" + tr("There is a folder of this name already; choose another name.");
   return text;
 }

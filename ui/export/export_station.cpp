@@ -60,6 +60,7 @@ QWidget* ExportStation::buildWhat() {
   connect(filter_, &QLineEdit::editingFinished, this, [this] {
     if (filter_->text() != model_.filter()) model_.setFilter(filter_->text());
   });
+  column->addStretch();
   return box;
 }
 
@@ -235,6 +236,7 @@ void ExportStation::refresh() {
   for (const auto& [check, form] : forms_) check->setChecked(model_.forms().contains(form));
   if (!target_->hasFocus()) target_->setText(model_.target());
   size_->setText(model_.sizeText());
+  size_->setVisible(!running);
   QString problem = model_.problem();
   const QStringList warnings = model_.warnings();
   if (!warnings.isEmpty()) problem += (problem.isEmpty() ? "" : "\n") + warnings.join('\n');

@@ -75,6 +75,7 @@ class ExportStationTest : public QObject {
     QVERIFY(child<QLabel>("closing")->text().startsWith("40 sherd(s), "));
     QVERIFY(child<QLabel>("closing")->text().endsWith("manifest checked"));
     QVERIFY(child<QPushButton>("open")->isVisible());
+    QVERIFY(!child<QLabel>("size")->text().contains("already"));  // it is the one just written
     QVERIFY(QFileInfo::exists(sample_->folder() + "/out/data/sherds.csv"));
     QVERIFY(QFileInfo::exists(sample_->folder() + "/out/data/images/ARM1-T3-0012-0001.png"));
     QCOMPARE(said.count(), 1);

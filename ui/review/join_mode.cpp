@@ -23,12 +23,12 @@ bool JoinMode::isOn() const {
 
 QString JoinMode::words() const {
   const QString name = model_.index(std::max(model_.rowInHand(), 0)).data().toString();
-  return backs_->isChecked()
-             ? tr("Which back belongs to the one of %1? Choose its card (arrows and Enter).")
-                   .arg(name)
-             : tr("Which front belongs to the one of %1? Choose its card (arrows and Enter); a "
-                  "click on a back's picture joins the backs.")
-                   .arg(name);
+  const bool backs = backs_->isChecked() || model_.card() == nullptr;  // it has no front
+  return backs ? tr("Which back belongs to the one of %1? Choose its card (arrows and Enter).")
+                     .arg(name)
+               : tr("Which front belongs to the one of %1? Choose its card (arrows and Enter); a "
+                    "click on a back's picture joins the backs.")
+                     .arg(name);
 }
 
 void JoinMode::enter(QAction* chosen, QAction* other) {

@@ -34,6 +34,10 @@ QPalette palette(const QColor& window, const QColor& base, const QColor& text, c
     made.setColor(role, text);
   made.setColor(QPalette::ToolTipBase, base);
   made.setColor(QPalette::PlaceholderText, faint);
+  if (window.lightnessF() < 0.5F)  // what Qt derives for lines is darker than the dark behind them
+    made.setColor(QPalette::Mid,
+                  QColor((faint.red() + window.red()) / 2, (faint.green() + window.green()) / 2,
+                         (faint.blue() + window.blue()) / 2));
   made.setColor(QPalette::Highlight, highlight);
   made.setColor(QPalette::HighlightedText,
                 highlight.lightnessF() > 0.55 ? QColor(Qt::black) : QColor(Qt::white));

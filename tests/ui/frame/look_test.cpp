@@ -91,6 +91,14 @@ class LookTest : public QObject {
     applyLook(*qApp, Theme::Light, 100);
   }
 
+  void linesShowOnWhatLiesBehindThem_data() { themes_data(); }
+  void linesShowOnWhatLiesBehindThem() {
+    QFETCH(int, theme);
+    const QPalette colours = paletteOf(static_cast<Theme>(theme), QPalette());
+    for (const QPalette::ColorRole behind : {QPalette::Window, QPalette::Base})
+      QVERIFY(contrast(colours.color(QPalette::Mid), colours.color(behind)) > 1.5);
+  }
+
   void whatIsPressedInShowsItInEachTheme_data() { themes_data(); }
   void whatIsPressedInShowsItInEachTheme() {
     QFETCH(int, theme);

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabWidget>
@@ -258,6 +259,8 @@ class ScreensTest : public QObject {
       });
       picture(theme, "masks", [this] {
         showStation("queue");
+        auto* list = named<QListView>(*window_, "queueList");  // the oldest is computed
+        list->setCurrentIndex(list->model()->index(list->model()->rowCount() - 1, 0));
         named<QAction>(*window_, "queueMasks")->trigger();
       });
       named<QAction>(*window_, "masksBack")->trigger();

@@ -131,14 +131,25 @@ class Reading {
     }
   }
 
-  void scansOf(const std::string& side) {
-    std::error_code code;
+  // Those that were paired: where a person joined or cut pieces, they lie in a folder of their own.
+  std::vector<fs::path> scanFiles(const std::string& side) const {
+    const fs::path work = out_ / "work", table = work / "pairs" / "candidates.json";
     std::vector<fs::path> files;
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(out_ / "work" / ("scans_" + side), code))
+    std::error_code code;
+    if (fs::exists(table, code)) {
+      const json candidates = orRefuse(readJson(table));
+      for (const json& scan : candidates.at(side + "s"))
+        files.push_back(work / scan.at("file").get<std::string>());
+      return files;
+    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(work / ("scans_" + side), code))
       if (entry.path().extension() == ".ply") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    for (const fs::path& path : files) {
+    return files;
+  }
+
+  void scansOf(const std::string& side) {
+    for (const fs::path& path : scanFiles(side)) {
       stopIfAsked();
       ScanRecord scan;
       scan.batch = batch_;
@@ -328,10 +339,11 @@ class Entering {
     }
   }
 
-  // Doubtful pairs, and scans that nobody has paired or set aside.
+  // Doubtful pairs, and scans that nobody has paired or set aside; not those that were joined to
+  // others and are no pieces any more.
   void countOpen() {
     for (const ScanRecord& scan : orRefuse(catalogue_.scans(batch_)))
-      entered_.open += scan.state == ScanState::Open ? 1 : 0;
+      entered_.open += scan.state == ScanState::Open && rows_.contains(scan.name) ? 1 : 0;
     for (const PairDecision& d : current_)  // a doubtful pair is two open scans, and one question
       if (d.verdict == Verdict::Accept && !d.by && d.ambiguous) --entered_.open;
   }

@@ -37,6 +37,34 @@ class Entering : public SmallProject {
   QuietProgress quiet;
 };
 
+// Front 3 was cut into 3 and 4, back 3 into 3 and 4; back 2 was joined to back 1.
+TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
+  enter();
+  const fs::path work = project_->resultsFolder("B0001") / "work";
+  nlohmann::json candidates;
+  const auto piece = [&](const std::string& side, const std::string& name) {
+    const std::string file = "pieces_" + side + "/" + name + ".ply";
+    fs::create_directories(work / ("pieces_" + side));
+    fs::copy_file(work / "scans_front/f001.ply", work / file);
+    candidates[side + "s"].push_back({{"id", name}, {"file", file}});
+  };
+  for (const char* name : {"f001", "f002", "f003", "f004"}) piece("front", name);
+  for (const char* name : {"b001", "b003", "b004"}) piece("back", name);
+  fs::create_directories(work / "pairs");
+  ASSERT_TRUE(writeFileAtomically(work / "pairs/candidates.json", candidates.dump()));
+  out.pairs() = {{1, 1, false}, {3, 3, false}, {4, 4, false}};
+  out.write();
+  const EnteredResults entered = enter();
+  EXPECT_EQ(entered.scans, 7);
+  EXPECT_EQ(entered.models, 3);
+  EXPECT_EQ(entered.open, 1) << "front 2 alone; back 2 is a part of back 1";
+  ASSERT_TRUE(scanNamed("f004"));
+  for (const ScanRecord& scan : valueIn(catalogue().scans(batch))) {
+    const char* folder = scan.name == "b002" ? "work/scans_back/" : "work/pieces_";
+    EXPECT_THAT(scan.path, testing::HasSubstr(folder));
+  }
+}
+
 TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   const EnteredResults entered = enter();
   EXPECT_EQ(entered.scans, 6);

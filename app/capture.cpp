@@ -203,7 +203,7 @@ int runCapture(const CaptureArguments& arguments, Session& session) {
   bool asks = false;
   for (const batch::Side side : sides) {
     Result<SideResult> result = shoot(arguments, side, *devices, session);
-    if (!result) return fail(session, result.error());
+    if (!result) return fail(session, result.error(), WhenStopped::GoesOn);
     asks = asks || !result->sentences.empty();
     list.push_back(asJson(*result, side, arguments.stops));
     results.emplace_back(side, std::move(*result));

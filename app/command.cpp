@@ -47,12 +47,15 @@ void printJson(const nlohmann::ordered_json& value) {
   std::printf("%s\n", value.dump(1, ' ', false, replace).c_str());
 }
 
-int fail(const Session& session, const Error& error) {
+int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
   const bool stopped = error.code == ErrorCode::Cancelled;
-  const std::string sentence =
-      stopped && error.what == Error::cancelled().what
-          ? "Stopped on request; what was whole is kept, and the same command goes on from there."
-          : error.sentence();
+  std::string sentence = error.sentence();
+  if (stopped && error.what == Error::cancelled().what)
+    sentence = when_stopped == WhenStopped::GoesOn
+                   ? "Stopped on request; what was whole is kept, and the same command goes on "
+                     "from there."
+                   : "Stopped on request; nothing half-made was left, and the same command begins "
+                     "anew.";
   session.finishProgress();
   std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
   if (session.json)

@@ -54,9 +54,13 @@ void addThreads(CLI::App& command, int& threads);
 void addMegapixels(CLI::App& command, double& megapixels);
 void addPairing(CLI::App& command, pairing::Method& method);
 
+/// What the same command does after a person stopped it.
+enum class WhenStopped { BeginsAnew, GoesOn };
+
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives
 /// the exit status.
-int fail(const Session& session, const Error& error);
+int fail(const Session& session, const Error& error,
+         WhenStopped when_stopped = WhenStopped::BeginsAnew);
 
 /// "title: a b c" on standard output; nothing where there are no names.
 void printNames(const char* title, std::span<const std::string> names);

@@ -84,7 +84,7 @@ void printTable(const ProcessSummary& summary) {
 int runProcess(const ProcessOptions& options, Session& session) {
   const Result<ProcessSummary> summary =
       pipeline::processBatch(options, session.progress, session.stop);
-  if (!summary) return fail(session, summary.error());
+  if (!summary) return fail(session, summary.error(), WhenStopped::GoesOn);
   const int status = summary->ambiguous() > 0 || !summary->scale_doubts.empty() ? PersonMustDecide
                      : summary->whole()                                         ? Whole
                                                                                 : NotWhole;

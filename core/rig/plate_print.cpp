@@ -403,6 +403,14 @@ class Drawing {
   PlatePrint out_;
 };
 
+std::string whatFits(double diameter_mm) {
+  for (int marker_mm = 200; marker_mm >= 5; --marker_mm)
+    if (markersOnRing(diameter_mm, marker_mm) >= kFewestMarkers &&
+        freeRadiusOf(diameter_mm, marker_mm) >= kLeastFree_mm)
+      return words("markers of %.0f mm fit on it.", static_cast<double>(marker_mm));
+  return "make the plate larger.";
+}
+
 }  // namespace
 
 Result<void> PlatePrintOptions::check() const {
@@ -414,15 +422,13 @@ Result<void> PlatePrintOptions::check() const {
   if (!(diameter_mm > 0 && diameter_mm <= 2000))
     return bad("The plate's diameter must lie between 1 and 2000 mm.");
   if (markersOnRing(diameter_mm, marker_mm) < kFewestMarkers)
-    return bad(
-        words("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; make the "
-              "markers smaller or the plate larger.",
-              marker_mm, diameter_mm));
+    return bad(words("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; ", marker_mm,
+                     diameter_mm) +
+               whatFits(diameter_mm));
   if (freeRadiusOf(diameter_mm, marker_mm) < kLeastFree_mm)
-    return bad(
-        words("Markers of %.0f mm leave no room for a sherd on a plate of %.0f mm; make the "
-              "markers smaller or the plate larger.",
-              marker_mm, diameter_mm));
+    return bad(words("Markers of %.0f mm leave no room for a sherd on a plate of %.0f mm; ",
+                     marker_mm, diameter_mm) +
+               whatFits(diameter_mm));
   if (!(printer_margin_mm >= 0 && printer_margin_mm <= 40))
     return bad("The printer's margin must lie between 0 and 40 mm.");
   if (!(overlap_mm >= 5 && overlap_mm <= 40))

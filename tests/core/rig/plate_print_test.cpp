@@ -217,6 +217,11 @@ TEST(PlatePrint, RefusesWhatCannotBe) {
   PlatePrintOptions options;
   options.diameter_mm = 70;
   EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("Fewer than six markers"));
+  EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("markers of 12 mm fit on it."));
+  options.marker_mm = 13;
+  EXPECT_FALSE(options.check().has_value());
+  options.marker_mm = 12;
+  EXPECT_TRUE(options.check().has_value());
   options.diameter_mm = 30;
   options.marker_mm = 5;
   EXPECT_THAT(printPlate(options).error().what, testing::HasSubstr("no room for a sherd"));

@@ -55,6 +55,8 @@ class ReviewWindowTest : public QObject {
     return session_->project().catalogue().batchByNumber("B0001")->state;
   }
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    // For a moment nothing has it: the window manager is still busy with the window.
+    QTRY_VERIFY(QApplication::focusWidget() != nullptr);
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
   const pipeline::ReviewCard& cardOf(int front) { return *model()->review().ofFront(front); }

@@ -54,8 +54,7 @@ int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
     sentence = when_stopped == WhenStopped::GoesOn
                    ? "Stopped on request; what was whole is kept, and the same command goes on "
                      "from there."
-                   : "Stopped on request; nothing half-made was left, and the same command begins "
-                     "anew.";
+                   : "Stopped on request; the same command begins anew.";
   session.finishProgress();
   std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
   if (session.json)

@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <optional>
-#include <set>
 #include <utility>
+
+#include "scan/footprint.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -11,23 +12,15 @@ namespace {
 // Sherds that lean on each other hide a strip; both sides of a sherd show nearly the same outline.
 constexpr double kLess = 0.10, kMore = 0.05;
 
-// Squares of 1 mm that hold points, seen from above.
-double plateArea_mm2(const scan::Scan& scan) {
-  std::set<std::pair<int, int>> squares;
-  for (const Eigen::Vector3f& p : scan.cloud.points)
-    squares.insert({static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))});
-  return static_cast<double>(squares.size());
-}
-
 }  // namespace
 
 std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone,
                                          std::span<const scan::Scan* const> others) {
   std::vector<double> areas;
-  for (const scan::Scan* other : others) areas.push_back(plateArea_mm2(*other));
+  for (const scan::Scan* other : others) areas.push_back(scan::areaFromAbove_mm2(other->cloud));
   std::vector<std::string> words;
   for (const scan::Scan* scan : lone) {
-    const double area = plateArea_mm2(*scan);
+    const double area = scan::areaFromAbove_mm2(scan->cloud);
     double least = 1;
     std::optional<std::pair<std::size_t, std::size_t>> best;
     for (std::size_t i = 0; i < others.size(); ++i)

@@ -280,12 +280,13 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   for (const ReportStage& stage : report.stages)
     report.warnings.insert(report.warnings.end(), stage.record.notes.warnings.begin(),
                            stage.record.notes.warnings.end());
-  for (const auto& words :
-       {perhapsTouching(lone_fronts, lone_backs), perhapsTouching(lone_backs, lone_fronts)})
-    for (const std::string& warning : words) {
-      run.progress.note(NoteLevel::Warning, warning);
-      report.warnings.push_back(warning);
-    }
+  if (run.batch.plate)  // scans that are split already lie on none and touch nothing
+    for (const auto& words :
+         {perhapsTouching(lone_fronts, lone_backs), perhapsTouching(lone_backs, lone_fronts)})
+      for (const std::string& warning : words) {
+        run.progress.note(NoteLevel::Warning, warning);
+        report.warnings.push_back(warning);
+      }
 
   run.progress.begin("report", 0.02);
   if (const auto r = writeReports(run.options.output, pairs->value, report); !r) return r.error();

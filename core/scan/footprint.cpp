@@ -1,8 +1,18 @@
 #include "scan/footprint.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
 
 namespace ostraka::scan {
+
+double areaFromAbove_mm2(const PointCloud& piece) {
+  std::set<std::pair<int, int>> squares;
+  for (const Eigen::Vector3f& p : piece.points)
+    squares.insert({static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))});
+  return static_cast<double>(squares.size());
+}
 
 Footprint::Footprint(std::span<const Eigen::Vector2d> points, double cell_mm) : cell_mm_(cell_mm) {
   low_ = points[0];

@@ -4,7 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "cloud/point_cloud.h"
+
 namespace ostraka::scan {
+
+/// Squares of 1 mm that hold points, seen from above.
+double areaFromAbove_mm2(const PointCloud& piece);
 
 /// The cells that points occupy, seen along an axis; holes are filled. A margin of free cells
 /// surrounds them.

@@ -1,7 +1,9 @@
 #include "scan/seam.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <opencv2/imgproc.hpp>

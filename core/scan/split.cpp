@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "cloud/nearest.h"
+#include "scan/footprint.h"
 #include "scan/rim.h"
 #include "scan/touching.h"
 
@@ -125,20 +125,12 @@ Extent extentOf(const PointCloud& piece) {
           static_cast<double>((high - low).head<2>().norm()), static_cast<double>(high.z())};
 }
 
-// Squares of 1 mm that hold points, seen from above.
-std::size_t squaresBelow(const PointCloud& piece) {
-  std::set<std::pair<int, int>> squares;
-  for (const Eigen::Vector3f& p : piece.points)
-    squares.insert({static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))});
-  return squares.size();
-}
-
 // A piece that is no sherd is reported and left aside.
 bool isSherd(const PointCloud& piece, const SplitOptions& options,
              std::vector<std::string>& warnings) {
   const Extent extent = extentOf(piece);
   if (extent.longest_mm < options.min_extent_mm ||
-      static_cast<double>(squaresBelow(piece)) < options.min_area_mm2) {
+      areaFromAbove_mm2(piece) < options.min_area_mm2) {
     warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " + at(extent.middle) +
                        " was left aside; if it is a sherd, shoot it alone.");
     return false;

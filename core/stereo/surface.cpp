@@ -8,6 +8,7 @@
 #include "base/median.h"
 #include "base/parallel.h"
 #include "cloud/nearest.h"
+#include "stereo/hull.h"
 
 namespace ostraka::stereo {
 namespace {
@@ -102,13 +103,14 @@ std::vector<SurfacePoint> insideMasks(std::span<const Frame* const> frames,
                                       const std::vector<SurfacePoint>& points,
                                       const SurfaceOptions& options) {
   std::vector<std::uint8_t> keep(points.size(), 0);
+  const int most_outside = masksThatMayErr(frames.size());
   parallelForRanges(points.size(), kBlock, options.threads,
                     [&](std::size_t begin, std::size_t end) {
                       for (std::size_t i = begin; i < end; ++i) {
                         int outside = 0;
                         for (const Frame* frame : frames)
                           outside += outsideMask(*frame, points[i].position) ? 1 : 0;
-                        keep[i] = outside <= masksThatMayErr(frames.size()) ? 1 : 0;
+                        keep[i] = outside <= most_outside ? 1 : 0;
                       }
                     });
   std::vector<SurfacePoint> kept;

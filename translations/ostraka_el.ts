@@ -956,7 +956,7 @@
       <translation>χωρίς ακμή</translation>
     </message>
     <message>
-      <source>%1, now with %2</source>
+      <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, τώρα με το %2</translation>
     </message>

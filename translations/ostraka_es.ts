@@ -956,7 +956,7 @@
       <translation>sin borde</translation>
     </message>
     <message>
-      <source>%1, now with %2</source>
+      <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ahora con %2</translation>
     </message>

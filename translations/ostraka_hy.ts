@@ -956,7 +956,7 @@
       <translation>եզր չկա</translation>
     </message>
     <message>
-      <source>%1, now with %2</source>
+      <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, հիմա %2-ի հետ</translation>
     </message>

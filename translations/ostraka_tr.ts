@@ -944,7 +944,7 @@
       <translation>kenar yok</translation>
     </message>
     <message>
-      <source>%1, now with %2</source>
+      <source>%1, with %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, şimdi %2 ile</translation>
     </message>

@@ -26,6 +26,7 @@
 #include "ui/catalogue/sherd_edits.h"
 #include "ui/catalogue/sherd_table_model.h"
 #include "ui/frame/look.h"
+#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
@@ -184,12 +185,13 @@ QWidget* CatalogueStation::buildRight() {
   one_ = one;
   edit_ = new QStackedWidget(this);
   edit_->addWidget(one_);
-  edit_->addWidget(bulk_);
+  many_ = new PageArea(bulk_, edit_);
+  edit_->addWidget(many_);
   right_ = new QTabWidget(this);
   right_->setObjectName("right");
   right_->setAccessibleName(tr("About what is chosen"));
   right_->addTab(edit_, icon("edit"), tr("Details"));
-  right_->addTab(drawing_, icon("drawing"), tr("Drawing"));
+  drawing_tab_ = right_->addTab(new PageArea(drawing_, right_), icon("drawing"), tr("Drawing"));
   right_->tabBar()->setAccessibleName(tr("Details or drawing"));
   connect(drawing_, &DrawingPage::said, this, &Station::said);
   connect(drawing_, &DrawingPage::measuresWanted, this,
@@ -212,13 +214,13 @@ void CatalogueStation::addActions() {
   add(tr("Search"), "search", QKeySequence::Find, "search", [this] { filter_->takeKeys(); });
   add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] {
     right_->setCurrentWidget(edit_);
-    if (edit_->currentWidget() == bulk_)
+    if (edit_->currentWidget() == many_)
       bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
     else
       details_->edit();
   });
   add(tr("Drawing"), "drawing", QKeySequence(Qt::CTRL | Qt::Key_D), "drawing", [this] {
-    right_->setCurrentWidget(drawing_);
+    right_->setCurrentIndex(drawing_tab_);
     drawing_->setFocus(Qt::ShortcutFocusReason);
   });
   add(tr("Import"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), "openImport",
@@ -344,7 +346,7 @@ void CatalogueStation::showSelection() {
     showModelOf(sherds.front());
   } else {
     bulk_->setSherds(session_, sherds);
-    edit_->setCurrentWidget(bulk_);
+    edit_->setCurrentWidget(many_);
   }
   drawing_->setSherds(session_, sherds);
 }

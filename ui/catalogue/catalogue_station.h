@@ -75,11 +75,13 @@ class CatalogueStation final : public Station {
   QWidget* one_ = nullptr;
   ModelPane* model_pane_ = nullptr;
   DrawingPage* drawing_ = nullptr;
+  int drawing_tab_ = 1;
   ImportModel* import_ = nullptr;
   QPointer<ImportDialog> import_dialog_;
   SherdDetails* details_ = nullptr;
   BulkEdit* bulk_ = nullptr;
-  bool stale_ = false;  ///< rows came or went while another station was in front
+  QWidget* many_ = nullptr;  ///< bulk_, scrolled where it has to be
+  bool stale_ = false;       ///< rows came or went while another station was in front
 };
 
 }  // namespace ostraka::ui

@@ -121,6 +121,7 @@ void DrawingPage::buildLayout() {
   working->addWidget(bar_, 1);
   working->addWidget(stop_);
   view_ = new SheetView(this);
+  view_->setMinimumHeight(fontMetrics().height() * 8);
   const auto turn = [this](const char* picture, const QString& text, int by) {
     auto* made = new QToolButton(this);
     made->setIcon(icon(picture));

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QEvent>
+#include <QScreen>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -10,6 +11,11 @@
 #include "ui/frame/station.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr double kNarrow = 0.8;  // of the letters' size, below their pictures
+
+}  // namespace
 
 Rail::Rail(QWidget* parent)
     : QFrame(parent), group_(new QActionGroup(this)), column_(new QVBoxLayout(this)) {
@@ -24,7 +30,6 @@ QToolButton* Rail::addButton(QAction* action, int at) {
   auto* button = new QToolButton(this);
   button->setDefaultAction(action);
   button->setObjectName(action->objectName() + QStringLiteral("Button"));
-  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setAutoRaise(true);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   button->setFocusPolicy(Qt::TabFocus);
@@ -92,18 +97,31 @@ void Rail::changeEvent(QEvent* event) {
 }
 
 void Rail::lay() {
-  const int height = targetSize(*this);
-  const int picture = fontMetrics().height() * 3 / 2;
-  // Wide enough for the longest word with a count of three digits, so that nothing moves.
-  int width = 0;
-  for (const QToolButton* button : buttons_) {
-    QFont bold = button->font();
-    bold.setBold(true);
-    const QString word = button->text().section(QStringLiteral("  "), 0, 0);
-    width = qMax(width, QFontMetrics(bold).horizontalAdvance(word + QStringLiteral("  000")));
+  // Wide enough for the longest word with a count, so that nothing moves.
+  const auto widest = [this](const QFont& font, const QString& count) {
+    int width = 0;
+    for (const QToolButton* button : buttons_)
+      width = qMax(width, QFontMetrics(font).horizontalAdvance(
+                              button->text().section(QStringLiteral("  "), 0, 0) + count));
+    return width;
+  };
+  const int letter = fontMetrics().height();
+  int picture = letter * 3 / 2;
+  QFont font = this->font();
+  font.setBold(true);
+  int width = widest(font, QStringLiteral("  000")) + picture + letter * 3 / 2;
+  // Large letters on a small screen: the words go below their pictures and leave room to the work.
+  const bool narrow = width > screen()->availableSize().width() / 6;
+  if (narrow) {
+    font.setPointSizeF(kNarrow * font.pointSizeF());
+    picture = letter;
+    width = widest(font, QStringLiteral("  00")) + letter / 2;
   }
   for (QToolButton* button : buttons_) {
-    button->setMinimumSize(width + picture + fontMetrics().height() * 3 / 2, height);
+    font.setBold(button->font().bold());
+    button->setFont(font);
+    button->setToolButtonStyle(narrow ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonTextBesideIcon);
+    button->setMinimumSize(width, targetSize(*this));
     button->setIconSize(QSize(picture, picture));
   }
 }

@@ -14,6 +14,7 @@
 #include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
+#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
 #include "ui/masks/mask_page.h"
@@ -36,7 +37,8 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
       log_(new QPlainTextEdit(this)),
       message_(new MessagePanel(this)),
       pages_(new QStackedWidget(this)),
-      masks_page_(new MaskPage(this)) {
+      masks_page_(new MaskPage(this)),
+      masks_area_(new PageArea(masks_page_, this)) {
   setObjectName(QStringLiteral("queue"));
   pause_ = addAct(QStringLiteral("queuePause"), QStringLiteral("pause"), tr("Pause"),
                   QKeySequence(Qt::Key_Space));
@@ -151,8 +153,8 @@ void QueueStation::buildLayout() {
   column->addWidget(split, 1);
   column->addLayout(bar);
   pages_->addWidget(page);
-  pages_->addWidget(empty);
-  pages_->addWidget(masks_page_);
+  pages_->addWidget(new PageArea(empty, pages_));
+  pages_->addWidget(masks_area_);
   auto* all = new QVBoxLayout(this);
   all->addWidget(pages_);
   connect(message_, &MessagePanel::acted, this, [this] {
@@ -196,7 +198,7 @@ void QueueStation::closeProject() {
 
 void QueueStation::setInFront(bool in_front) {
   if (in_front)
-    (pages_->currentWidget() == masks_page_ ? static_cast<QWidget*>(masks_page_) : list_)
+    (pages_->currentWidget() == masks_area_ ? static_cast<QWidget*>(masks_page_) : list_)
         ->setFocus();
 }
 
@@ -220,7 +222,7 @@ QString QueueStation::selected() const {
 }
 
 void QueueStation::follow() {
-  const bool mending = pages_->currentWidget() == masks_page_ && queue_->rowCount() > 0;
+  const bool mending = pages_->currentWidget() == masks_area_ && queue_->rowCount() > 0;
   if (!mending) pages_->setCurrentIndex(queue_->rowCount() == 0 ? 1 : 0);
   if (!list_->currentIndex().isValid() && queue_->rowCount() > 0)
     list_->setCurrentIndex(queue_->index(0));
@@ -265,7 +267,7 @@ void QueueStation::followPause() {
 void QueueStation::showMasks() {
   if (session_ == nullptr || selected().isEmpty()) return;
   masks_page_->openBatch(*session_, selected());
-  pages_->setCurrentWidget(masks_page_);
+  pages_->setCurrentWidget(masks_area_);
   masks_page_->setFocus();
   follow();
 }
@@ -275,7 +277,7 @@ QWidget* QueueStation::masksPage() const {
 }
 
 void QueueStation::leaveMasks() {
-  if (pages_->currentWidget() != masks_page_) return;
+  if (pages_->currentWidget() != masks_area_) return;
   masks_page_->closeBatch();
   pages_->setCurrentIndex(0);
   follow();

@@ -13,6 +13,7 @@ namespace ostraka::ui {
 class BatchDelegate;
 class BatchQueue;
 class MaskPage;
+class PageArea;
 class MessagePanel;
 class Thumbnails;
 
@@ -60,6 +61,7 @@ class QueueStation final : public Station {
   MessagePanel* message_;
   QStackedWidget* pages_;
   MaskPage* masks_page_;
+  PageArea* masks_area_;
   QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_, *drafts_,
       *calibrate_;
 };

@@ -48,7 +48,7 @@ void CandidateBar::rebuild() {
     const int holder = model_.holderOf(c.back);
     if (holder >= 0 && holder != model_.front())
       second =
-          tr("%1, now with %2")
+          tr("%1, with %2")
               .arg(second, QString::fromStdString(
                                model_.live()->table().fronts[static_cast<std::size_t>(holder)].id));
     auto* button = new QToolButton(this);
@@ -98,7 +98,7 @@ void CandidateBar::fillOthers() {
     const QString words =
         holder < 0
             ? tr("%1, nobody's").arg(id)
-            : tr("%1, now with %2")
+            : tr("%1, with %2")
                   .arg(id, QString::fromStdString(
                                model_.live()->table().fronts[static_cast<std::size_t>(holder)].id));
     connect(menu->addAction(words), &QAction::triggered, &model_,

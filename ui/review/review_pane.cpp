@@ -13,6 +13,7 @@
 
 #include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
+#include "ui/frame/page_area.h"
 #include "ui/frame/state_colours.h"
 #include "ui/review/candidate_bar.h"
 #include "ui/review/card_list.h"
@@ -253,11 +254,18 @@ void ReviewPane::buildLayout() {
   auto* last = new QHBoxLayout;
   last->addWidget(candidates_, 1);
   last->addWidget(accept_);
+  // What decides stays in sight; where letters are large, the rest is scrolled.
+  auto* compared = new QWidget(this);
+  auto* column = new QVBoxLayout(compared);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(sides, 1);
+  column->addLayout(buttons());
+  column->addWidget(figures_);
   auto* right = new QVBoxLayout;
   right->addWidget(reason_);
-  right->addWidget(sides, 1);
-  right->addLayout(buttons());
-  right->addWidget(figures_);
+  auto* area = new PageArea(compared, this);
+  area->setMinimumHeight(fontMetrics().height() * 7);
+  right->addWidget(area, 1);
   right->addLayout(last);
   auto* all = new QHBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);

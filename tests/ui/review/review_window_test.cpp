@@ -15,6 +15,7 @@
 #include "catalogue/piece_decisions.h"
 #include "catalogue/project.h"
 #include "synthetic_out.h"
+#include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/review/card_delegate.h"
@@ -44,6 +45,7 @@ class ReviewWindowTest : public QObject {
   void theQueueFollowsWhatIsDecided();
   void whatIsOnlyConfirmedNeedsNoComputing();
   void aBatchOfDoubtfulScaleSaysSoAboveItsPairs();
+  void whatDecidesIsInSightHoweverLargeTheLetters();
   void everyControlHasAName();
 
  private:
@@ -424,6 +426,24 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   QVERIFY(rows.saveBatch(held, {}).has_value());
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(!bar->isVisible());
+}
+
+void ReviewWindowTest::whatDecidesIsInSightHoweverLargeTheLetters() {
+  for (const int percent : {100, 150, 200}) {
+    applyLook(*qApp, Theme::Light, percent);
+    open(4);
+    window_->centralWidget()->setMinimumSize(0, 0);
+    window_->resize(980, 590);  // what the rail and the lines leave of 1280 x 690 at 200 %
+    QTRY_COMPARE(window_->size(), QSize(980, 590));
+    for (const char* name : {"acceptButton", "reason", "candidate1", "otherBacks"}) {
+      const auto* widget = station_->findChild<QWidget*>(name);
+      QVERIFY2(widget != nullptr, name);
+      QTRY_VERIFY2(widget->visibleRegion().boundingRect() == widget->rect(),
+                   qPrintable(QStringLiteral("%1 at %2 %").arg(name).arg(percent)));
+    }
+    cleanup();
+  }
+  applyLook(*qApp, Theme::Light, 100);
 }
 
 void ReviewWindowTest::everyControlHasAName() {

@@ -37,6 +37,7 @@ void CaptureWizard::releaseCameras() {
       [release = source_.release](Progress&, std::stop_token stop) { return release(stop); }));
   connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     work_ = nullptr;
+    if (takeWaitingRig()) return;
     if (const Result<void> released = outcomeAs<void>(outcome); !released)
       return fail(released.error(), {});
     next();  // what failed is tried again

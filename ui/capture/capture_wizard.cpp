@@ -1,51 +1,17 @@
 #include "ui/capture/capture_wizard.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "base/files.h"
 #include "batch/batch.h"
-#include "capture/label_code.h"
 #include "catalogue/project.h"
-#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/thumbnails.h"
+#include "ui/jobs/sentence.h"
 
 namespace ostraka::ui {
 namespace {
 
 using catalogue::BatchState;
-
-constexpr int kBetweenLooks_ms = 150;  // a live picture is looked at again after as short a rest
-constexpr std::uintmax_t kLargestPhotograph_bytes = std::uintmax_t{200} << 20;
-const QSize kFrontPicture(1800, 1400);  // as large as it is ever shown
-
-enum class LookFor {
-  Sherds,
-  RoomAndLabels,  ///< and where more may lie, and a bag's label: while they are being placed
-};
-
-// The picture and what the plate shows, outlines in the pixels of the picture that is shown.
-Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate, LookFor look_for) {
-  PlatePicture seen;
-  if (!seen.image.loadFromData(reinterpret_cast<const uchar*>(bytes.data()),
-                               static_cast<int>(bytes.size())))
-    return Error{ErrorCode::UnusableInput, "The camera's picture cannot be read.", {}};
-  if (look_for == LookFor::Sherds) {
-    Result<capture::PlateLook> look = capture::lookAtPlate(bytes, plate, {});
-    if (!look) return look.error();
-    seen.look = std::move(*look);
-  } else {
-    Result<capture::LookWithRoom> look = capture::lookForRoom(bytes, plate, {}, {});
-    if (!look) return look.error();
-    seen.look = std::move(look->look);
-    seen.room = std::move(look->room);
-    if (const auto codes = capture::codesIn(bytes))
-      for (const std::string& code : *codes) seen.codes << QString::fromStdString(code);
-  }
-  if (seen.look.width > kFrontPicture.width() || seen.look.height > kFrontPicture.height())
-    seen.image = seen.image.scaled(kFrontPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-  return seen;
-}
 
 }  // namespace
 
@@ -59,10 +25,12 @@ CaptureWizard::CaptureWizard(QObject* parent) : QObject(parent) {
 CaptureWizard::~CaptureWizard() = default;
 
 void CaptureWizard::setSession(ProjectSession* session) {
-  if (work_ != nullptr) work_->deleteLater();
-  if (live_job_ != nullptr) live_job_->deleteLater();
-  work_ = live_job_ = nullptr;
+  stop();
+  for (JobHandle* job : {work_.data(), live_job_.data(), front_job_.data()})
+    if (job != nullptr) job->drop();
+  work_ = live_job_ = front_job_ = nullptr;
   after_live_ = {};
+  waiting_.reset();
   if (session_ != nullptr) session_->disconnect(this);
   session_ = session;
   if (session_ != nullptr)
@@ -70,23 +38,45 @@ void CaptureWizard::setSession(ProjectSession* session) {
       if (phase_ == CapturePhase::Done && number == number_) emit changed();
     });
   live_.reset();
+  forgetPlate();
   clearRig();
 }
 
+bool CaptureWizard::isShooting() const {
+  return isBusy() && (phase_ == CapturePhase::ShootFront || phase_ == CapturePhase::ShootBack);
+}
+
 void CaptureWizard::clearRig() {
-  source_ = {};
+  changeRig({});
+}
+
+void CaptureWizard::setRig(RigSource source) {
+  changeRig(std::move(source));
+}
+
+// Whatever runs now goes on with the devices that it has; only what opens them is asked to end.
+void CaptureWizard::changeRig(RigSource source) {
+  if (isBusy()) {
+    waiting_ = std::move(source);
+    if (!isShooting()) stop();
+    return;
+  }
+  source_ = std::move(source);
   devices_.reset();
+  if (source_.open) {
+    resumeBatch();
+    return openRig();
+  }
   counted_ = 0;
   number_.clear();
   batch_row_ = 0;
   enter(CapturePhase::NoRig);
 }
 
-void CaptureWizard::setRig(RigSource source) {
-  source_ = std::move(source);
-  devices_.reset();
-  resumeBatch();
-  openRig();
+bool CaptureWizard::takeWaitingRig() {
+  if (!waiting_ || isBusy()) return false;
+  changeRig(*std::exchange(waiting_, std::nullopt));
+  return true;
 }
 
 JobHandle* CaptureWizard::start(Job job) {
@@ -108,25 +98,29 @@ void CaptureWizard::openRig() {
   if (session_ == nullptr || !source_.open) return;
   if (devices_ != nullptr && !source_.anew_for_each_batch) return enter(CapturePhase::Place);
   enter(CapturePhase::Opening);
-  work_ = start(makeJob(tr("Opening the rig"),
-                        [open = source_.open, ask = question_.asker(), batch = batchIndex()](
-                            Progress&, std::stop_token stop) { return open(batch, ask, stop); }));
-  connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    work_ = nullptr;
-    const auto opened = outcomeAs<std::shared_ptr<capture::RigDevices>>(outcome);
-    if (!opened) {
-      fail(opened.error(), {});
-      return;
-    }
-    devices_ = *opened;
-    camera_ = std::clamp(camera_ < 0 ? cameras() - 1 : camera_, 0, cameras() - 1);
-    if (number_.isEmpty() || batch_row_ == 0) return enter(CapturePhase::Place);
-    const auto batch = session_->project().catalogue().batch({batch_row_});
-    const BatchState state = batch ? batch->state : BatchState::Placed;
-    if (state == BatchState::Back) return queueBatch();
-    enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
-    emit said(tr("%1 goes on where it was.").arg(number_));
+  whenCameraIsFree([this] {
+    work_ = start(makeJob(tr("Opening the rig"),
+                          [open = source_.open, ask = question_.asker(), batch = batchIndex()](
+                              Progress&, std::stop_token stop) { return open(batch, ask, stop); }));
+    connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+      work_ = nullptr;
+      if (!takeWaitingRig()) takeDevices(outcomeAs<std::shared_ptr<capture::RigDevices>>(outcome));
+    });
   });
+}
+
+void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices>>& opened) {
+  if (!opened) return fail(opened.error(), {});
+  devices_ = *opened;
+  camera_ = std::clamp(camera_ < 0 ? cameras() - 1 : camera_, 0, cameras() - 1);
+  if (number_.isEmpty() || batch_row_ == 0) return enter(CapturePhase::Place);
+  const auto batch = session_->project().catalogue().batch({batch_row_});
+  const BatchState state = batch ? batch->state : BatchState::Placed;
+  // Whole, and only a person says that it is right where there were doubts.
+  if (state == BatchState::Back)
+    return doubts_.isEmpty() ? queueBatch() : enter(CapturePhase::Done);
+  enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
+  emit said(tr("%1 goes on where it was.").arg(number_));
 }
 
 // A batch whose photographs are not whole was interrupted: it goes on.
@@ -135,12 +129,14 @@ void CaptureWizard::resumeBatch() {
   batch_row_ = 0;
   if (session_ == nullptr) return;
   const auto batches = session_->project().catalogue().batches();
-  if (!batches || batches->empty()) return;
-  const catalogue::BatchRecord& last = batches->front();
-  if (last.state > BatchState::Back) return;
-  number_ = QString::fromStdString(last.number);
-  batch_row_ = last.row.value;
-  counted_ = last.counted;
+  if (!batches) return;
+  // Newer ones may have come from elsewhere since.
+  const auto last = std::find_if(batches->begin(), batches->end(),
+                                 [](const auto& batch) { return batch.state <= BatchState::Back; });
+  if (last == batches->end()) return;
+  number_ = QString::fromStdString(last->number);
+  batch_row_ = last->row.value;
+  counted_ = last->counted;
 }
 
 void CaptureWizard::setLive(bool on) {
@@ -175,21 +171,23 @@ void CaptureWizard::setCounted(int sherds) {
   emit changed();
 }
 
+void CaptureWizard::forgetPlate() {
+  doubts_.clear();
+  shots_.clear();
+  summary_[0].reset();
+  summary_[1].reset();
+  front_picture_.reset();
+  queued_ = false;
+  stop_ = -1;
+  stops_done_ = 0;
+  emit shotsChanged();
+}
+
 void CaptureWizard::enter(CapturePhase phase) {
   phase_ = phase;
   fault_.reset();
   holders_.clear();
-  if (phase == CapturePhase::Place) {
-    doubts_.clear();
-    shots_.clear();
-    summary_[0].reset();
-    summary_[1].reset();
-    front_picture_.reset();
-    queued_ = false;
-    stop_ = -1;
-    stops_done_ = 0;
-    emit shotsChanged();
-  }
+  if (phase == CapturePhase::Place) forgetPlate();
   live_missing_ = false;
   if (phase == CapturePhase::Flip) lookAtFront();
   emit changed();
@@ -232,10 +230,12 @@ void CaptureWizard::next() {
 }
 
 void CaptureWizard::stop() {
-  if (work_ == nullptr || devices_ == nullptr) return;
-  devices_->turntable->stopNow();
-  work_->cancel();
+  if (!isBusy()) return;
+  if (devices_ != nullptr && isShooting()) devices_->turntable->stopNow();
   question_.answer(false);
+  if (work_ != nullptr) return work_->cancel();
+  after_live_ = {};  // it has not begun
+  if (!takeWaitingRig()) fail(Error::cancelled(), {});
 }
 
 void CaptureWizard::again() {
@@ -300,11 +300,7 @@ void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retak
   if (side == batch::Side::Back) setState(static_cast<int>(BatchState::Flipped));
   emit changed();
   emit shotsChanged();
-  live_timer_.stop();
-  if (live_job_ == nullptr) return startShooting(side, std::move(retake));
-  // A camera does one thing at a time: the live picture ends first.
-  live_job_->cancel();
-  after_live_ = [this, side, retake = std::move(retake)] { startShooting(side, retake); };
+  whenCameraIsFree([this, side, retake = std::move(retake)] { startShooting(side, retake); });
 }
 
 void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotName> retake) {
@@ -331,6 +327,7 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
   connect(work_, &JobHandle::finished, this, [this, side](const JobOutcome& outcome) {
     work_ = nullptr;
     finishSide(side, outcomeAs<capture::SideSummary>(outcome));
+    takeWaitingRig();
   });
   emit changed();
 }
@@ -421,76 +418,6 @@ void CaptureWizard::queueBatch() {
   else
     enter(CapturePhase::Done);
   emit batchQueued(number);
-}
-
-void CaptureWizard::lookLive() {
-  const bool useful = phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip;
-  if (!live_on_ || !useful || devices_ == nullptr || session_ == nullptr || isBusy() ||
-      live_missing_ || live_job_ != nullptr)
-    return;
-  live_job_ = start(
-      makeJob(tr("Live picture"),
-              [devices = devices_, camera = camera_,
-               look_for = phase_ == CapturePhase::Place ? LookFor::RoomAndLabels : LookFor::Sherds](
-                  Progress&, std::stop_token stop) -> Result<PlatePicture> {
-                const Result<std::string> picture =
-                    devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
-                if (!picture) return picture.error();
-                return lookAt(*picture, devices->plate, look_for);
-              }));
-  connect(live_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    live_job_ = nullptr;
-    if (after_live_) return std::exchange(after_live_, {})();
-    if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome)) {
-      live_ = std::move(*picture);
-      readLabels(live_->codes);
-    } else if (picture.error().code != ErrorCode::Cancelled) {
-      // No live picture is no fault: the photographs will tell.
-      live_missing_ = picture.error().code == ErrorCode::Missing;
-      live_.reset();
-    }
-    emit liveChanged();
-    if (live_on_) live_timer_.start(kBetweenLooks_ms);
-  });
-}
-
-// What was typed stays until another bag's label comes into sight.
-void CaptureWizard::readLabels(const QStringList& codes) {
-  if (phase_ != CapturePhase::Place) return;
-  for (const QString& code : codes) {
-    const std::optional<PlaceText> place = readPlaceText(code);
-    if (!place || !code.startsWith(QLatin1String("OST1:")) || code == label_) continue;
-    label_ = code;
-    setPlace(*place);
-    emit placeRead();
-    emit said(tr("Read from the label: %1").arg(place->words()));
-    return;
-  }
-}
-
-void CaptureWizard::lookAtFront() {
-  if (devices_ == nullptr) return;
-  const std::filesystem::path side =
-      session_->project().batchFolder(number_.toStdString()) / batch::name(batch::Side::Front);
-  std::filesystem::path file;
-  for (const char* ending : {".jpg", ".png", ".tif"})
-    if (std::filesystem::path found =
-            side / ("cam" + std::to_string(cameras() - 1) + "_pos00" + ending);
-        std::filesystem::exists(found))
-      file = found;
-  if (file.empty()) return;
-  JobHandle* job = start(
-      makeJob(tr("Front picture"),
-              [file, plate = devices_->plate](Progress&, std::stop_token) -> Result<PlatePicture> {
-                const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
-                if (!bytes) return bytes.error();
-                return lookAt(*bytes, plate, LookFor::Sherds);
-              }));
-  connect(job, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome))
-      front_picture_ = std::move(*picture);
-    emit liveChanged();
-  });
 }
 
 }  // namespace ostraka::ui

@@ -40,13 +40,16 @@ class CaptureWizard final : public QObject {
   ~CaptureWizard() override;
 
   void setSession(ProjectSession* session);  ///< null closes
+  /// While a side is photographed it waits for its end.
   void setRig(RigSource source);
   void clearRig();
   /// Live pictures are taken only while somebody looks.
   void setLive(bool on);
 
   CapturePhase phase() const { return phase_; }
-  bool isBusy() const { return work_ != nullptr; }
+  bool isBusy() const { return work_ != nullptr || after_live_ != nullptr; }
+  /// A side is being photographed: its devices stay until it has ended.
+  bool isShooting() const;
   bool canGoOn() const;
   QString headline() const;     ///< readable from three metres
   QString instruction() const;  ///< one or two sentences
@@ -94,9 +97,14 @@ class CaptureWizard final : public QObject {
   void said(const QString& sentence);
 
  private:
+  void changeRig(RigSource source);
+  bool takeWaitingRig();
   void openRig();
+  void takeDevices(const Result<std::shared_ptr<capture::RigDevices>>& opened);
+  void whenCameraIsFree(std::function<void()> act);
   void resumeBatch();
   void enter(CapturePhase phase);
+  void forgetPlate();
   void shoot(batch::Side side, std::vector<capture::ShotName> retake);
   void startShooting(batch::Side side, std::vector<capture::ShotName> retake);
   void hear(const capture::CaptureEvent& event);
@@ -118,9 +126,10 @@ class CaptureWizard final : public QObject {
 
   QPointer<ProjectSession> session_;
   RigSource source_;
+  std::optional<RigSource> waiting_;  ///< the next one, until the present work has ended
   std::shared_ptr<capture::RigDevices> devices_;
   CapturePhase phase_ = CapturePhase::NoRig;
-  QPointer<JobHandle> work_, live_job_;
+  QPointer<JobHandle> work_, live_job_, front_job_;
   QTimer live_timer_;
   Question question_;
   bool live_on_ = false, live_missing_ = false, queued_ = false;

@@ -15,11 +15,11 @@ QString CaptureWizard::headline() const {
     case CapturePhase::Place:
       return tr("Lay the sherds on the plate");
     case CapturePhase::ShootFront:
-      return work_ == nullptr ? tr("Stopped") : tr("Photographing the fronts");
+      return !isBusy() ? tr("Stopped") : tr("Photographing the fronts");
     case CapturePhase::Flip:
       return tr("Turn each sherd over where it lies");
     case CapturePhase::ShootBack:
-      return work_ == nullptr ? tr("Stopped") : tr("Photographing the backs");
+      return !isBusy() ? tr("Stopped") : tr("Photographing the backs");
     case CapturePhase::Done:
       return doubts_.isEmpty() ? tr("You may clear the plate.")
                                : tr("Look at the plate before you clear it");

@@ -150,6 +150,12 @@ void JobHandle::cancel() {
   shared_->stop.request_stop();
 }
 
+void JobHandle::drop() {
+  disconnect();
+  cancel();
+  deleteLater();
+}
+
 void JobHandle::pause() {
   const std::lock_guard guard(shared_->lock);
   shared_->paused = shared_->running;

@@ -50,6 +50,8 @@ class JobHandle : public QObject {
  public slots:
   /// Asks to stop; finished comes with Error{Cancelled} as soon as the work notices.
   void cancel();
+  /// Asks to stop and deletes itself; nothing of it arrives any more, not even what is under way.
+  void drop();
   /// The work stands still at its next report of progress, without losing anything.
   void pause();
   void resume();

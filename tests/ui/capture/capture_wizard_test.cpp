@@ -1,15 +1,11 @@
 // Place - Shoot - Flip - Shoot - Done without a display and without a rig.
-#include "ui/capture/capture_wizard.h"
-
 #include <QSignalSpy>
 #include <QtTest>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/objdetect.hpp>
 
-#include "catalogue/project.h"
-#include "fake_rig.h"
-#include "ui/frame/project_session.h"
+#include "bench.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -26,27 +22,6 @@ std::string pictureOfLabel(const std::string& text) {
   cv::imencode(".jpg", label, bytes);
   return {bytes.begin(), bytes.end()};
 }
-
-struct Bench {
-  explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
-      : session(projectIn(folder), folder, jobs) {
-    wizard.setSession(&session);
-  }
-  static std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
-    catalogue::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
-    auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
-                                                      : catalogue::Project::create(folder, record);
-    if (!made) qFatal("%s", made.error().sentence().c_str());
-    return std::make_shared<catalogue::Project>(std::move(*made));
-  }
-  catalogue::BatchRecord batch() { return session.project().catalogue().batches()->front(); }
-
-  FakeRig rig;
-  ProjectSession session;
-  CaptureWizard wizard;
-};
 
 }  // namespace
 
@@ -334,26 +309,6 @@ class CaptureWizardTest : public QObject {
     bench.wizard.again();
     QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.isBusy());
     QCOMPARE(bench.rig.asked.back().retake, (std::vector<capture::ShotName>{{0, 1}}));
-  }
-
-  void aCaptureThatWasInterruptedGoesOnWhereItWas() {
-    InlineJobRunner jobs;
-    QString number;
-    {
-      Bench bench(folder(), jobs);
-      bench.wizard.setRig(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-      number = bench.wizard.batchNumber();
-    }
-    Bench again(folder(), jobs);
-    again.wizard.setRig(sourceOf(again.rig));
-    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(again.wizard.batchNumber(), number);
-    again.wizard.next();
-    QTRY_COMPARE(again.batch().state, BatchState::Queued);
-    QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
   }
 
   void aBagThatLacksItsContextIsRefusedBeforeAnythingIsShot() {

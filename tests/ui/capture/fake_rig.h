@@ -15,14 +15,14 @@ struct FakeRig {
   std::vector<capture::SideOptions> asked;
   std::atomic<int> stopped = 0;
   std::optional<Error> refuse_open, refuse_shoot;
-  int front = 9, back = 9;                 ///< sherds counted
-  std::vector<capture::ShotName> flagged;  ///< of the next side
-  bool ask = false;                        ///< opening asks a person to do something
-  bool wait_for_stop = false;              ///< the next side runs until it is stopped
-  int released = 0;                        ///< how often the desktop was asked to let go
-  std::vector<std::string> holders;        ///< of a camera, until they are asked to let go
-  bool stubborn = false;                   ///< they do not
-  std::string preview;                     ///< what the cameras see; empty: no live picture
+  int front = 9, back = 9;                  ///< sherds counted
+  std::vector<capture::ShotName> flagged;   ///< of the next side
+  bool ask = false;                         ///< opening asks a person to do something
+  std::atomic<bool> wait_for_stop = false;  ///< the next side runs until it is stopped
+  int released = 0;                         ///< how often the desktop was asked to let go
+  std::vector<std::string> holders;         ///< of a camera, until they are asked to let go
+  bool stubborn = false;                    ///< they do not
+  std::string preview;                      ///< what the cameras see; empty: no live picture
 };
 
 class FakeTable final : public capture::Turntable {

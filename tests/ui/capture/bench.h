@@ -1,0 +1,31 @@
+#pragma once
+#include "catalogue/project.h"
+#include "fake_rig.h"
+#include "ui/capture/capture_wizard.h"
+#include "ui/frame/project_session.h"
+
+/// A project, new or found in its folder, with a wizard and a rig that answers as a test says.
+namespace ostraka::ui {
+
+struct Bench {
+  explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
+      : session(projectIn(folder), folder, jobs) {
+    wizard.setSession(&session);
+  }
+  static std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
+                                                      : catalogue::Project::create(folder, record);
+    if (!made) qFatal("%s", made.error().sentence().c_str());
+    return std::make_shared<catalogue::Project>(std::move(*made));
+  }
+  catalogue::BatchRecord batch() { return session.project().catalogue().batches()->front(); }
+
+  FakeRig rig;
+  ProjectSession session;
+  CaptureWizard wizard;
+};
+
+}  // namespace ostraka::ui

@@ -1,0 +1,147 @@
+// What becomes of the batch in hand when the program, the project or the rig is another.
+#include <QtTest>
+
+#include "bench.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+using catalogue::BatchState;
+
+class CaptureResumeTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+  void aCaptureThatWasInterruptedGoesOnWhereItWas() {
+    InlineJobRunner jobs;
+    QString number;
+    {
+      Bench bench(folder(), jobs);
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      number = bench.wizard.batchNumber();
+    }
+    Bench again(folder(), jobs);
+    again.wizard.setRig(sourceOf(again.rig));
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(again.wizard.batchNumber(), number);
+    again.wizard.next();
+    QTRY_COMPARE(again.batch().state, BatchState::Queued);
+    QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
+  }
+
+  // A calibration that ends while the plate is photographed.
+  void aRigThatChangesInMidShootWaitsForTheSideToEnd() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.rig.wait_for_stop = true;
+    bench.wizard.next();
+    RigSource renewed = sourceOf(bench.rig);
+    renewed.words = "renewed";
+    bench.wizard.setRig(renewed);
+    QCOMPARE(bench.wizard.phase(), CapturePhase::ShootFront);
+    QCOMPARE(bench.rig.opened, 1);  // its devices belong to the photographs that are being taken
+    QVERIFY(bench.wizard.isBusy());
+    bench.wizard.stop();  // and Esc still reaches the table
+    QCOMPARE(bench.rig.stopped.load(), 1);
+    QTRY_COMPARE(bench.wizard.rigWords(), QStringLiteral("renewed"));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.rig.opened, 2);
+    QCOMPARE(bench.wizard.batchNumber(), QStringLiteral("B0001"));  // the same batch goes on
+  }
+
+  void aRigThatIsTakenAwayInMidShootLeavesNoPhaseWithoutABatch() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.rig.wait_for_stop = true;
+    bench.wizard.next();
+    bench.wizard.clearRig();
+    QCOMPARE(bench.wizard.phase(), CapturePhase::ShootFront);
+    bench.rig.wait_for_stop = false;
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::NoRig);
+    QCOMPARE(bench.batch().state, BatchState::Front);
+    QVERIFY(!bench.wizard.isBusy());
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+  }
+
+  void aRigThatHangsIsLeftForAnother() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.ask = true;  // and nobody answers
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_VERIFY(!bench.wizard.question().isEmpty());
+    bench.wizard.clearRig();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::NoRig);
+    QVERIFY(!bench.wizard.isBusy());
+    QVERIFY(!bench.wizard.fault());
+  }
+
+  void doubtsAboutABatchOutliveAnotherRig() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.back = 8;
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    QVERIFY(!bench.wizard.doubts().isEmpty());
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    QCOMPARE(bench.batch().state, BatchState::Back);  // nobody has said that it is right
+    QVERIFY(!bench.wizard.doubts().isEmpty());
+  }
+
+  void aNewerBatchFromElsewhereDoesNotHideTheOneThatWasInterrupted() {
+    InlineJobRunner jobs;
+    {
+      Bench bench(folder(), jobs);
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      catalogue::BatchRecord imported;
+      imported.state = BatchState::Queued;
+      QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
+    }
+    Bench again(folder(), jobs);
+    again.wizard.setRig(sourceOf(again.rig));
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(again.wizard.batchNumber(), QStringLiteral("B0001"));
+  }
+
+  // The project is closed in the moment in which its job ends.
+  void aJobThatEndsAsTheProjectClosesSaysNothingMore() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    // Behind the job itself, before its end is told.
+    QMetaObject::invokeMethod(
+        &bench.wizard, [&] { bench.wizard.setSession(nullptr); }, Qt::QueuedConnection);
+    QTRY_COMPARE(bench.rig.asked.size(), std::size_t{1});
+    QTest::qWait(0);
+    QCOMPARE(bench.wizard.phase(), CapturePhase::NoRig);
+    QVERIFY(!bench.wizard.isBusy());
+    QCOMPARE(bench.batch().state, BatchState::Placed);
+  }
+
+ private:
+  std::filesystem::path folder() const {
+    return std::filesystem::path(folder_->path().toStdString()) / "project";
+  }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(CaptureResumeTest)
+#include "capture_resume_test.moc"

@@ -1121,6 +1121,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Messplatz ist nach %1 kalibriert; die Kalibrierung davor liegt als %2.</translation>
     </message>
+    <message>
+      <source>The import is stopped; nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Einlesen ist angehalten; nichts ist liegen geblieben.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -4228,6 +4233,19 @@
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kalibrierung nach %1</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportLine</name>
+    <message>
+      <source>How far the import is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wie weit das Einlesen ist</translation>
+    </message>
+    <message>
+      <source>Stop the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Einlesen anhalten</translation>
     </message>
   </context>
 </TS>

@@ -1121,6 +1121,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η διάταξη βαθμονομήθηκε από το %1· η προηγούμενη φυλάσσεται ως %2.</translation>
     </message>
+    <message>
+      <source>The import is stopped; nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εισαγωγή διακόπηκε· δεν έμεινε τίποτα.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -4228,6 +4233,19 @@
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Βαθμονόμηση από το %1</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportLine</name>
+    <message>
+      <source>How far the import is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόοδος της εισαγωγής</translation>
+    </message>
+    <message>
+      <source>Stop the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή της εισαγωγής</translation>
     </message>
   </context>
 </TS>

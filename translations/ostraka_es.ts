@@ -1121,6 +1121,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El equipo está calibrado según %1; la calibración anterior se guarda como %2.</translation>
     </message>
+    <message>
+      <source>The import is stopped; nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La importación se ha detenido; no ha quedado nada.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -4228,6 +4233,19 @@
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Calibración según %1</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportLine</name>
+    <message>
+      <source>How far the import is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hasta dónde ha llegado la importación</translation>
+    </message>
+    <message>
+      <source>Stop the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener la importación</translation>
     </message>
   </context>
 </TS>

@@ -1121,6 +1121,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le banc est calibré d'après %1 ; la calibration précédente est gardée sous %2.</translation>
     </message>
+    <message>
+      <source>The import is stopped; nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L'importation est arrêtée ; rien n'a été laissé.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -4228,6 +4233,19 @@
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Calibration d'après %1</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportLine</name>
+    <message>
+      <source>How far the import is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avancement de l'importation</translation>
+    </message>
+    <message>
+      <source>Stop the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter l'importation</translation>
     </message>
   </context>
 </TS>

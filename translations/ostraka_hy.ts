@@ -1121,6 +1121,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սարքակազմը տրամաչափված է ըստ %1-ի. նախորդը պահված է որպես %2։</translation>
     </message>
+    <message>
+      <source>The import is stopped; nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծումը կանգնեցված է. ոչինչ չի մնացել։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -4228,6 +4233,19 @@
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափում ըստ %1-ի</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportLine</name>
+    <message>
+      <source>How far the import is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծման ընթացքը</translation>
+    </message>
+    <message>
+      <source>Stop the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել ներմուծումը</translation>
     </message>
   </context>
 </TS>

@@ -1108,6 +1108,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Düzenek %1 ile ayarlandı; önceki ayar %2 olarak saklandı.</translation>
     </message>
+    <message>
+      <source>The import is stopped; nothing was left behind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alma durduruldu; geride bir şey kalmadı.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -4190,6 +4195,19 @@
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ile ayarlama</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::ImportLine</name>
+    <message>
+      <source>How far the import is</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Almanın ilerlemesi</translation>
+    </message>
+    <message>
+      <source>Stop the import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Almayı durdur</translation>
     </message>
   </context>
 </TS>

@@ -8,8 +8,11 @@
 namespace ostraka::ui {
 
 void BatchImporter::setSession(ProjectSession* session) {
-  if (job_ != nullptr) job_->deleteLater();
-  job_ = nullptr;
+  if (job_ != nullptr) {
+    job_->drop();
+    job_ = nullptr;
+    emit ended();
+  }
   session_ = session;
 }
 
@@ -28,6 +31,7 @@ void BatchImporter::start(const QString& folder, ImportKind kind, const PlaceTex
   connect(job_, &JobHandle::finished, this, [this, place](const JobOutcome& outcome) {
     job_->deleteLater();
     job_ = nullptr;
+    emit ended();
     const Result<Imported> copied = outcomeAs<Imported>(outcome);
     const Result<QString> number = copied ? enter(*copied, place) : copied.error();
     if (!number) {
@@ -37,6 +41,7 @@ void BatchImporter::start(const QString& folder, ImportKind kind, const PlaceTex
     emit imported(*number, copied->files);
     session_->tellBatchChanged(*number);
   });
+  emit started(job_->title());
 }
 
 void BatchImporter::cancel() {

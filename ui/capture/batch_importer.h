@@ -26,9 +26,11 @@ class BatchImporter final : public QObject {
   void cancel();
 
  signals:
+  void started(const QString& title);
   void progressed(double fraction);
   void imported(const QString& number, int files);
   void failed(const ostraka::Error& error);
+  void ended();  ///< whatever became of it, also when the project is closed
 
  private:
   Result<QString> enter(const Imported& copied, const PlaceText& place);

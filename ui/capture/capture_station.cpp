@@ -14,6 +14,7 @@
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
+#include "ui/capture/import_line.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/place_edit.h"
 #include "ui/capture/plate_view.h"
@@ -49,6 +50,15 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   auto* all = new QVBoxLayout(this);
   all->addWidget(rig_page_);
   all->addWidget(work_page_);
+  failure_ = new MessagePanel(this);
+  failure_->setObjectName(QStringLiteral("captureFailure"));
+  failure_->hide();
+  connect(failure_, &MessagePanel::acted, this, [this] {
+    failure_->hide();
+    setFocus();
+  });
+  all->addWidget(new ImportLine(importer_, this));
+  all->addWidget(failure_);
 
   connect(wizard_, &CaptureWizard::changed, this, &CaptureStation::follow);
   connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureStation::followLive);
@@ -156,8 +166,7 @@ QWidget* CaptureStation::buildWorkPage() {
   fault_->setObjectName(QStringLiteral("captureFault"));
   fault_->hide();
   connect(fault_, &MessagePanel::acted, this, [this] {
-    fault_->hide();
-    wizard_->next();
+    if (wizard_->fault()) wizard_->next();
   });
   connect(doubts_, &MessagePanel::acted, again_, &QAction::trigger);
   auto* column = new QVBoxLayout(page);
@@ -230,6 +239,7 @@ void CaptureStation::closeProject() {
   board_->setThumbnails(nullptr);
   if (thumbnails_ != nullptr) thumbnails_->deleteLater();
   thumbnails_ = nullptr;
+  failure_->hide();
   session_ = nullptr;
 }
 
@@ -262,7 +272,9 @@ void CaptureStation::showItem(const QString& what) {
 }
 
 void CaptureStation::showFailure(const Error& error) {
-  fault_->showError(error, tr("All right"));
+  if (error.code == ErrorCode::Cancelled)
+    return emit said(tr("The import is stopped; nothing was left behind."));
+  failure_->showError(error, tr("All right"));
   emit said(sentenceOf(error));
 }
 
@@ -301,7 +313,8 @@ void CaptureStation::follow() {
   instruction_->setFont(scaledFont(*this, 1.2));
   foot_->follow();
   next_->setEnabled(no_rig || wizard_->canGoOn());
-  stop_->setEnabled(wizard_->isBusy() && shooting);
+  stop_->setEnabled(wizard_->isShooting());
+  change_rig_->setEnabled(!wizard_->isShooting());
   again_->setEnabled(!wizard_->isBusy() &&
                      (phase == CapturePhase::Flip || phase == CapturePhase::Done));
   count_sherds_->setEnabled(phase == CapturePhase::Place || phase == CapturePhase::Opening);

@@ -85,6 +85,7 @@ class CaptureStation final : public Station {
   SherdNumbers* numbers_;
   NumberEdit* number_edit_;
   MessagePanel *doubts_, *fault_;
+  MessagePanel* failure_;  ///< of an import or a calibration: nothing to do with the wizard
   QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
       *change_rig_;
   std::vector<QAction*> cameras_;

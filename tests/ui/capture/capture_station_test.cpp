@@ -1,15 +1,20 @@
 // The wizard's screen by keys, with a rig that answers as the test says.
 #include "ui/capture/capture_station.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QtTest>
 
+#include "base/files.h"
 #include "catalogue/project.h"
 #include "fake_rig.h"
 #include "rig/rig.h"
+#include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/sherd_numbers.h"
@@ -181,6 +186,80 @@ class CaptureStationTest : public QObject {
     QVERIFY(QFile::exists(folder_->filePath("RIG.before-1.json")));
   }
 
+  // "All right" means that it was read: nothing else may happen, wherever the wizard stands.
+  void whoReadThatAnImportFailedShootsNothing_data() {
+    QTest::addColumn<bool>("at_flip");
+    QTest::newRow("while sherds are laid") << false;
+    QTest::newRow("before the flip") << true;
+  }
+  void whoReadThatAnImportFailedShootsNothing() {
+    QFETCH(bool, at_flip);
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    if (at_flip) QTest::keyClick(station_.get(), Qt::Key_Space);
+    const CapturePhase phase = at_flip ? CapturePhase::Flip : CapturePhase::Place;
+    QTRY_COMPARE(wizard_->phase(), phase);
+    const auto shot = rig_->asked.size();
+    QVERIFY(QDir(folder_->path()).mkpath("half/front"));
+    station_->importer()->start(folder_->filePath("half"), ImportKind::Scans, {});
+    QTRY_VERIFY(shownMessage() != nullptr);
+    QVERIFY(shownMessage()->words().contains("There are no scans"));
+    emit wizard_->changed();  // what the rig says meanwhile does not take it away unread
+    QVERIFY(shownMessage() != nullptr);
+    QTest::mouseClick(shownMessage()->findChild<BigButton*>("messageAct"), Qt::LeftButton);
+    QVERIFY(shownMessage() == nullptr);
+    QTest::qWait(0);
+    QVERIFY(!wizard_->isBusy());
+    QCOMPARE(wizard_->phase(), phase);
+    QCOMPARE(rig_->asked.size(), shot);
+  }
+
+  void anImportThatFailsWithoutARigIsShownToo() {
+    station_->importer()->start(folder_->filePath("absent"), ImportKind::Scans, {});
+    QTRY_VERIFY(shownMessage() != nullptr);
+    QTest::mouseClick(shownMessage()->findChild<BigButton*>("messageAct"), Qt::LeftButton);
+    QVERIFY(shownMessage() == nullptr);
+    QCOMPARE(wizard_->phase(), CapturePhase::NoRig);
+  }
+
+  void anImportSaysHowFarItIsAndCanBeStopped() {
+    auto* stop = child<QPushButton>("importStop");
+    auto* bar = child<QProgressBar>("importProgress");
+    QVERIFY(!stop->isVisible());
+    for (const char* file : {"scans/front/a.ply", "scans/back/b.ply"})
+      QVERIFY(writeFileAtomically(folder_->filePath(file).toStdString(), "x").has_value());
+    QSignalSpy said(station_.get(), &Station::said);
+    BatchImporter* importer = station_->importer();
+    importer->start(folder_->filePath("scans"), ImportKind::Scans, {});
+    QVERIFY(stop->isVisible());
+    emit importer->progressed(0.25);
+    QCOMPARE(bar->value(), 25);
+    QTest::mouseClick(stop, Qt::LeftButton);
+    QTRY_COMPARE(said.count(), 1);
+    QVERIFY(said[0][0].toString().contains("stopped"));
+    QVERIFY(!stop->isVisible());
+    QVERIFY(shownMessage() == nullptr);
+    QVERIFY(session_->project().catalogue().batches()->empty());
+    QVERIFY(!QFile::exists(folder_->filePath("p/batches/import.partial")));
+    importer->start(folder_->filePath("scans"), ImportKind::Scans, {});
+    QVERIFY(stop->isVisible());
+    QCOMPARE(bar->value(), 0);
+    QTRY_COMPARE(session_->project().catalogue().batches()->size(), std::size_t{1});
+    QTRY_VERIFY(!stop->isVisible());
+  }
+
+  void anotherRigIsNotToBeHadWhileThePlateIsPhotographed() {
+    auto* another = child<QAction>("changeRig");
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QVERIFY(another->isEnabled());
+    wizard_->next();
+    QVERIFY(wizard_->isBusy());
+    QVERIFY(!another->isEnabled());
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QVERIFY(another->isEnabled());
+  }
+
   void aDoubtIsShownAndRTakesItAgain() {
     rig_->flagged = {{0, 1}};
     wizard_->setRig(sourceOf(*rig_));
@@ -251,6 +330,11 @@ class CaptureStationTest : public QObject {
     T* found = station_->findChild<T*>(QString::fromLatin1(name));
     if (found == nullptr) qFatal("there is no %s", name);
     return found;
+  }
+  MessagePanel* shownMessage() {
+    for (auto* panel : station_->findChildren<MessagePanel*>())
+      if (panel->isVisible()) return panel;
+    return nullptr;
   }
   InlineJobRunner jobs_;
   std::unique_ptr<QTemporaryDir> folder_;

@@ -174,6 +174,7 @@ void ReviewStation::showItem(const QString& batch) {
 
 void ReviewStation::openOutput(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
+  model_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
   stamp_ = stampOf(batch);
   batches_->setCurrentText(batch);
@@ -214,28 +215,35 @@ void ReviewStation::enter(const pipeline::PairDecision& decision) {
       : decision.kind == pipeline::DecisionKind::Withdraw
           ? tr("Taken back. Both are kept in the history.")
           : tr("Saved, with your name."));
+  const QString batch = shown();
   if (session_->hasProject()) {
     catalogue::Catalogue& rows = session_->project().catalogue();
-    const Result<void> entered = enterDecision(rows, batch_.toStdString(), decision);
+    const Result<void> entered = enterDecision(rows, batch.toStdString(), decision);
     const Result<void> shown = tellQueue(decision.by);
     compute_->setVisible(model_->wantsComputing());
     for (const Result<void>* done : {&shown, &entered})
       if (!*done) say(QString::fromStdString(done->error().sentence()));
   }
-  session_->tellBatchChanged(batch_);
+  session_->tellBatchChanged(batch);
+}
+
+// Whose pairs they are: batch_ may be on its way still.
+QString ReviewStation::shown() const {
+  return QString::fromStdString(model_->live()->output().filename().string());
 }
 
 // The queue's row follows: its figures, and whether the batch still wants a person.
 Result<void> ReviewStation::tellQueue(const std::string& person) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  BatchFigures figures = keptFigures(rows, batch_).value_or(BatchFigures{});
+  const QString batch = shown();
+  BatchFigures figures = keptFigures(rows, batch).value_or(BatchFigures{});
   const ReviewFigures now = figuresOf(model_->review());
   figures.sherds = now.sherds;
   figures.sure = now.sure;
   figures.decided = now.decided;
   figures.ask = now.ask;
-  if (const Result<void> kept = keepFigures(rows, batch_, figures); !kept) return kept;
-  return settleBatch(rows, batch_.toStdString(), person, now.ask == 0 && !model_->wantsComputing());
+  if (const Result<void> kept = keepFigures(rows, batch, figures); !kept) return kept;
+  return settleBatch(rows, batch.toStdString(), person, now.ask == 0 && !model_->wantsComputing());
 }
 
 // What another station did to this batch: new pairs are shown, a mere change of its state is not.

@@ -45,6 +45,7 @@ class ReviewStation final : public Station {
   void openOutput(const QString& batch);
   void compute();
   void enter(const pipeline::PairDecision& decision);
+  QString shown() const;
   Result<void> tellQueue(const std::string& person);
   bool isOlderThanDecisions() const;
   void follow(const QString& batch);

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <fstream>
 
 #include "../names.h"
 #include "catalogue/piece_decisions.h"
@@ -45,12 +46,20 @@ class ReviewWindowTest : public QObject {
   void theQueueFollowsWhatIsDecided();
   void whatIsOnlyConfirmedNeedsNoComputing();
   void aBatchOfDoubtfulScaleSaysSoAboveItsPairs();
+  void nothingIsDecidedWhileAnotherBatchOpens();
+  void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
   void whatDecidesIsInSightHoweverLargeTheLetters();
   void everyControlHasAName();
 
  private:
   void open(int sherds, bool with_project = false);
-  void enterBatch(catalogue::Project& project, int sherds);
+  void enterBatch(catalogue::Project& project, int sherds, const std::string& number = "B0001");
+  pipeline::SyntheticOut addBatch(const std::string& number);
+  std::size_t entered(const std::string& number);
+  QString shown() {
+    if (!model()->isOpen()) return {};
+    return QString::fromStdString(model()->live()->output().filename().string());
+  }
   void click(int row, bool on_back = false);
   void drag(int from_row, int to_row);
   catalogue::BatchState batchState() {
@@ -116,10 +125,11 @@ void ReviewWindowTest::open(int sherds, bool with_project) {
   QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
 }
 
-void ReviewWindowTest::enterBatch(catalogue::Project& project, int sherds) {
+void ReviewWindowTest::enterBatch(catalogue::Project& project, int sherds,
+                                  const std::string& number) {
   catalogue::Catalogue& rows = project.catalogue();
   catalogue::BatchRecord batch;
-  batch.number = "B0001";
+  batch.number = number;
   batch.state = catalogue::BatchState::Review;
   const auto row = rows.addBatch(batch, {});
   QVERIFY2(row.has_value(), row ? "" : row.error().sentence().c_str());
@@ -132,9 +142,22 @@ void ReviewWindowTest::enterBatch(catalogue::Project& project, int sherds) {
       scan.name = (side == batch::Side::Front ? out_.table.fronts : out_.table.backs)
                       .at(static_cast<std::size_t>(i))
                       .id;
-      scan.path = "results/B0001/scans/" + scan.name + ".ply";
+      scan.path = "results/" + number + "/scans/" + scan.name + ".ply";
       QVERIFY(rows.save(scan, {}).has_value());
     }
+}
+
+pipeline::SyntheticOut ReviewWindowTest::addBatch(const std::string& number) {
+  auto out = pipeline::writeSyntheticOut(session_->folder() / "results" / number, {});
+  enterBatch(session_->project(), 4, number);
+  session_->tellBatchChanged(QString::fromStdString(number));
+  return out;
+}
+
+// Decisions on pairs that the catalogue holds of a batch.
+std::size_t ReviewWindowTest::entered(const std::string& number) {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  return rows.decisions(rows.batchByNumber(number)->row)->size();
 }
 
 void ReviewWindowTest::click(int row, bool on_back) {
@@ -426,6 +449,35 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   QVERIFY(rows.saveBatch(held, {}).has_value());
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(!bar->isVisible());
+}
+
+void ReviewWindowTest::nothingIsDecidedWhileAnotherBatchOpens() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  QCOMPARE(shown(), QStringLiteral("B0001"));
+  station_->showItem("B0002");
+  key(Qt::Key_Return);  // the card that was there a moment ago
+  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
+  QVERIFY(standingOnDisk().empty());
+  QVERIFY(pipeline::readDecisions(second.output)->empty());
+  QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
+  key(Qt::Key_Return);
+  QTRY_COMPARE(pipeline::readDecisions(second.output)->size(), std::size_t{1});
+  QCOMPARE(entered("B0002"), std::size_t{1});
+  QCOMPARE(entered("B0001"), std::size_t{0});
+}
+
+void ReviewWindowTest::aBatchThatDoesNotOpenLeavesNoPairsToDecideOn() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  std::ofstream(second.output / "work" / "pairs" / "candidates.json") << "{ half";
+  station_->showItem("B0002");
+  auto* message = station_->findChild<QLabel*>("message");
+  QTRY_VERIFY2(message->text().contains("candidates.json"), qPrintable(message->text()));
+  QVERIFY(!model()->isOpen());
+  key(Qt::Key_Return);
+  QVERIFY(standingOnDisk().empty());
+  QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
 }
 
 void ReviewWindowTest::whatDecidesIsInSightHoweverLargeTheLetters() {

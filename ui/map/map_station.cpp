@@ -116,7 +116,7 @@ void MapStation::openProject(ProjectSession& session) {
 }
 
 void MapStation::closeProject() {
-  if (opening_) opening_->deleteLater();
+  if (opening_) opening_->drop();
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_.clear();
   batch_.clear();
@@ -157,7 +157,7 @@ void MapStation::openBatch(const QString& batch) {
   batch_ = batch;
   batches_->setCurrentText(batch);
   message_->clear();
-  if (opening_) opening_->deleteLater();
+  if (opening_) opening_->drop();
   const fs::path output = session_->folder() / "results" / batch.toStdString();
   opening_ = session_->jobs().start(
       makeJob(tr("Map of %1").arg(batch),

@@ -57,7 +57,7 @@ void PairReviewModel::open(OpenedBatch batch) {
 void PairReviewModel::dropJobs() {
   for (const QPointer<JobHandle>& job :
        {scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_})
-    if (job) job->deleteLater();
+    if (job) job->drop();
   scene_job_ = fit_job_ = more_job_ = thumbnails_job_ = model_job_ = nullptr;
   busy_ = scene_wanted_ = clouds_wanted_ = false;
 }
@@ -269,7 +269,7 @@ void PairReviewModel::chooseBack(int back) {
   busy_ = true;
   emit busyChanged(true);
   const int front = trial_.front;
-  if (fit_job_) fit_job_->deleteLater();
+  if (fit_job_) fit_job_->drop();  // its result is not wanted any more
   fit_job_ = runner_.start(makeJob(tr("Comparing two sides"),
                                    [live = live_, front, back](Progress&, std::stop_token stop) {
                                      return oneCandidate(live, front, back, stop);

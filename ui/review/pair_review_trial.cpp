@@ -86,10 +86,7 @@ void PairReviewModel::fitAt(
     std::function<Result<pipeline::LiveFit>(Progress&, std::stop_token)> work, Made made,
     const QString& text) {
   if (!live_ || trial_.front < 0) return;
-  if (fit_job_) {  // its result is not wanted any more
-    fit_job_->disconnect(this);
-    fit_job_->deleteLater();
-  }
+  if (fit_job_) fit_job_->drop();  // its result is not wanted any more
   busy_ = true;
   settling_rims_.clear();
   emit busyChanged(true);
@@ -118,7 +115,7 @@ void PairReviewModel::fitAt(
 void PairReviewModel::fetchModel() {
   if (!live_) return;
   if (card() == nullptr) return emit failed(tr("A back alone has no closed model."));
-  if (model_job_) model_job_->deleteLater();
+  if (model_job_) model_job_->drop();
   const int front = trial_.front;
   model_job_ =
       runner_.start(makeJob(tr("Closed model"),

@@ -131,7 +131,7 @@ void ReviewStation::openProject(ProjectSession& session) {
 }
 
 void ReviewStation::closeProject() {
-  if (opening_) opening_->deleteLater();
+  if (opening_) opening_->drop();
   if (pane_) pane_->deleteLater();
   if (model_ != nullptr) {
     model_->close();
@@ -181,7 +181,7 @@ void ReviewStation::openOutput(const QString& batch) {
   compute_->hide();
   message_->clear();
   showScale();
-  if (opening_) opening_->deleteLater();
+  if (opening_) opening_->drop();
   opening_ = session_->jobs().start(
       makeJob(tr("Opening %1").arg(batch),
               [output = outputOf(batch)](Progress&, std::stop_token) { return openBatch(output); }),

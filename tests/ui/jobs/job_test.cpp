@@ -108,6 +108,32 @@ class JobTest : public QObject {
     QVERIFY(thrown.outcomes[0].error().what.find("index 7") != std::string::npos);
   }
 
+  // A result in the window's queue comes before a deleteLater that is behind it.
+  void nothingArrivesOfAJobThatIsDropped() {
+    class AtOnce final : public JobRunner {
+      void run(JobPriority, std::function<void()> body, std::stop_source, JobHandle*) override {
+        body();
+      }
+    } jobs;
+    std::stop_token asked;
+    QPointer<JobHandle> job = jobs.start(makeJob("sum",
+                                                 [&asked](Progress& progress, std::stop_token s) {
+                                                   asked = std::move(s);
+                                                   progress.note(NoteLevel::Warning, "one");
+                                                   tell(progress, 7);
+                                                   return Result<int>(42);
+                                                 }),
+                                         this);
+    int heard = 0;
+    connect(job, &JobHandle::noted, this, [&heard] { ++heard; });
+    connect(job, &JobHandle::told, this, [&heard] { ++heard; });
+    connect(job, &JobHandle::finished, this, [&heard] { ++heard; });
+    job->drop();
+    QVERIFY(asked.stop_requested());
+    QTRY_VERIFY(job.isNull());
+    QCOMPARE(heard, 0);
+  }
+
   void aJobCancelledBeforeItBeganDoesNotRun_data() { bothRunners_data(); }
   void aJobCancelledBeforeItBeganDoesNotRun() {
     QFETCH(QString, runner);

@@ -35,6 +35,7 @@ class PairReviewModelTest : public QObject {
   void threeCandidatesAreOfferedAndAnyOtherBackOnDemand();
   void piecesAreJoinedAndCut();
   void aSmallerBatchTakesThePlaceOfALargerOne();
+  void whatWasOnItsWayForTheBatchBeforeIsDropped();
   void aDamagedFileOfDecisionsIsSaidAndKept();
 
  private:
@@ -292,6 +293,37 @@ void PairReviewModelTest::aSmallerBatchTakesThePlaceOfALargerOne() {
   QCOMPARE(model_->rowCount(), 1);
   waitForScene();
   QVERIFY(all_there);
+}
+
+// The job is done and its result in the window's queue when the other batch is opened.
+void PairReviewModelTest::whatWasOnItsWayForTheBatchBeforeIsDropped() {
+  class AtOnce final : public JobRunner {
+    void run(JobPriority, std::function<void()> body, std::stop_source, JobHandle*) override {
+      body();
+    }
+  } at_once;
+  const auto other =
+      pipeline::writeSyntheticOut(folder_.path().toStdString() + "/other", {.noise_mm = 0.05});
+  const auto before = openBatch(out_.output), after = openBatch(other.output);
+  QVERIFY(before.has_value() && after.has_value());
+  PairReviewModel model(at_once, *undo_);
+  std::vector<double> shown_mm;
+  connect(&model, &PairReviewModel::sceneChanged, &model,
+          [&](const auto& scene) { shown_mm.push_back(scene->fit.rim_rms_mm); });
+  QSignalSpy models(&model, &PairReviewModel::failed);
+  model.open(*before);
+  model.fetchModel();
+  model.settle();
+  model.open(*after);
+  QVERIFY(!model.isSettling());
+  const Trial trial = model.trial();
+  const auto fit = after->live->measured(trial.front, trial.back, trial.front_from_back);
+  QTRY_VERIFY(!shown_mm.empty());
+  QTest::qWait(0);
+  QCOMPARE(shown_mm, std::vector<double>{fit->rim_rms_mm});
+  QCOMPARE(undo_->count(), 0);
+  QCOMPARE(models.count(), 0);
+  QVERIFY(model.trial().front_from_back.isApprox(trial.front_from_back, 0));
 }
 
 void PairReviewModelTest::aDamagedFileOfDecisionsIsSaidAndKept() {

@@ -2813,6 +2813,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Angehalten; die Rückseite bleibt, wo sie war.</translation>
     </message>
+    <message>
+      <source>What was only tried is gone: its pairs were closed since.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was nur ausprobiert wurde, gibt es nicht mehr: Seine Paare wurden seither geschlossen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>

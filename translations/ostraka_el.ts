@@ -2813,6 +2813,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακόπηκε· η πίσω πλευρά μένει όπου ήταν.</translation>
     </message>
+    <message>
+      <source>What was only tried is gone: its pairs were closed since.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό,τι ήταν μόνο δοκιμή δεν υπάρχει πια· τα ζεύγη του έκλεισαν στο μεταξύ.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>

@@ -2813,6 +2813,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detenido; el reverso queda donde estaba.</translation>
     </message>
+    <message>
+      <source>What was only tried is gone: its pairs were closed since.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que solo se probó ya no existe: sus parejas se cerraron desde entonces.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>

@@ -2813,6 +2813,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêté ; le revers reste où il était.</translation>
     </message>
+    <message>
+      <source>What was only tried is gone: its pairs were closed since.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui n’était qu’un essai n’existe plus : ses paires ont été fermées depuis.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>

@@ -2813,6 +2813,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցված է. հետևի կողմը մնում է իր տեղում։</translation>
     </message>
+    <message>
+      <source>What was only tried is gone: its pairs were closed since.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն, ինչ միայն փորձարկվել էր, այլևս չկա. դրա զույգերը փակվել են։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>

@@ -2781,6 +2781,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durduruldu; arka yüz olduğu yerde kaldı.</translation>
     </message>
+    <message>
+      <source>What was only tried is gone: its pairs were closed since.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yalnızca denenen artık yok: çiftleri o zamandan beri kapatıldı.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PicturePair</name>

@@ -78,6 +78,10 @@ void PairReviewModel::close() {
   emit waitingChanged();
 }
 
+bool PairReviewModel::shows(const std::filesystem::path& output) const {
+  return live_ && live_->output() == output;
+}
+
 void PairReviewModel::setPerson(const QString& initials) {
   person_ = initials.trimmed();
   emit cardChanged();
@@ -409,17 +413,19 @@ void PairReviewModel::decide(PairDecision decision, const QString& text) {
   selectRow(!rows_.empty() && rows_[0].wantsPerson() ? 0 : std::min(row, rowCount() - 1));
 }
 
-bool PairReviewModel::write(PairDecision& decision) {
-  const Result<PairDecision> written = pipeline::appendDecision(live_->output(), decision);
+Result<void> PairReviewModel::write(const std::filesystem::path& output, PairDecision& decision) {
+  const Result<PairDecision> written = pipeline::appendDecision(output, decision);
   if (!written) {
     emit failed(sentenceOf(written.error()));
-    return false;
+    return written.error();
   }
   decision = *written;
-  decisions_.push_back(decision);
-  redoReview();
-  emit decided(decision);
-  return true;
+  if (shows(output)) {
+    decisions_.push_back(decision);
+    redoReview();
+  }
+  emit decided(output, decision);
+  return {};
 }
 
 void PairReviewModel::redoReview() {

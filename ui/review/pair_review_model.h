@@ -37,6 +37,7 @@ class PairReviewModel final : public QAbstractListModel {
   void open(OpenedBatch batch);
   void close();
   bool isOpen() const { return live_ != nullptr; }
+  bool shows(const std::filesystem::path& output) const;
   void setPerson(const QString& initials);
   const QString& person() const { return person_; }
   const LivePairsPtr& live() const { return live_; }
@@ -97,7 +98,8 @@ class PairReviewModel final : public QAbstractListModel {
   void sceneChanged(const std::shared_ptr<const ostraka::ui::PairScene>& scene);
   void busyChanged(bool busy);
   void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);
-  void decided(const ostraka::pipeline::PairDecision& decision);  ///< is on disk
+  /// Is on disk. Taken back or done again, it may be another batch's than the one that is shown.
+  void decided(const std::filesystem::path& output, const ostraka::pipeline::PairDecision& taken);
   void failed(const QString& sentence);
   void personWanted();  ///< a decision was refused, for nobody has said who decides
   void waitingChanged();
@@ -105,12 +107,12 @@ class PairReviewModel final : public QAbstractListModel {
  private:
   friend class DecideCommand;
   friend class TryCommand;
-  bool write(pipeline::PairDecision& decision);
+  Result<void> write(const std::filesystem::path& output, pipeline::PairDecision& decision);
   void showTrial(const Trial& trial);
-
   void decide(pipeline::PairDecision decision, const QString& text);
   void tryOut(const Trial& trial, const QString& text, bool merge = false);
   void redoReview();
+  void dropJobs();
   void takeCandidates();
   void hold(const Trial& trial);  ///< another card
   void show(const pipeline::ScanRef& scan);
@@ -141,8 +143,6 @@ class PairReviewModel final : public QAbstractListModel {
   Trial trial_;
   pipeline::LiveFit fit_;
   std::vector<double> settling_rims_;
-  void dropJobs();
-
   QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;
   bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;
 };

@@ -1,38 +1,41 @@
 #include "ui/review/review_commands.h"
 
 namespace ostraka::ui {
-namespace {
-
-std::filesystem::path outputOf(const PairReviewModel& model) {
-  return model.isOpen() ? model.live()->output() : std::filesystem::path();
-}
-
-}  // namespace
 
 DecideCommand::DecideCommand(PairReviewModel& model, pipeline::PairDecision decision,
                              const QString& text)
     : QUndoCommand(text),
       model_(&model),
       decision_(std::move(decision)),
-      output_(outputOf(model)) {}
+      output_(model.live()->output()) {}
 
 void DecideCommand::redo() {
-  if (!model_ || outputOf(*model_) != output_) return;
+  if (!model_ || number_ != 0) return;
   pipeline::PairDecision written = decision_;
-  if (model_->write(written))
+  if (model_->write(output_, written))
     number_ = written.number;
   else
     setObsolete(true);
 }
 
 void DecideCommand::undo() {
-  if (!model_ || outputOf(*model_) != output_ || number_ == 0) return;
+  if (!model_ || number_ == 0) return;
   pipeline::PairDecision withdrawal;
   withdrawal.kind = pipeline::DecisionKind::Withdraw;
   withdrawal.by = decision_.by;
   withdrawal.scans = decision_.scans;
   withdrawal.replaces = {number_};
-  if (model_->write(withdrawal) && !decision_.scans.empty()) model_->show(decision_.scans.front());
+  const Result<void> written = model_->write(output_, withdrawal);
+  if (written) {
+    number_ = 0;
+    if (model_->shows(output_) && !decision_.scans.empty()) model_->show(decision_.scans.front());
+  } else if (written.error().code == ErrorCode::CannotWrite) {
+    // It holds still, and is what can be taken back once there is room again.
+    QMetaObject::invokeMethod(
+        model_, [model = model_.data()] { model->undo_.redo(); }, Qt::QueuedConnection);
+  } else {
+    setObsolete(true);
+  }
 }
 
 TryCommand::TryCommand(PairReviewModel& model, const Trial& before, const Trial& after,
@@ -41,19 +44,29 @@ TryCommand::TryCommand(PairReviewModel& model, const Trial& before, const Trial&
       model_(&model),
       before_(before),
       after_(after),
-      output_(outputOf(model)),
+      live_(model.live()),
       merge_(merge) {}
 
 void TryCommand::redo() {
-  if (model_ && outputOf(*model_) == output_) model_->showTrial(after_);
+  showTrial(after_);
 }
 
 void TryCommand::undo() {
-  if (model_ && outputOf(*model_) == output_) model_->showTrial(before_);
+  showTrial(before_);
+}
+
+void TryCommand::showTrial(const Trial& trial) {
+  const LivePairsPtr live = live_.lock();
+  if (model_ && live && live == model_->live()) return model_->showTrial(trial);
+  setObsolete(true);
+  if (model_)
+    emit model_->failed(
+        PairReviewModel::tr("What was only tried is gone: its pairs were closed since."));
 }
 
 bool TryCommand::mergeWith(const QUndoCommand* other) {
   const auto* later = static_cast<const TryCommand*>(other);
+  if (later->live_.lock() != live_.lock()) return false;
   if (later->after_.front != after_.front || later->after_.back != after_.back) return false;
   after_ = later->after_;
   return true;

@@ -6,7 +6,8 @@
 
 namespace ostraka::ui {
 
-/// A decision; undone by a withdrawal, which is a new row behind it. Nothing is ever removed.
+/// A decision; undone by a withdrawal, which is a new row behind it. Nothing is ever removed. Both
+/// stand in the file of its batch, whichever is shown by then.
 class DecideCommand final : public QUndoCommand {
  public:
   DecideCommand(PairReviewModel& model, pipeline::PairDecision decision, const QString& text);
@@ -17,10 +18,11 @@ class DecideCommand final : public QUndoCommand {
   QPointer<PairReviewModel> model_;
   pipeline::PairDecision decision_;
   std::filesystem::path output_;
-  int number_ = 0;  ///< as written last
+  int number_ = 0;  ///< as it stands in the file; 0: withdrawn
 };
 
-/// A back or a pose that is tried; nothing is written. Drags of one hand become one act.
+/// A back or a pose that is tried; nothing is written. Drags of one hand become one act. It is over
+/// when its pairs are closed: those computed next may be others.
 class TryCommand final : public QUndoCommand {
  public:
   TryCommand(PairReviewModel& model, const Trial& before, const Trial& after, const QString& text,
@@ -31,9 +33,11 @@ class TryCommand final : public QUndoCommand {
   bool mergeWith(const QUndoCommand* other) override;
 
  private:
+  void showTrial(const Trial& trial);
+
   QPointer<PairReviewModel> model_;
   Trial before_, after_;
-  std::filesystem::path output_;
+  std::weak_ptr<const pipeline::LivePairs> live_;
   bool merge_;
 };
 

@@ -172,7 +172,7 @@ void ReviewStation::showItem(const QString& batch) {
   openOutput(batch);
 }
 
-void ReviewStation::openOutput(const QString& batch) {
+void ReviewStation::openOutput(const QString& batch, const std::string& decider) {
   if (!session_ || batch.isEmpty()) return;
   model_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
@@ -186,12 +186,17 @@ void ReviewStation::openOutput(const QString& batch) {
       makeJob(tr("Opening %1").arg(batch),
               [output = outputOf(batch)](Progress&, std::stop_token) { return openBatch(output); }),
       this);
-  connect(opening_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+  connect(opening_, &JobHandle::finished, this, [this, batch, decider](const JobOutcome& outcome) {
     const auto opened = outcomeAs<OpenedBatch>(outcome);
     if (!opened) return say(QString::fromStdString(opened.error().sentence()));
     model_->open(*opened);
     compute_->setVisible(model_->wantsComputing() && isOlderThanDecisions());
     if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
+    if (!decider.empty() && session_->hasProject()) {
+      if (const Result<void> told = tellQueue(decider); !told)
+        say(QString::fromStdString(told.error().sentence()));
+      session_->tellBatchChanged(batch);
+    }
     for (const std::string& warning : model_->review().warnings)
       say(QString::fromStdString(warning));
   });
@@ -208,34 +213,31 @@ void ReviewStation::compute() {
   session_->tellBatchChanged(batch_);
 }
 
-void ReviewStation::enter(const pipeline::PairDecision& decision) {
+void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& decision) {
+  const QString batch = QString::fromStdString(output.filename().string());
+  const bool shown = model_->shows(output);
+  if (!shown) openOutput(batch, decision.by);  // so that one sees what was done there
   const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
                       decision.kind == pipeline::DecisionKind::Split;
   say(pieces ? tr("Saved. The pairs of the new pieces come when it is computed.")
       : decision.kind == pipeline::DecisionKind::Withdraw
           ? tr("Taken back. Both are kept in the history.")
           : tr("Saved, with your name."));
-  const QString batch = shown();
   if (session_->hasProject()) {
     catalogue::Catalogue& rows = session_->project().catalogue();
     const Result<void> entered = enterDecision(rows, batch.toStdString(), decision);
-    const Result<void> shown = tellQueue(decision.by);
-    compute_->setVisible(model_->wantsComputing());
-    for (const Result<void>* done : {&shown, &entered})
+    const Result<void> told = shown ? tellQueue(decision.by) : Result<void>();
+    if (shown) compute_->setVisible(model_->wantsComputing());
+    for (const Result<void>* done : {&told, &entered})
       if (!*done) say(QString::fromStdString(done->error().sentence()));
   }
   session_->tellBatchChanged(batch);
 }
 
-// Whose pairs they are: batch_ may be on its way still.
-QString ReviewStation::shown() const {
-  return QString::fromStdString(model_->live()->output().filename().string());
-}
-
 // The queue's row follows: its figures, and whether the batch still wants a person.
 Result<void> ReviewStation::tellQueue(const std::string& person) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const QString batch = shown();
+  const QString batch = QString::fromStdString(model_->live()->output().filename().string());
   BatchFigures figures = keptFigures(rows, batch).value_or(BatchFigures{});
   const ReviewFigures now = figuresOf(model_->review());
   figures.sherds = now.sherds;

@@ -42,11 +42,11 @@ class ReviewStation final : public Station {
 
  private:
   void listBatches();
-  void openOutput(const QString& batch);
+  /// decider: who took back or did again a decision on a batch that was not shown.
+  void openOutput(const QString& batch, const std::string& decider = {});
   void compute();
-  void enter(const pipeline::PairDecision& decision);
-  QString shown() const;
-  Result<void> tellQueue(const std::string& person);
+  void enter(const std::filesystem::path& output, const pipeline::PairDecision& decision);
+  Result<void> tellQueue(const std::string& person);  ///< of the pairs that are shown
   bool isOlderThanDecisions() const;
   void follow(const QString& batch);
   std::filesystem::file_time_type stampOf(const QString& batch) const;

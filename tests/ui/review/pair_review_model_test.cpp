@@ -2,11 +2,14 @@
 // program has swapped.
 #include "ui/review/pair_review_model.h"
 
+#include <sys/resource.h>
+
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
+#include <csignal>
 
 #include "synthetic_out.h"
 
@@ -36,6 +39,9 @@ class PairReviewModelTest : public QObject {
   void piecesAreJoinedAndCut();
   void aSmallerBatchTakesThePlaceOfALargerOne();
   void whatWasOnItsWayForTheBatchBeforeIsDropped();
+  void whatIsTakenBackStandsInTheFileOfItsBatch();
+  void whatWasTriedOnOtherPairsIsNotShownOnThese();
+  void aWithdrawalThatCannotBeWrittenIsStillToBeMade();
   void aDamagedFileOfDecisionsIsSaidAndKept();
 
  private:
@@ -324,6 +330,71 @@ void PairReviewModelTest::whatWasOnItsWayForTheBatchBeforeIsDropped() {
   QCOMPARE(undo_->count(), 0);
   QCOMPARE(models.count(), 0);
   QVERIFY(model.trial().front_from_back.isApprox(trial.front_from_back, 0));
+}
+
+void PairReviewModelTest::whatIsTakenBackStandsInTheFileOfItsBatch() {
+  model_->accept();
+  QCOMPARE(onDisk().size(), std::size_t{1});
+  const auto other = pipeline::writeSyntheticOut(folder_.path().toStdString() + "/third", {});
+  const auto batch = openBatch(other.output);
+  QVERIFY(batch.has_value());
+  model_->open(*batch);
+  QSignalSpy decided(model_.get(), &PairReviewModel::decided);
+  undo_->undo();
+  QCOMPARE(decided.count(), 1);
+  QCOMPARE(onDisk().size(), std::size_t{2});
+  QCOMPARE(onDisk()[1].kind, DecisionKind::Withdraw);
+  QVERIFY(pipeline::readDecisions(other.output)->empty());
+  QCOMPARE(model_->waiting(), 2);
+  undo_->redo();
+  QCOMPARE(pipeline::standing(onDisk()).size(), std::size_t{1});
+  QVERIFY(pipeline::readDecisions(other.output)->empty());
+}
+
+// The same batch after it was computed anew with fewer pieces, say.
+void PairReviewModelTest::whatWasTriedOnOtherPairsIsNotShownOnThese() {
+  model_->select(2);
+  model_->moveByHand({0, 0, 0.01}, {0.06, 0, 0});
+  std::filesystem::remove_all(folder_.path().toStdString() + "/again");
+  std::filesystem::copy(out_.output, folder_.path().toStdString() + "/kept",
+                        std::filesystem::copy_options::recursive);
+  const pipeline::SyntheticOptions fewer{.sherds = 1, .swapped_look_alikes = false};
+  std::filesystem::remove_all(out_.output);
+  pipeline::writeSyntheticOut(out_.output, fewer);
+  const auto batch = openBatch(out_.output);
+  QVERIFY(batch.has_value());
+  model_->open(*batch);
+  QSignalSpy failed(model_.get(), &PairReviewModel::failed);
+  undo_->undo();
+  QCOMPARE(model_->front(), 0);
+  QCOMPARE(undo_->count(), 0);
+  QCOMPARE(failed.count(), 1);
+  model_->accept();
+  QCOMPARE(onDisk().size(), std::size_t{1});
+  std::filesystem::remove_all(out_.output);
+  std::filesystem::rename(folder_.path().toStdString() + "/kept", out_.output);
+}
+
+void PairReviewModelTest::aWithdrawalThatCannotBeWrittenIsStillToBeMade() {
+  model_->accept();
+  QSignalSpy failed(model_.get(), &PairReviewModel::failed);
+  // A limit on file sizes fails a write as a full disk does.
+  struct rlimit before {};
+  QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  struct rlimit full = before;
+  full.rlim_cur = 16;
+  QCOMPARE(setrlimit(RLIMIT_FSIZE, &full), 0);
+  undo_->undo();
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+  QCOMPARE(failed.count(), 1);
+  QTRY_VERIFY(undo_->canUndo());
+  QCOMPARE(onDisk().size(), std::size_t{1});
+  undo_->undo();
+  QCOMPARE(onDisk().size(), std::size_t{2});
+  QVERIFY(pipeline::standing(onDisk()).empty());
+  QVERIFY(undo_->canRedo());
 }
 
 void PairReviewModelTest::aDamagedFileOfDecisionsIsSaidAndKept() {

@@ -1,40 +1,30 @@
 // What a person does in the review, in a real window with real jobs.
 #include <QApplication>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListView>
-#include <QMainWindow>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
-#include <QToolButton>
-#include <fstream>
 
 #include "../names.h"
 #include "catalogue/piece_decisions.h"
-#include "catalogue/project.h"
-#include "synthetic_out.h"
+#include "review_window.h"
 #include "ui/frame/look.h"
-#include "ui/frame/project_session.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/review/card_delegate.h"
-#include "ui/review/pair_review_model.h"
 #include "ui/review/picture_pair.h"
-#include "ui/review/review_pane.h"
-#include "ui/review/review_station.h"
 #include "ui/viewport/sherd_view.h"
 
 namespace ostraka::ui {
 
 using pipeline::CardState;
 
-class ReviewWindowTest : public QObject {
+class ReviewWindowTest : public ReviewWindow {
   Q_OBJECT
 
  private slots:
-  void cleanup();
+  void cleanup() { close(); }
   void swappedLookAlikesAreFixedByKeyboard();
   void swappedLookAlikesAreFixedByMouse();
   void twentyPairsAreReviewedByKeyboardAlone();
@@ -46,119 +36,13 @@ class ReviewWindowTest : public QObject {
   void theQueueFollowsWhatIsDecided();
   void whatIsOnlyConfirmedNeedsNoComputing();
   void aBatchOfDoubtfulScaleSaysSoAboveItsPairs();
-  void nothingIsDecidedWhileAnotherBatchOpens();
-  void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
   void whatDecidesIsInSightHoweverLargeTheLetters();
   void everyControlHasAName();
 
  private:
-  void open(int sherds, bool with_project = false);
-  void enterBatch(catalogue::Project& project, int sherds, const std::string& number = "B0001");
-  pipeline::SyntheticOut addBatch(const std::string& number);
-  std::size_t entered(const std::string& number);
-  QString shown() {
-    if (!model()->isOpen()) return {};
-    return QString::fromStdString(model()->live()->output().filename().string());
-  }
   void click(int row, bool on_back = false);
   void drag(int from_row, int to_row);
-  catalogue::BatchState batchState() {
-    return session_->project().catalogue().batchByNumber("B0001")->state;
-  }
-  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
-    // For a moment nothing has it: the window manager is still busy with the window.
-    QTRY_VERIFY(QApplication::focusWidget() != nullptr);
-    QTest::keyClick(QApplication::focusWidget(), key, modifiers);
-  }
-  const pipeline::ReviewCard& cardOf(int front) { return *model()->review().ofFront(front); }
-  PairReviewModel* model() { return station_->model(); }
-  pipeline::Decisions standingOnDisk() {
-    return pipeline::standing(*pipeline::readDecisions(out_.output));
-  }
-
-  std::unique_ptr<QTemporaryDir> folder_;
-  pipeline::SyntheticOut out_;
-  std::unique_ptr<ThreadedJobRunner> runner_;
-  std::unique_ptr<ProjectSession> session_;
-  std::unique_ptr<QMainWindow> window_;
-  ReviewStation* station_ = nullptr;
 };
-
-void ReviewWindowTest::open(int sherds, bool with_project) {
-  folder_ = std::make_unique<QTemporaryDir>();
-  const std::filesystem::path project = folder_->path().toStdString();
-  pipeline::SyntheticOptions options;
-  options.sherds = sherds;
-  out_ = pipeline::writeSyntheticOut(project / "results" / "B0001", options);
-  runner_ = std::make_unique<ThreadedJobRunner>();
-  std::shared_ptr<catalogue::Project> catalogue;
-  if (with_project) {
-    catalogue::ProjectRecord record;
-    record.code = "ARM";
-    record.title = "Trial";
-    auto made = catalogue::Project::create(project / "rows", record);
-    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
-    catalogue = std::make_shared<catalogue::Project>(std::move(*made));
-    enterBatch(*catalogue, sherds);
-  }
-  session_ = std::make_unique<ProjectSession>(catalogue, project, *runner_);
-  window_ = std::make_unique<QMainWindow>();
-  station_ = new ReviewStation(window_.get());
-  window_->setCentralWidget(station_);
-  QAction* undo = session_->undo().createUndoAction(window_.get());
-  undo->setShortcut(QKeySequence::Undo);
-  window_->addAction(undo);
-  window_->resize(1280, 720);
-  window_->show();
-  window_->activateWindow();
-  QVERIFY(QTest::qWaitForWindowActive(window_.get()));
-  station_->openProject(*session_);
-  QTRY_VERIFY(model()->isOpen());
-  auto* initials = station_->findChild<QLineEdit*>("initials");
-  QTRY_VERIFY(model()->whyNotAccept().contains("initials"));
-  key(Qt::Key_Return);  // without a name nothing is decided, and the name is what is typed next
-  QTRY_VERIFY(initials->hasFocus());
-  QVERIFY(standingOnDisk().empty());
-  QTest::keyClicks(QApplication::focusWidget(), "AP");
-  key(Qt::Key_Return);
-  QTRY_COMPARE(model()->person(), QStringLiteral("AP"));
-  QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
-}
-
-void ReviewWindowTest::enterBatch(catalogue::Project& project, int sherds,
-                                  const std::string& number) {
-  catalogue::Catalogue& rows = project.catalogue();
-  catalogue::BatchRecord batch;
-  batch.number = number;
-  batch.state = catalogue::BatchState::Review;
-  const auto row = rows.addBatch(batch, {});
-  QVERIFY2(row.has_value(), row ? "" : row.error().sentence().c_str());
-  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
-    for (int i = 0; i < sherds; ++i) {
-      catalogue::ScanRecord scan;
-      scan.batch = *row;
-      scan.side = side;
-      scan.index = i + 1;
-      scan.name = (side == batch::Side::Front ? out_.table.fronts : out_.table.backs)
-                      .at(static_cast<std::size_t>(i))
-                      .id;
-      scan.path = "results/" + number + "/scans/" + scan.name + ".ply";
-      QVERIFY(rows.save(scan, {}).has_value());
-    }
-}
-
-pipeline::SyntheticOut ReviewWindowTest::addBatch(const std::string& number) {
-  auto out = pipeline::writeSyntheticOut(session_->folder() / "results" / number, {});
-  enterBatch(session_->project(), 4, number);
-  session_->tellBatchChanged(QString::fromStdString(number));
-  return out;
-}
-
-// Decisions on pairs that the catalogue holds of a batch.
-std::size_t ReviewWindowTest::entered(const std::string& number) {
-  catalogue::Catalogue& rows = session_->project().catalogue();
-  return rows.decisions(rows.batchByNumber(number)->row)->size();
-}
 
 void ReviewWindowTest::click(int row, bool on_back) {
   auto* cards = station_->findChild<QListView*>("cards");
@@ -181,12 +65,6 @@ void ReviewWindowTest::drag(int from_row, int to_row) {
     QApplication::sendEvent(cards->viewport(), &move);
   }
   QTest::mouseRelease(cards->viewport(), Qt::LeftButton, {}, to);
-}
-
-void ReviewWindowTest::cleanup() {
-  window_.reset();
-  session_.reset();
-  runner_.reset();
 }
 
 void ReviewWindowTest::swappedLookAlikesAreFixedByKeyboard() {
@@ -451,35 +329,6 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   QTRY_VERIFY(!bar->isVisible());
 }
 
-void ReviewWindowTest::nothingIsDecidedWhileAnotherBatchOpens() {
-  open(4, true);
-  const pipeline::SyntheticOut second = addBatch("B0002");
-  QCOMPARE(shown(), QStringLiteral("B0001"));
-  station_->showItem("B0002");
-  key(Qt::Key_Return);  // the card that was there a moment ago
-  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
-  QVERIFY(standingOnDisk().empty());
-  QVERIFY(pipeline::readDecisions(second.output)->empty());
-  QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
-  key(Qt::Key_Return);
-  QTRY_COMPARE(pipeline::readDecisions(second.output)->size(), std::size_t{1});
-  QCOMPARE(entered("B0002"), std::size_t{1});
-  QCOMPARE(entered("B0001"), std::size_t{0});
-}
-
-void ReviewWindowTest::aBatchThatDoesNotOpenLeavesNoPairsToDecideOn() {
-  open(4, true);
-  const pipeline::SyntheticOut second = addBatch("B0002");
-  std::ofstream(second.output / "work" / "pairs" / "candidates.json") << "{ half";
-  station_->showItem("B0002");
-  auto* message = station_->findChild<QLabel*>("message");
-  QTRY_VERIFY2(message->text().contains("candidates.json"), qPrintable(message->text()));
-  QVERIFY(!model()->isOpen());
-  key(Qt::Key_Return);
-  QVERIFY(standingOnDisk().empty());
-  QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
-}
-
 void ReviewWindowTest::whatDecidesIsInSightHoweverLargeTheLetters() {
   for (const int percent : {100, 150, 200}) {
     applyLook(*qApp, Theme::Light, percent);
@@ -493,7 +342,7 @@ void ReviewWindowTest::whatDecidesIsInSightHoweverLargeTheLetters() {
       QTRY_VERIFY2(widget->visibleRegion().boundingRect() == widget->rect(),
                    qPrintable(QStringLiteral("%1 at %2 %").arg(name).arg(percent)));
     }
-    cleanup();
+    close();
   }
   applyLook(*qApp, Theme::Light, 100);
 }

@@ -1,0 +1,113 @@
+#pragma once
+#include <QAction>
+#include <QApplication>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "catalogue/project.h"
+#include "synthetic_out.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+#include "ui/review/pair_review_model.h"
+#include "ui/review/review_station.h"
+
+namespace ostraka::ui {
+
+/// The station Review in a real window with real jobs, on made-up batches of look-alikes.
+class ReviewWindow : public QObject {
+ protected:
+  void open(int sherds, bool with_project = false) {
+    folder_ = std::make_unique<QTemporaryDir>();
+    const std::filesystem::path project = folder_->path().toStdString();
+    pipeline::SyntheticOptions options;
+    options.sherds = sherds;
+    out_ = pipeline::writeSyntheticOut(project / "results" / "B0001", options);
+    runner_ = std::make_unique<ThreadedJobRunner>();
+    std::shared_ptr<catalogue::Project> catalogue;
+    if (with_project) {
+      catalogue::ProjectRecord record;
+      record.code = "ARM";
+      record.title = "Trial";
+      auto made = catalogue::Project::create(project / "rows", record);
+      QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+      catalogue = std::make_shared<catalogue::Project>(std::move(*made));
+      enterBatch(*catalogue, sherds);
+    }
+    session_ = std::make_unique<ProjectSession>(catalogue, project, *runner_);
+    window_ = std::make_unique<QMainWindow>();
+    station_ = new ReviewStation(window_.get());
+    window_->setCentralWidget(station_);
+    QAction* undo = session_->undo().createUndoAction(window_.get());
+    undo->setShortcut(QKeySequence::Undo);
+    window_->addAction(undo);
+    window_->resize(1280, 720);
+    window_->show();
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    station_->openProject(*session_);
+    QTRY_VERIFY(model()->isOpen());
+    auto* initials = station_->findChild<QLineEdit*>("initials");
+    QTRY_VERIFY(model()->whyNotAccept().contains("initials"));
+    key(Qt::Key_Return);  // without a name nothing is decided, and the name is what is typed next
+    QTRY_VERIFY(initials->hasFocus());
+    QVERIFY(standingOnDisk().empty());
+    QTest::keyClicks(QApplication::focusWidget(), "AP");
+    key(Qt::Key_Return);
+    QTRY_COMPARE(model()->person(), QStringLiteral("AP"));
+    QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+  }
+
+  void enterBatch(catalogue::Project& project, int sherds, const std::string& number = "B0001") {
+    catalogue::Catalogue& rows = project.catalogue();
+    catalogue::BatchRecord batch;
+    batch.number = number;
+    batch.state = catalogue::BatchState::Review;
+    const auto row = rows.addBatch(batch, {});
+    QVERIFY2(row.has_value(), row ? "" : row.error().sentence().c_str());
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+      for (int i = 0; i < sherds; ++i) {
+        catalogue::ScanRecord scan;
+        scan.batch = *row;
+        scan.side = side;
+        scan.index = i + 1;
+        scan.name = (side == batch::Side::Front ? out_.table.fronts : out_.table.backs)
+                        .at(static_cast<std::size_t>(i))
+                        .id;
+        scan.path = "results/" + number + "/scans/" + scan.name + ".ply";
+        QVERIFY(rows.save(scan, {}).has_value());
+      }
+  }
+
+  /// The window, then what it stands on.
+  void close() {
+    window_.reset();
+    session_.reset();
+    runner_.reset();
+  }
+
+  catalogue::BatchState batchState() {
+    return session_->project().catalogue().batchByNumber("B0001")->state;
+  }
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    // For a moment nothing has it: the window manager is still busy with the window.
+    QTRY_VERIFY(QApplication::focusWidget() != nullptr);
+    QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+  }
+  PairReviewModel* model() { return station_->model(); }
+  const pipeline::ReviewCard& cardOf(int front) { return *model()->review().ofFront(front); }
+  pipeline::Decisions standingOnDisk() {
+    return pipeline::standing(*pipeline::readDecisions(out_.output));
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  pipeline::SyntheticOut out_;
+  std::unique_ptr<ThreadedJobRunner> runner_;
+  std::unique_ptr<ProjectSession> session_;
+  std::unique_ptr<QMainWindow> window_;
+  ReviewStation* station_ = nullptr;
+};
+
+}  // namespace ostraka::ui

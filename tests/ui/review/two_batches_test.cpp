@@ -1,0 +1,118 @@
+// One batch after the other in the review: what is decided belongs to the batch whose pairs it is
+// about.
+#include <QApplication>
+#include <QLabel>
+#include <QTest>
+#include <fstream>
+
+#include "review_window.h"
+#include "ui/queue/batch_queue.h"
+#include "ui/viewport/sherd_view.h"
+
+namespace ostraka::ui {
+
+class TwoBatchesTest : public ReviewWindow {
+  Q_OBJECT
+
+ private slots:
+  void cleanup() { close(); }
+  void nothingIsDecidedWhileAnotherBatchOpens();
+  void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
+  void aDecisionOnAnotherBatchIsTakenBackThere();
+
+ private:
+  pipeline::SyntheticOut addBatch(const std::string& number);
+  std::size_t entered(const std::string& number);
+  QString shown() {
+    if (!model()->isOpen()) return {};
+    return QString::fromStdString(model()->live()->output().filename().string());
+  }
+};
+
+pipeline::SyntheticOut TwoBatchesTest::addBatch(const std::string& number) {
+  auto out = pipeline::writeSyntheticOut(session_->folder() / "results" / number, {});
+  enterBatch(session_->project(), 4, number);
+  session_->tellBatchChanged(QString::fromStdString(number));
+  return out;
+}
+
+// Decisions on pairs that the catalogue holds of a batch.
+std::size_t TwoBatchesTest::entered(const std::string& number) {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  return rows.decisions(rows.batchByNumber(number)->row)->size();
+}
+
+void TwoBatchesTest::nothingIsDecidedWhileAnotherBatchOpens() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  QCOMPARE(shown(), QStringLiteral("B0001"));
+  station_->showItem("B0002");
+  key(Qt::Key_Return);  // the card that was there a moment ago
+  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
+  QVERIFY(standingOnDisk().empty());
+  QVERIFY(pipeline::readDecisions(second.output)->empty());
+  QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
+  key(Qt::Key_Return);
+  QTRY_COMPARE(pipeline::readDecisions(second.output)->size(), std::size_t{1});
+  QCOMPARE(entered("B0002"), std::size_t{1});
+  QCOMPARE(entered("B0001"), std::size_t{0});
+}
+
+void TwoBatchesTest::aBatchThatDoesNotOpenLeavesNoPairsToDecideOn() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  std::ofstream(second.output / "work" / "pairs" / "candidates.json") << "{ half";
+  station_->showItem("B0002");
+  auto* message = station_->findChild<QLabel*>("message");
+  QTRY_VERIFY2(message->text().contains("candidates.json"), qPrintable(message->text()));
+  QVERIFY(!model()->isOpen());
+  key(Qt::Key_Return);
+  QVERIFY(standingOnDisk().empty());
+  QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
+}
+
+void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {
+  open(4, true);
+  BatchQueue queue;
+  queue.setSession(session_.get());
+  key(Qt::Key_Return);
+  QTRY_COMPARE(entered("B0001"), std::size_t{1});
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  station_->showItem("B0002");
+  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
+  QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+  key(Qt::Key_2);
+  QTRY_COMPARE(model()->chosen(), 1);
+  key(Qt::Key_Return);
+  QTRY_COMPARE(entered("B0002"), std::size_t{1});
+  station_->showItem("B0001");
+  QTRY_COMPARE(shown(), QStringLiteral("B0001"));
+  // What is taken back is shown, for it is not what one is looking at.
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
+  QVERIFY(pipeline::standing(*pipeline::readDecisions(second.output)).empty());
+  QCOMPARE(standingOnDisk().size(), std::size_t{1});
+  QCOMPARE(entered("B0002"), std::size_t{2});
+  QCOMPARE(entered("B0001"), std::size_t{1});
+  QTRY_COMPARE(queue.row(queue.rowOf("B0002")).figures->decided, 0);
+  QCOMPARE(queue.row(queue.rowOf("B0001")).figures->decided, 1);
+  // Of the choice nothing is left to take back; then comes the decision before it.
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QCOMPARE(shown(), QStringLiteral("B0002"));
+  QVERIFY(standingOnDisk().size() == 1);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_COMPARE(shown(), QStringLiteral("B0001"));
+  QVERIFY(standingOnDisk().empty());
+  QCOMPARE(entered("B0001"), std::size_t{2});
+  queue.setSession(nullptr);
+}
+
+}  // namespace ostraka::ui
+
+int main(int argc, char** argv) {
+  ostraka::ui::prepareOpenGl();
+  QApplication application(argc, argv);
+  ostraka::ui::TwoBatchesTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "two_batches_test.moc"

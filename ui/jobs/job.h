@@ -55,9 +55,6 @@ class JobHandle : public QObject {
   /// The work stands still at its next report of progress, without losing anything.
   void pause();
   void resume();
-  /// Nobody wants it any more: it is asked to stop and deleted, and nothing of it arrives, not even
-  /// what is on its way already. With deleteLater alone that would come first.
-  void drop();
 
  signals:
   void progressed(const ostraka::ui::JobProgress& progress);  ///< at most 10 times a second

@@ -38,6 +38,8 @@ class Catalogue {
   // people and places; save: row none adds, else changes; the row is returned
   Result<std::vector<PersonRecord>> persons() const;
   Result<PersonRow> save(const PersonRecord&, const Act&);
+  /// Made when nobody has them. Capitals make no difference.
+  Result<PersonRow> personByInitials(const std::string& initials, const Act&);
   Result<std::vector<SiteRecord>> sites() const;
   Result<SiteRow> save(const SiteRecord&, const Act&);
   Result<std::vector<TrenchRecord>> trenches() const;

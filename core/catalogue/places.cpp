@@ -146,6 +146,17 @@ Result<PersonRow> Catalogue::save(const PersonRecord& p, const Act& act) {
   });
 }
 
+Result<PersonRow> Catalogue::personByInitials(const std::string& initials, const Act& act) {
+  const Result<PersonRow> known = database_->door([&] {
+    PersonRow row;
+    Statement rows = database_->sql("SELECT row FROM person WHERE initials_key = ?");
+    if (rows.with(uniqueKey(trimmed(initials))).next()) rows >> row;
+    return row;
+  });
+  if (!known || *known) return known;
+  return save(PersonRecord{{}, {}, initials, initials, {}}, act);
+}
+
 Result<std::vector<SiteRecord>> Catalogue::sites() const {
   return database_->door([&] {
     std::vector<SiteRecord> all;

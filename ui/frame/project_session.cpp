@@ -1,6 +1,7 @@
 #include "ui/frame/project_session.h"
 
 #include "catalogue/project.h"
+#include "ui/jobs/sentence.h"
 
 namespace ostraka::ui {
 
@@ -15,9 +16,10 @@ ProjectSession::ProjectSession(std::shared_ptr<catalogue::Project> project,
 ProjectSession::~ProjectSession() = default;
 
 void ProjectSession::setInitials(const QString& initials) {
-  if (initials == initials_) return;
-  initials_ = initials;
-  person_row_ = 0;
+  const QString kept = initials.trimmed().toUpper();
+  if (kept == initials_ && kept == initials) return;
+  if (kept != initials_) person_row_ = 0;
+  initials_ = kept;
   emit initialsChanged(initials_);
 }
 
@@ -25,16 +27,10 @@ catalogue::Act ProjectSession::act(const QString& why) {
   catalogue::Act act;
   act.why = why.toStdString();
   if (initials_.isEmpty()) return act;
-  catalogue::Catalogue& catalogue = project_->catalogue();
-  const std::string initials = initials_.toStdString();
-  if (person_row_ == 0)
-    if (const auto persons = catalogue.persons())
-      for (const catalogue::PersonRecord& person : *persons)
-        if (person.initials == initials) person_row_ = person.row.value;
   if (person_row_ == 0) {
-    catalogue::PersonRecord person;
-    person.initials = person.name = initials;
-    if (const auto saved = catalogue.save(person, act)) person_row_ = saved->value;
+    const auto person = project_->catalogue().personByInitials(initials_.toStdString(), act);
+    if (!person) emit personRefused(sentenceOf(person.error()));
+    if (person) person_row_ = person->value;
   }
   act.person.value = person_row_;
   return act;

@@ -37,7 +37,7 @@ class ProjectSession final : public QObject {
 
   /// Who decides and edits, as in the history: "AP". Empty until the person said so.
   const QString& initials() const { return initials_; }
-  void setInitials(const QString& initials);
+  void setInitials(const QString& initials);  ///< kept in capitals
   /// Who does something now, for calls that change the catalogue. Makes the person's row when the
   /// project does not know the initials yet.
   catalogue::Act act(const QString& why = {});
@@ -52,6 +52,8 @@ class ProjectSession final : public QObject {
   void sherdsChanged();                      ///< rows of the catalogue are new or changed
   void vocabulariesChanged();                ///< the words that sherds are described with
   void initialsChanged(const QString& initials);
+  /// The catalogue did not take who works: what is done now has no name in the history.
+  void personRefused(const QString& sentence);
 
  private:
   std::shared_ptr<catalogue::Project> project_;

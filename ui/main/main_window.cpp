@@ -229,6 +229,7 @@ void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
     settings_.initials = who;
     writeSettings(settings_);
   });
+  connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
   measureRoom();
   showStation(0);
 }

@@ -11,16 +11,6 @@ namespace {
 using catalogue::Catalogue;
 using pipeline::DecisionKind;
 
-Result<catalogue::PersonRow> personOf(Catalogue& catalogue, const std::string& initials) {
-  const auto persons = catalogue.persons();
-  if (!persons) return persons.error();
-  for (const catalogue::PersonRecord& person : *persons)
-    if (person.initials == initials) return person.row;
-  catalogue::PersonRecord person;
-  person.name = person.initials = initials;
-  return catalogue.save(person, {});
-}
-
 // Rows that stand for a decision say its number in the file, so that a withdrawal finds them.
 std::string marked(int number, const std::string& note) {
   return "decision " + std::to_string(number) + (note.empty() ? "" : ": " + note);
@@ -83,7 +73,7 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
   return catalogue.together([&]() -> Result<void> {
     const auto batch = catalogue.batchByNumber(batch_number);
     if (!batch) return batch.error();
-    const auto person = personOf(catalogue, decision.by);
+    const auto person = catalogue.personByInitials(decision.by, {});
     if (!person) return person.error();
     const catalogue::Act act{*person, "window", decision.note};
     if (decision.kind == DecisionKind::Withdraw)
@@ -128,7 +118,7 @@ Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
   const BatchState state =
       nothing_to_do && batch->scale_doubts.empty() ? BatchState::Done : BatchState::Review;
   if (state == batch->state) return {};
-  const auto row = personOf(catalogue, person);
+  const auto row = catalogue.personByInitials(person, {});
   if (!row) return row.error();
   return catalogue.setBatchState(batch->row, state, {*row, "window", {}});
 }
@@ -139,7 +129,7 @@ Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
   if (!batch) return batch.error();
   catalogue::Act act;
   if (!person.empty()) {
-    const auto row = personOf(catalogue, person);
+    const auto row = catalogue.personByInitials(person, {});
     if (!row) return row.error();
     act.person = *row;
   }

@@ -42,6 +42,16 @@ TEST_F(Places, NoPlaceIsThereTwice) {
   EXPECT_FALSE(catalogue().save(PersonRecord{{}, {}, "Another", "ap", {}}, anna));
 }
 
+TEST_F(Places, APersonIsKnownByInitialsInAnyCapitals) {
+  EXPECT_EQ(*catalogue().personByInitials("ap", {}), anna.person);
+  EXPECT_EQ(*catalogue().personByInitials(" AP ", {}), anna.person);
+  const Result<PersonRow> fresh = catalogue().personByInitials("b\u00e9", {});
+  ASSERT_TRUE(fresh);
+  EXPECT_EQ(*catalogue().personByInitials("BE\u0301", {}), *fresh) << "composed or not";
+  EXPECT_EQ(catalogue().persons()->size(), 2u);
+  EXPECT_FALSE(catalogue().personByInitials("", {}));
+}
+
 TEST_F(Places, WhatCannotBeIsRefused) {
   SiteRecord s;
   EXPECT_FALSE(catalogue().save(s, anna)) << "no code";

@@ -18,6 +18,7 @@ class CatalogueEntryTest : public QObject {
  private slots:
   void init();
   void aPairCountsAndItsWithdrawalTakesItBack();
+  void initialsInOtherCapitalsAreTheSamePerson();
   void eachScanSetAsideHasARow();
   void joinsAndCutsAreKeptAndTakenBack();
   void aScanThatIsNotEnteredIsSaid();
@@ -91,6 +92,18 @@ void CatalogueEntryTest::aPairCountsAndItsWithdrawalTakesItBack() {
   QCOMPARE(rows().currentDecisions(batch_)->size(), std::size_t{0});
   QCOMPARE(rows().decisions(batch_)->size(), std::size_t{2});
   QCOMPARE(rows().persons()->size(), std::size_t{1});
+}
+
+void CatalogueEntryTest::initialsInOtherCapitalsAreTheSamePerson() {
+  QVERIFY(enterDecision(rows(), "B0001", decision(DecisionKind::Pair, 1)).has_value());
+  pipeline::PairDecision typed = decision(DecisionKind::Aside, 2);
+  typed.by = "ap";
+  const auto entered = enterDecision(rows(), "B0001", typed);
+  QVERIFY2(entered.has_value(), entered ? "" : entered.error().sentence().c_str());
+  QCOMPARE(rows().persons()->size(), std::size_t{1});
+  const auto decisions = rows().decisions(batch_);
+  for (const catalogue::PairDecision& row : *decisions)
+    QCOMPARE(row.by, rows().persons()->front().row);
 }
 
 void CatalogueEntryTest::eachScanSetAsideHasARow() {

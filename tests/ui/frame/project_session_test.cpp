@@ -1,0 +1,74 @@
+// Who works on the project, as the history names them.
+#include "ui/frame/project_session.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "catalogue/project.h"
+#include "ui/jobs/job.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class ProjectSessionTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    const std::filesystem::path path = folder_->filePath("p").toStdString();
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    auto project = catalogue::Project::create(path, record);
+    QVERIFY(project.has_value());
+    session_ = std::make_unique<ProjectSession>(
+        std::make_shared<catalogue::Project>(std::move(*project)), path, jobs_);
+  }
+
+  void whoTypesSmallLettersIsTheSamePerson() {
+    catalogue::Catalogue& rows = session_->project().catalogue();
+    const auto anna = rows.save(catalogue::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
+    QVERIFY(anna.has_value());
+    QSignalSpy refused(session_.get(), &ProjectSession::personRefused);
+    session_->setInitials("ap ");
+    QCOMPARE(session_->initials(), QStringLiteral("AP"));
+    QCOMPARE(session_->act().person, *anna);
+    QCOMPARE(refused.count(), 0);
+  }
+
+  void aPersonWhomTheProjectDoesNotKnowIsEntered() {
+    session_->setInitials("bk");
+    const catalogue::Act act = session_->act();
+    const auto persons = session_->project().catalogue().persons();
+    QCOMPARE(persons->size(), std::size_t{1});
+    QCOMPARE(persons->front().initials, std::string("BK"));
+    QCOMPARE(act.person, persons->front().row);
+  }
+
+  void theFieldsShowTheCapitalsThatAreKept() {
+    session_->setInitials("AP");
+    QSignalSpy changed(session_.get(), &ProjectSession::initialsChanged);
+    session_->setInitials("ap");
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(changed[0][0].toString(), QStringLiteral("AP"));
+    session_->setInitials("AP");
+    QCOMPARE(changed.count(), 1);
+  }
+
+  void aPersonWhoCannotBeEnteredIsSaid() {
+    QSignalSpy refused(session_.get(), &ProjectSession::personRefused);
+    session_->setInitials(QString(300, 'X'));
+    QVERIFY(!session_->act().person);
+    QCOMPARE(refused.count(), 1);
+    QVERIFY(refused[0][0].toString().contains("too long"));
+  }
+
+ private:
+  InlineJobRunner jobs_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<ProjectSession> session_;
+};
+
+QTEST_GUILESS_MAIN(ProjectSessionTest)
+#include "project_session_test.moc"

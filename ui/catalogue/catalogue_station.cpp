@@ -1,6 +1,7 @@
 #include "ui/catalogue/catalogue_station.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -12,6 +13,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
+#include <algorithm>
 
 #include "catalogue/project.h"
 #include "exchange/import_table.h"
@@ -41,6 +43,8 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
     showCount();
     showSelection();
   });
+  // Leaving a field makes room for what waited for it.
+  connect(qApp, &QApplication::focusChanged, this, &CatalogueStation::showNewRows);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { showSelection(); });
   connect(details_, &SherdDetails::edited, this, &CatalogueStation::saveField);
@@ -63,7 +67,9 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
   setEnabled(false);
 }
 
-CatalogueStation::~CatalogueStation() = default;
+CatalogueStation::~CatalogueStation() {
+  disconnect(qApp, nullptr, this, nullptr);  // the focus wanders while its fields go
+}
 
 QString CatalogueStation::title() const {
   return tr("Catalogue");
@@ -243,7 +249,7 @@ void CatalogueStation::openProject(ProjectSession& session) {
   connect(bulk_, &BulkEdit::stopWanted, edits_, &SherdEdits::stop);
   connect(&session, &ProjectSession::batchChanged, this, [this] {
     stale_ = true;
-    if (isVisible()) setInFront(true);
+    showNewRows();
   });
   connect(&session, &ProjectSession::initialsChanged, this,
           [this](const QString& initials) { who_->setVisible(initials.isEmpty()); });
@@ -296,9 +302,37 @@ void CatalogueStation::closeProject() {
 
 void CatalogueStation::setInFront(bool in_front) {
   if (in_front) table_->setFocus();  // the arrow keys choose a sherd
-  if (!in_front || !stale_ || !session_) return;
+  if (in_front) showNewRows();
+}
+
+// Not while somebody types about what is chosen: half a value would be saved, the rest lost.
+void CatalogueStation::showNewRows() {
+  if (!stale_ || !session_ || !isVisible()) return;
+  const QWidget* typed_in = window()->focusWidget();
+  if (details_->isAncestorOf(typed_in) || bulk_->isAncestorOf(typed_in)) return;
   stale_ = false;
+  const std::vector<catalogue::SherdRow> chosen = selected();
+  const catalogue::SherdRow current = model_->sherdAt(table_->currentIndex().row());
   model_->reload();
+  choose(chosen, current);
+}
+
+// Those of them that are in the table.
+void CatalogueStation::choose(const std::vector<catalogue::SherdRow>& sherds,
+                              catalogue::SherdRow current) {
+  std::vector<int> rows;
+  for (const catalogue::SherdRow sherd : sherds)
+    if (const int row = model_->rowOf(sherd); row >= 0) rows.push_back(row);
+  std::sort(rows.begin(), rows.end());
+  QItemSelection all;
+  for (std::size_t first = 0, next = 1; first < rows.size(); first = next++) {
+    while (next < rows.size() && rows[next] == rows[next - 1] + 1) ++next;
+    all.append(
+        {model_->index(rows[first], 0), model_->index(rows[next - 1], model_->columnCount() - 1)});
+  }
+  table_->selectionModel()->select(all, QItemSelectionModel::ClearAndSelect);
+  if (const int row = model_->rowOf(current); row >= 0)
+    table_->selectionModel()->setCurrentIndex(model_->index(row, 0), QItemSelectionModel::NoUpdate);
 }
 
 void CatalogueStation::showItem(const QString& what) {

@@ -45,6 +45,8 @@ class CatalogueStation final : public Station {
   void buildLayout();
   void addActions();
   void showSelection();
+  void showNewRows();
+  void choose(const std::vector<catalogue::SherdRow>& sherds, catalogue::SherdRow current);
   void showCount();
   void showModelOf(catalogue::SherdRow sherd);
   QWidget* buildFilterLine();

@@ -129,6 +129,36 @@ class CatalogueStationTest : public QObject {
     QVERIFY(child<QTableView>("sherds")->selectionModel()->hasSelection());
   }
 
+  void aBatchThatIsComputedTakesNothingOutOfThePersonsHands() {
+    choose(3);
+    auto* note = child<QLineEdit>("field_note");
+    note->setFocus();
+    QTest::keyClicks(note, "spout brok");
+    sample_->addDraft();
+    sample_->session().tellBatchChanged("B0001");
+    QVERIFY(note->hasFocus());
+    QTest::keyClicks(QApplication::focusWidget(), "en");
+    QCOMPARE(note->text(), QString("spout broken"));
+    QCOMPARE(sample_->session().undo().count(), 0);
+    QCOMPARE(table()->model()->rowCount(), 40);
+    // The new rows come when the field is left.
+    table()->setFocus();
+    QTRY_COMPARE(table()->model()->rowCount(), 41);
+    QCOMPARE(sample_->value(6, "note"), QString("spout broken"));
+    QCOMPARE(note->text(), QString("spout broken"));
+    QCOMPARE(table()->selectionModel()->selectedRows().size(), 1);
+    QCOMPARE(table()->currentIndex().data().toString(), QString("ARM1-T3-0012-0004"));
+
+    sample_->addDraft();
+    child<QLineEdit>("filter")->setFocus();
+    QTest::keyClicks(child<QLineEdit>("filter"), "ri");
+    sample_->session().tellBatchChanged("B0002");
+    QCOMPARE(table()->model()->rowCount(), 42);
+    QVERIFY(child<QLineEdit>("filter")->hasFocus());
+    QCOMPARE(child<QLineEdit>("filter")->text(), QString("ri"));
+    QCOMPARE(note->text(), QString("spout broken"));
+  }
+
   void aSherdMovesToAnotherContextInOneStep() {
     choose(0);
     auto* place = child<QComboBox>("field_place");

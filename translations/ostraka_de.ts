@@ -2,6 +2,27 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
   <context>
+    <name>ComputeBatch</name>
+    <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf dem Datenträger sind nur noch %1 MB frei; eine Ladung braucht mehr. Nichts ist verloren: Platz schaffen, dann weitermachen.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Diese Nummer wurde auf dem Teller eingetippt, aber dort liegt keine Scherbe mit einem Befund; vergeben Sie sie im Katalog.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe wurde auf dem Teller gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
+        <numerusform>%n Scherben wurden auf dem Teller gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>Fields</name>
     <message>
       <source>number</source>

@@ -2,6 +2,27 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="el" sourcelanguage="en">
   <context>
+    <name>ComputeBatch</name>
+    <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στον σκληρό δίσκο μένουν μόνο %1 MB· μια παρτίδα χρειάζεται περισσότερα. Τίποτα δεν χάθηκε: κάντε χώρο και συνεχίστε.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: αυτός ο αριθμός γράφτηκε πάνω στον δίσκο, αλλά εκεί δεν υπάρχει όστρακο με πλαίσιο· δώστε τον στον κατάλογο.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Μετρήθηκε %n όστρακο πάνω στον δίσκο και βρέθηκε άλλος αριθμός· αναζητήστε στον χάρτη αυτό που λείπει ή κόπηκε στα δύο.</numerusform>
+        <numerusform>Μετρήθηκαν %n όστρακα πάνω στον δίσκο και βρέθηκε άλλος αριθμός· αναζητήστε στον χάρτη αυτό που λείπει ή κόπηκε στα δύο.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>Fields</name>
     <message>
       <source>number</source>

@@ -2,6 +2,27 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
   <context>
+    <name>ComputeBatch</name>
+    <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En el disco solo quedan %1 MB; una tanda necesita más. No se ha perdido nada: haga sitio y continúe.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: este número se escribió sobre el plato, pero allí no hay ningún fragmento con contexto; asígnelo en el catálogo.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Se contó %n fragmento sobre el plato y se encontró otro número; busque en el plano el que falta o está partido en dos.</numerusform>
+        <numerusform>Se contaron %n fragmentos sobre el plato y se encontró otro número; busque en el plano el que falta o está partido en dos.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>Fields</name>
     <message>
       <source>number</source>

@@ -2,6 +2,27 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
   <context>
+    <name>ComputeBatch</name>
+    <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il ne reste que %1 Mo sur le disque ; un lot en demande davantage. Rien n’est perdu : faites de la place, puis continuez.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : ce numéro a été saisi sur le plateau, mais aucun tesson avec un contexte ne s’y trouve ; donnez-le dans le catalogue.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson a été compté sur le plateau, et un autre nombre a été trouvé ; cherchez sur le plan celui qui manque ou qui est coupé en deux.</numerusform>
+        <numerusform>%n tessons ont été comptés sur le plateau, et un autre nombre a été trouvé ; cherchez sur le plan celui qui manque ou qui est coupé en deux.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>Fields</name>
     <message>
       <source>number</source>

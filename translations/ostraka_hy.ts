@@ -2,6 +2,27 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="hy" sourcelanguage="en">
   <context>
+    <name>ComputeBatch</name>
+    <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոշտ սկավառակի վրա մնացել է միայն %1 ՄԲ. խմբաքանակին ավելին է պետք։ Ոչինչ չի կորել. տեղ ազատեք և շարունակեք։</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. այս համարը մուտքագրվել էր սկավառակի վրա, բայց այնտեղ համատեքստով խեցաբեկոր չկա. տվեք այն կատալոգում։</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Սկավառակի վրա հաշվվել է %n խեցաբեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
+        <numerusform>Սկավառակի վրա հաշվվել է %n խեցաբեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>Fields</name>
     <message>
       <source>number</source>

@@ -2,6 +2,26 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="tr" sourcelanguage="en">
   <context>
+    <name>ComputeBatch</name>
+    <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diskte yalnızca %1 MB kaldı; bir parti daha fazlasını ister. Hiçbir şey kaybolmadı: yer açın, sonra sürdürün.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: bu numara tabla üzerinde yazıldı, ama orada konteksti olan bir parça yok; numarayı katalogda verin.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Tabla üzerinde %n parça sayıldı, başka bir sayı bulundu; eksik olanı ya da ikiye bölüneni planda arayın.</numerusform>
+      </translation>
+    </message>
+  </context>
+  <context>
     <name>Fields</name>
     <message>
       <source>number</source>

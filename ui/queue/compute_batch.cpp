@@ -1,5 +1,7 @@
 #include "ui/queue/compute_batch.h"
 
+#include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <system_error>
 
@@ -68,8 +70,12 @@ Result<void> hasSpace(const fs::path& project) {
   const fs::space_info space = fs::space(project, error);
   if (error || static_cast<double>(space.available) > kLeastFree_bytes) return {};
   return Error{ErrorCode::CannotWrite,
-               "The disk has only " + std::to_string(space.available / 1000000) +
-                   " MB left; a batch needs more. Nothing is lost: make room, then go on.",
+               QCoreApplication::translate(
+                   "ComputeBatch",
+                   "The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, "
+                   "then go on.")
+                   .arg(QLocale().toString(static_cast<qulonglong>(space.available / 1000000)))
+                   .toStdString(),
                project.string()};
 }
 
@@ -121,15 +127,21 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   if (!entered) return entered.error();
   for (const std::string& number : entered->numbers_left)
     progress.note(NoteLevel::Warning,
-                  number +
-                      ": this number was typed on the plate, but no sherd with a context lies "
-                      "there; give it in the catalogue.");
+                  QCoreApplication::translate(
+                      "ComputeBatch",
+                      "%1: this number was typed on the plate, but no sherd with a context lies "
+                      "there; give it in the catalogue.")
+                      .arg(QString::fromStdString(number))
+                      .toStdString());
   figures->counted = countedOtherwise(rows, *record);
   if (figures->counted > 0)
     progress.note(NoteLevel::Warning,
-                  std::to_string(figures->counted) +
-                      " sherds were counted on the plate, and another number was found; look at "
-                      "the map for one that is missing or cut in two.");
+                  QCoreApplication::translate(
+                      "ComputeBatch",
+                      "%n sherd(s) were counted on the plate, and another number was found; look "
+                      "at the map for one that is missing or cut in two.",
+                      nullptr, figures->counted)
+                      .toStdString());
   if (const auto backup = project->backUp(); !backup)
     progress.note(NoteLevel::Warning, backup.error().sentence());
   return figures;

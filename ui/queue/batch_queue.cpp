@@ -1,6 +1,7 @@
 #include "ui/queue/batch_queue.h"
 
 #include <QDir>
+#include <QHash>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTime>
@@ -74,6 +75,15 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
 }
 
+// Kept by the job itself: a window that closes in its last seconds does not hear of its end.
+Result<BatchFigures> figuresKept(const Result<BatchFigures>& figures,
+                                 const ComputeOptions& options) {
+  if (!figures) return figures;
+  if (Result<catalogue::Catalogue> rows = catalogue::Project::connect(options.project))
+    (void)keepFigures(*rows, QString::fromStdString(options.number), *figures);
+  return figures;
+}
+
 }  // namespace
 
 BatchQueue::BatchQueue(QObject* parent) : QAbstractListModel(parent), work_(computeBatch) {}
@@ -111,40 +121,44 @@ void BatchQueue::setSession(ProjectSession* session) {
     paused_ = paused && *paused == "yes";
     const Result<std::string> drafts = session_->project().catalogue().setting(kDraftsKey);
     drafts_ = drafts && *drafts == "yes";
-    connect(session_, &ProjectSession::batchChanged, this, &BatchQueue::refresh);
+    connect(session_, &ProjectSession::batchChanged, this, &BatchQueue::refreshBatch);
   }
   refresh();
   emit workChanged();
 }
 
+QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow* before) const {
+  const catalogue::Project& project = session_->project();
+  QueueRow row;
+  row.number = QString::fromStdString(batch.number);
+  row.batch_row = batch.row.value;
+  row.state = stateOf(batch.state);
+  row.scale_doubts = QString::fromStdString(batch.scale_doubts);
+  if (row.number == busy_number_) {
+    row.state = paused_ ? QueueState::Paused : QueueState::Busy;
+    if (job_ != nullptr) row.progress = job_->progress();
+  }
+  if (before != nullptr && before->state == row.state) {
+    row.failure = before->failure;
+    row.cancelled = before->cancelled;
+    row.picture = before->picture;
+    // A person's decisions change them while the state stays.
+    row.figures = keptFigures(project.catalogue(), row.number);
+  } else {
+    readDetails(project, row);
+  }
+  return row;
+}
+
 void BatchQueue::refresh() {
   std::vector<QueueRow> fresh;
   if (session_ != nullptr) {
-    const catalogue::Project& project = session_->project();
-    const auto batches = project.catalogue().batches();
+    QHash<QString, const QueueRow*> before;
+    for (const QueueRow& row : rows_) before.insert(row.number, &row);
+    const auto batches = session_->project().catalogue().batches();
     for (const catalogue::BatchRecord& batch :
-         batches ? *batches : std::vector<catalogue::BatchRecord>()) {
-      QueueRow row;
-      row.number = QString::fromStdString(batch.number);
-      row.batch_row = batch.row.value;
-      row.state = stateOf(batch.state);
-      row.scale_doubts = QString::fromStdString(batch.scale_doubts);
-      if (row.number == busy_number_) {
-        row.state = paused_ ? QueueState::Paused : QueueState::Busy;
-        if (job_ != nullptr) row.progress = job_->progress();
-      }
-      const QueueRow* before = find(row.number);
-      if (before != nullptr && before->state == row.state) {
-        row.failure = before->failure;
-        row.cancelled = before->cancelled;
-        row.picture = before->picture;
-        // A person's decisions change them while the state stays.
-        row.figures = keptFigures(project.catalogue(), row.number);
-      } else {
-        readDetails(project, row);
-      }
-      fresh.push_back(std::move(row));
-    }
+         batches ? *batches : std::vector<catalogue::BatchRecord>())
+      fresh.push_back(rowFrom(batch, before.value(QString::fromStdString(batch.number))));
   }
   const bool same =
       fresh.size() == rows_.size() &&
@@ -158,6 +172,17 @@ void BatchQueue::refresh() {
     rows_ = std::move(fresh);
     endResetModel();
   }
+  startNext();
+}
+
+// What follows each decision in the review: of thousands of batches only one is read.
+void BatchQueue::refreshBatch(const QString& number) {
+  QueueRow* row = find(number);
+  if (session_ == nullptr || row == nullptr) return refresh();
+  const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
+  if (!batch) return refresh();
+  *row = rowFrom(*batch, row);
+  touch(number);
   startNext();
 }
 
@@ -241,7 +266,7 @@ void BatchQueue::startNext() {
   // What has figures was computed before; now it is meant to become final.
   options.draft = busy_with_draft_ = drafts_ && !next->figures;
   busy_number_ = next->number;
-  busy_since_ = QDateTime::currentDateTime();
+  busy_since_ = clock_();
   cancel_asked_ = false;
   next->state = QueueState::Busy;
   next->progress = {};
@@ -250,7 +275,7 @@ void BatchQueue::startNext() {
       session_->jobs().start(makeJob(
                                  tr("Batch %1").arg(busy_number_),
                                  [work = work_, options](Progress& progress, std::stop_token stop) {
-                                   return work(options, progress, stop);
+                                   return figuresKept(work(options, progress, stop), options);
                                  },
                                  JobPriority::Background),
                              this);
@@ -274,7 +299,6 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   busy_number_.clear();
   const Result<BatchFigures> figures = outcomeAs<BatchFigures>(outcome);
   if (figures) {
-    (void)keepFigures(session_->project().catalogue(), number, *figures);
     log(tr("%1 is computed: %n sherd(s).", nullptr, figures->sherds).arg(number));
   } else if (figures.error().code == ErrorCode::CannotWrite) {
     // A full disk is a pause: the batch stays in the queue and goes on from its last whole stage.
@@ -362,9 +386,7 @@ void BatchQueue::forgetMoved(const QString& number) {
 }
 
 double BatchQueue::secondsOf(const QString& number) const {
-  return number == busy_number_
-             ? static_cast<double>(busy_since_.secsTo(QDateTime::currentDateTime()))
-             : 0;
+  return number == busy_number_ ? static_cast<double>(busy_since_.secsTo(clock_())) : 0;
 }
 
 int BatchQueue::waitingToCompute() const {

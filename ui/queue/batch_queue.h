@@ -9,6 +9,10 @@
 #include "ui/jobs/job.h"
 #include "ui/queue/compute_batch.h"
 
+namespace ostraka::catalogue {
+struct BatchRecord;
+}
+
 namespace ostraka::ui {
 
 class ProjectSession;
@@ -54,6 +58,8 @@ class BatchQueue final : public QAbstractListModel {
   void setWork(
       std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work);
   void setThreads(int threads) { threads_ = threads; }
+  /// Unset: the computer's. For tests.
+  void setClock(std::function<QDateTime()> clock) { clock_ = std::move(clock); }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -91,6 +97,7 @@ class BatchQueue final : public QAbstractListModel {
   void forgetMoved(const QString& number);
   /// The catalogue's batches changed.
   void refresh();
+  void refreshBatch(const QString& number);
 
  signals:
   void workChanged();  ///< what is computed, how far, or whether it is paused
@@ -100,6 +107,7 @@ class BatchQueue final : public QAbstractListModel {
   void left();
 
  private:
+  QueueRow rowFrom(const catalogue::BatchRecord& batch, const QueueRow* before) const;
   void startNext();
   void makeWayForADraft();
   QueueRow* nextToCompute();
@@ -111,6 +119,7 @@ class BatchQueue final : public QAbstractListModel {
 
   QPointer<ProjectSession> session_;
   std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work_;
+  std::function<QDateTime()> clock_ = [] { return QDateTime::currentDateTime(); };
   std::vector<QueueRow> rows_;
   QPointer<JobHandle> job_;
   QPointer<JobHandle> leaving_;  ///< of a session that closed: nothing starts before it ended

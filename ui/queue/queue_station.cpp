@@ -159,7 +159,7 @@ void QueueStation::buildLayout() {
   all->addWidget(pages_);
   connect(message_, &MessagePanel::acted, this, [this] {
     message_->hide();
-    queue_->trouble().isEmpty() ? queue_->cancel(selected()) : queue_->setPaused(false);
+    queue_->trouble().isEmpty() ? queue_->cancel(asked_about_) : queue_->setPaused(false);
   });
   connect(message_, &MessagePanel::actedSecond, message_, &QWidget::hide);
 }
@@ -301,7 +301,8 @@ void QueueStation::askOrCancel() {
     queue_->cancel(selected());
     return;
   }
-  message_->showWords(tr("Stop %1?").arg(selected()),
+  asked_about_ = selected();
+  message_->showWords(tr("Stop %1?").arg(asked_about_),
                       tr("It has been computed for more than an hour. Whole stages are kept, the "
                          "present one is lost."),
                       tr("Stop it"));

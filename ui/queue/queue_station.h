@@ -59,6 +59,7 @@ class QueueStation final : public Station {
   BatchDelegate* delegate_;
   QPlainTextEdit* log_;
   MessagePanel* message_;
+  QString asked_about_;  ///< the batch that the message names, whichever is chosen by then
   QStackedWidget* pages_;
   MaskPage* masks_page_;
   PageArea* masks_area_;

@@ -96,6 +96,21 @@ class BatchQueueTest : public QObject {
     QTRY_COMPARE(bench.computed, QStringList{number});
   }
 
+  void oneBatchThatChangesIsOneRow() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    for (int i = 0; i < 3; ++i) addBatch(bench.session, BatchState::Front);
+    bench.queue.setSession(&bench.session);
+    QSignalSpy changed(&bench.queue, &QAbstractItemModel::dataChanged);
+    catalogue::Catalogue& rows = bench.session.project().catalogue();
+    (void)rows.setBatchState(rows.batchByNumber("B0002")->row, BatchState::Done, {});
+    bench.session.tellBatchChanged("B0002");
+    QCOMPARE(bench.queue.row(1).state, QueueState::Done);
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(changed[0][0].toModelIndex().row(), 1);
+    QCOMPARE(changed[0][1].toModelIndex().row(), 1);
+  }
+
   void aBatchWithADoubtfulScaleDoesNotLookDone() {
     InlineJobRunner jobs;
     QString number;
@@ -287,6 +302,34 @@ class BatchQueueTest : public QObject {
     QCOMPARE(stateOf(again.session, number), BatchState::Queued);
     again.queue.setSession(&again.session);
     QTRY_COMPARE(again.computed, QStringList{number});
+  }
+
+  void whatWasComputedWhileTheWindowClosedHasItsFigures() {
+    ThreadedJobRunner jobs;
+    std::atomic<bool> begun = false, go = false;
+    {
+      Bench bench(folder(), jobs);
+      bench.queue.setWork(
+          [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
+            begun = true;
+            while (!go) std::this_thread::yield();  // too far on to be stopped
+            auto project = catalogue::Project::open(options.project);
+            const auto batch = project->catalogue().batchByNumber(options.number);
+            (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
+            return BatchFigures{3, 2, 1, 0.07, 5};
+          });
+      addBatch(bench.session, BatchState::Queued);
+      bench.queue.setSession(&bench.session);
+      QTRY_VERIFY(begun);
+      bench.queue.setSession(nullptr);
+      go = true;
+      QTRY_VERIFY(!bench.queue.isLeaving());
+    }
+    Bench again(folder(), jobs);
+    again.queue.setSession(&again.session);
+    QCOMPARE(again.queue.row(0).state, QueueState::Review);
+    QVERIFY(again.queue.row(0).figures.has_value());
+    QCOMPARE(again.queue.row(0).figures->ask, 1);
   }
 
   void theSameQueueStartsNothingBeforeTheOldWorkEnded() {

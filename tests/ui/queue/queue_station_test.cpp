@@ -33,7 +33,8 @@ class QueueStationTest : public QObject {
     session_ = std::make_unique<ProjectSession>(
         std::make_shared<catalogue::Project>(std::move(*project)), folder, *jobs_);
     queue_ = std::make_unique<BatchQueue>();
-    begun_ = 0;
+    queue_->setClock([this] { return QDateTime::currentDateTime().addSecs(3600 * hours_); });
+    begun_ = hours_ = 0;
     refuse_ = false;
     queue_->setWork([this](const ComputeOptions&, Progress& progress,
                            std::stop_token stop) -> Result<BatchFigures> {
@@ -82,6 +83,26 @@ class QueueStationTest : public QObject {
     QTRY_COMPARE(queue_->row(0).state, QueueState::Failed);
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_R);
     QTRY_COMPARE(begun_.load(), 2);
+  }
+
+  void whatIsAskedAboutIsWhatIsStopped() {
+    addBatch();
+    station_->openProject(*session_);
+    QTRY_COMPARE(begun_.load(), 1);
+    addBatch();
+    session_->tellBatchChanged("B0002");
+    QCOMPARE(queue_->rowCount(), 2);
+    station_->showItem("B0001");
+    hours_ = 2;
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_Delete);
+    auto* message = child<MessagePanel>("queueMessage");
+    QVERIFY(message->isVisible());
+    QCOMPARE(begun_.load(), 1);
+    station_->showItem("B0002");
+    QTest::mouseClick(child<QPushButton>("messageAct"), Qt::LeftButton);
+    QTRY_COMPARE(queue_->row(queue_->rowOf("B0001")).state, QueueState::Failed);
+    QTRY_COMPARE(begun_.load(), 2);
+    QCOMPARE(queue_->row(queue_->rowOf("B0002")).state, QueueState::Busy);
   }
 
   void theLogIsOneKeyAway() {
@@ -147,6 +168,7 @@ class QueueStationTest : public QObject {
   }
   std::atomic<int> begun_ = 0;
   std::atomic<bool> refuse_ = false;
+  int hours_ = 0;  ///< that the clock is ahead
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<JobRunner> jobs_;
   std::unique_ptr<ProjectSession> session_;

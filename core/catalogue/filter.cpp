@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "catalogue/label_codes.h"
 #include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
@@ -63,26 +64,25 @@ bool isComparison(Condition::Is is) {
   return is == Is::Less || is == Is::LessEqual || is == Is::Greater || is == Is::GreaterEqual;
 }
 
-// The number in the code of a printed label, as a code reader types it: OST1:S:<number>:<end of
-// the identifier>. Empty: it is none.
-std::string numberOnLabel(const std::string& typed) {
-  const std::string start = "OST1:S:";
-  if (typed.size() <= start.size() || uniqueKey(typed.substr(0, start.size())) != uniqueKey(start))
-    return {};
-  const std::size_t end = typed.find(':', start.size());
-  return end == std::string::npos ? std::string() : typed.substr(start.size(), end - start.size());
+// The code of a printed label, as a code reader types it, finds the sherd that carries it.
+Result<Condition> conditionOfLabel(const std::string& code) {
+  const std::optional<LabelCode> label = readLabelCode(code);
+  if (!label || label->of != LabelCode::Of::Sherd)
+    return Error{ErrorCode::UnusableInput,
+                 "This is only a part of a sherd's label; read its code again.", code};
+  Condition condition;
+  const bool quoted = code.find(' ') != std::string::npos;
+  condition.text = quoted ? "label:\"" + code + "\"" : "label:" + code;
+  condition.field = label->id_end.empty() ? kLabelPlace : kLabelEnd;
+  condition.is = Condition::Is::Equal;
+  condition.value = label->id_end.empty() ? label->number : label->id_end;
+  return condition;
 }
 
 Result<Condition> conditionOf(Piece piece) {
   Condition condition;
   condition.text = piece.text;
-  if (const std::string number = numberOnLabel(piece.plain); !number.empty()) {
-    condition.text = "number:" + number;
-    condition.field = "number";
-    condition.is = Condition::Is::Equal;
-    condition.value = composed(number);
-    return condition;
-  }
+  if (beginsAsSherdLabel(piece.plain)) return conditionOfLabel(piece.plain);
   if (piece.plain.size() > 1 && piece.plain[0] == '-' && piece.text[0] == '-') {
     condition.negated = true;
     piece.plain.erase(0, 1);
@@ -97,6 +97,12 @@ Result<Condition> conditionOf(Piece piece) {
   std::string_view rest = std::string_view(piece.plain).substr(piece.operator_at);
   condition.is = comparison(rest);
   condition.value = composed(trimmed(rest));
+  if (name == kLabelEnd) {
+    Result<Condition> label = conditionOfLabel(condition.value);
+    if (label) label->negated = condition.negated;
+    if (label) label->text = piece.text;
+    return label;
+  }
   const SherdColumn* column = sherdColumn(name);
   if (!column)
     return Error{ErrorCode::UnusableInput,
@@ -133,6 +139,11 @@ std::string Filter::text() const {
 Result<Filter> parseFilter(std::string_view line) {
   if (line.size() > 10'000 || !isUtf8(line))
     return Error{ErrorCode::UnusableInput, "The filter is not readable text.", {}};
+  if (beginsAsSherdLabel(trimmed(line)) && readLabelCode(line)) {  // its number may hold blanks
+    Result<Condition> label = conditionOfLabel(trimmed(line));
+    if (!label) return label.error();
+    return Filter{{std::move(*label)}};
+  }
   const Result<std::vector<Piece>> all = pieces(line);
   if (!all) return all.error();
   Filter filter;

@@ -25,6 +25,10 @@ const SherdColumn* sherdColumn(const std::string& name);
 /// Sorts drafts, which have no number, behind all numbers.
 inline constexpr const char* kBehindAllNumbers = "\xF4\x8F\xBF\xBF";
 
+/// Columns that only the filter knows: the last digits of the uuid, and the place on the plate
+/// (B0031-01), as labels carry them.
+inline constexpr const char *kLabelEnd = "label", *kLabelPlace = "label_place";
+
 /// In the column scale, of sherds whose batch has doubts about it.
 inline constexpr const char* kDoubtfulScale = "doubtful";
 

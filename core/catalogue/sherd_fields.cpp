@@ -73,6 +73,15 @@ const std::vector<SherdColumn>& sherdColumns() {
 const SherdColumn* sherdColumn(const std::string& name) {
   for (const SherdColumn& column : sherdColumns())
     if (name == column.field.name || (column.measure && name == column.measure)) return &column;
+  static const SherdColumn end =
+      text(kLabelEnd, FieldKind::Text, nullptr, "substr(replace(s.id, '-', ''), -8)", false);
+  static const SherdColumn place =
+      text(kLabelPlace, FieldKind::Text, nullptr,
+           "(SELECT batch.number || printf('-%02d', scan.position) FROM scan JOIN batch ON "
+           "batch.row = scan.batch WHERE scan.row = s.front)",
+           false);
+  if (name == kLabelEnd) return &end;
+  if (name == kLabelPlace) return &place;
   return name == "thickness" ? sherdColumn("thickness_mean_mm") : nullptr;
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "catalogue/label_codes.h"
 #include "catalogue/names.h"
 #include "catalogue/numbering.h"
 #include "catalogue/sherd_columns.h"
@@ -93,9 +94,16 @@ Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
                                 const std::string& typed) {
   return catalogue.database().door([&]() -> std::string {
     const std::string text = trimmed(typed);
-    if (text.starts_with("OST1:S:")) {
-      const std::string rest = text.substr(7);
-      return rest.substr(0, rest.find(':'));
+    if (beginsAsSherdLabel(text)) {
+      const std::optional<LabelCode> label = readLabelCode(text);
+      if (!label) refuse("This is only a part of a sherd's label; read its code again.", text);
+      // Its number may be another, or there be one at all, since the label was printed.
+      std::string number = label->isPlaceOnPlate() ? std::string() : label->number;
+      if (const SherdRow known = orRefuse(sherdOfLabel(catalogue, *label)))
+        if (const SherdRecord sherd = orRefuse(catalogue.sherd(known)); !sherd.number.empty())
+          number = sherd.number;
+      if (number.empty()) refuse("The sherd of this label has no number yet.", text);
+      return number;
     }
     if (text.empty() || text.size() > kMostDigits ||
         text.find_first_not_of("0123456789") != std::string::npos)

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "catalogue/names.h"
 #include "small_project.h"
 
 namespace ostraka::catalogue {
@@ -35,6 +36,11 @@ class Filters : public SmallProject {
     const SherdRow row = draft(in, of);
     EXPECT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
     for (const auto& [field, value] : fields) EXPECT_TRUE(set(row, field, value)) << field;
+  }
+  /// What a label carries of the identifier of the sherd with this number.
+  std::string labelEnd(const std::string& number) {
+    const std::string id = valueOf(*catalogue().sherdByNumber(number), "uuid");
+    return id.substr(id.size() - 8);
   }
   /// Last letters of the numbers: 12-0001 is "a", 12-0002 "b", 13-0001 "c", 13-0002 "d".
   std::string letters(const std::string& line, const SherdOrder& order = {}) {
@@ -96,12 +102,47 @@ TEST_F(Filters, FieldsAreComparedWhole) {
 }
 
 TEST_F(Filters, TheCodeOfAPrintedLabelFindsItsSherd) {
-  EXPECT_EQ(letters("OST1:S:ARM1-T3-0012-0002:9F3A77C1"), "b");
-  EXPECT_EQ(letters("ost1:s:arm1-t3-0013-0001:9f3a77c1"), "c") << "a reader set to small letters";
-  const Result<Filter> filter = parseFilter("OST1:S:ARM1-T3-0012-0002:9F3A77C1");
+  const std::string b = "ARM1-T3-0012-0002:" + labelEnd("ARM1-T3-0012-0002");
+  EXPECT_EQ(letters("OST1:S:" + b), "b");
+  EXPECT_EQ(letters("ost1:s:" + uniqueKey(b)), "b") << "a reader set to small letters";
+  const Result<Filter> filter = parseFilter("OST1:S:" + b);
   ASSERT_TRUE(filter);
-  EXPECT_EQ(filter->text(), "number:ARM1-T3-0012-0002");
+  EXPECT_EQ(filter->text(), "label:OST1:S:" + b);
+  EXPECT_EQ(letters(filter->text()), "b") << "the chip's words give the filter again";
+  EXPECT_EQ(letters("-label:OST1:S:" + b), "acd");
+  EXPECT_EQ(letters("OST1:S:ARM1-T3-0012-0002:00000000"), "") << "a label of another project";
   EXPECT_FALSE(parseFilter("OST1:S:ARM1")) << "half a code";
+  EXPECT_FALSE(parseFilter("OST1:S:ARM1-T3-0012-0002:9F3A")) << "half a code";
+}
+
+TEST_F(Filters, ALabelFindsItsSherdWhateverItsNumberIs) {
+  for (const char* number : {"12:7", "box 3: 7"}) {
+    const SherdRow row = numbered(context13);
+    ASSERT_TRUE(set(row, "number", number));
+    const std::string code = std::string("OST1:S:") + number + ":" + labelEnd(number);
+    EXPECT_THAT(found(code), ElementsAre(number));
+    EXPECT_THAT(found(parseFilter(code)->text()), ElementsAre(number));
+    ASSERT_TRUE(set(row, "number", std::string("N") + number));
+    EXPECT_THAT(found(code), ElementsAre(std::string("N") + number)) << "numbered anew";
+  }
+}
+
+TEST_F(Filters, ALabelWithAPlaceOnThePlateFindsTheSherdThatLayThere) {
+  const BatchRow batch = newBatch({bag4});
+  const ScanRow front = scan(batch, batch::Side::Front, 1);
+  const ScanRow back = scan(batch, batch::Side::Back, 1);
+  SherdRecord sherd;
+  sherd.context = context12;
+  sherd.batch = batch;
+  sherd.front = front;
+  sherd.back = back;
+  const auto row = catalogue().addSherd(sherd, anna);
+  ASSERT_TRUE(row) << row.error().sentence();
+  EXPECT_EQ(catalogue().sherdRows(*parseFilter("OST1:S:B0001-01"), {})->size(), 1u);
+  EXPECT_EQ(catalogue().sherdRows(*parseFilter("ost1:s:b0001-01"), {})->at(0), *row);
+  EXPECT_THAT(found("OST1:S:B0001-02"), IsEmpty());
+  ASSERT_TRUE(catalogue().assignNumbers(std::span(&*row, 1), anna));
+  EXPECT_THAT(found("OST1:S:B0001-01"), ElementsAre("ARM1-T3-0012-0003"));
 }
 
 TEST_F(Filters, AMinusTurnsAConditionRound) {

@@ -112,6 +112,12 @@ TEST_F(TypedNumbers, DigitsAndCodesOfLabelsBecomeWholeNumbers) {
   };
   EXPECT_EQ(whole(" 7 "), "ARM1-T3-0012-0007");
   EXPECT_EQ(whole("OST1:S:ARM1-T3-0012-0009:7F3K9Q2M"), "ARM1-T3-0012-0009");
+  EXPECT_EQ(whole("ost1:s:12:7:7f3k9q2m"), "12:7") << "a number with a colon";
+  EXPECT_FALSE(wholeNumber(catalogue(), batch, "OST1:S:ARM1-T3")) << "half a code";
+  EXPECT_FALSE(wholeNumber(catalogue(), batch, "OST1:S:B0031-01")) << "a place is no number";
+  const std::string id = valueOf(numbered(context13), "uuid");
+  EXPECT_EQ(whole("OST1:S:B0031-01:" + id.substr(id.size() - 8)), "ARM1-T3-0013-0001")
+      << "it had none when the label was printed";
   EXPECT_EQ(whole("Ar/Ts.WSH.02.C.12"), "Ar/Ts.WSH.02.C.12");
   EXPECT_FALSE(wholeNumber(catalogue(), newBatch({}), "7")) << "no context says whose seventh";
 }

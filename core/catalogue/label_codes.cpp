@@ -1,0 +1,144 @@
+// From the codes of printed labels back to sherds and bags.
+#include "catalogue/label_codes.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "catalogue/database.h"
+#include "catalogue/names.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+constexpr std::string_view kSherdLabel = "ost1:s:", kBagLabel = "ost1:b:";
+constexpr std::size_t kIdEnd = 8;  // as they are printed
+
+bool beginsWith(std::string_view text, std::string_view start) {
+  return text.size() > start.size() && uniqueKey(text.substr(0, start.size())) == start;
+}
+
+bool isPlace(std::string_view text) {
+  const auto digits = [](std::string_view part) {
+    return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::size_t dash = text.find('-');
+  return dash != std::string_view::npos && (text[0] == 'B' || text[0] == 'b') &&
+         digits(text.substr(1, dash - 1)) && digits(text.substr(dash + 1));
+}
+
+// Looks a row up by keys that are unique; none when there is none.
+template <class Row, class... Values>
+Row rowBy(const Catalogue& catalogue, const char* sql, const Values&... values) {
+  Row row;
+  Statement rows = catalogue.database().sql(sql);
+  if (rows.with(values...).next()) rows >> row;
+  return row;
+}
+
+template <class Row, class Record>
+Row made(Catalogue& catalogue, const Record& record, const Act& act) {
+  const Result<Row> row = catalogue.save(record, act);
+  if (!row) throw Refused(row.error());
+  return *row;
+}
+
+}  // namespace
+
+bool LabelCode::isPlaceOnPlate() const {
+  return of == Of::Sherd && isPlace(number);
+}
+
+bool beginsAsSherdLabel(std::string_view text) {
+  return beginsWith(text, kSherdLabel);
+}
+
+std::optional<LabelCode> readLabelCode(std::string_view text) {
+  const std::string whole = trimmed(text);
+  LabelCode label;
+  if (beginsWith(whole, kBagLabel))
+    label.of = LabelCode::Of::Bag;
+  else if (!beginsWith(whole, kSherdLabel))
+    return {};
+  label.number = whole.substr(kSherdLabel.size());
+  // A number may hold colons of its own.
+  if (const std::size_t colon = label.number.rfind(':'); colon != std::string::npos) {
+    label.id_end = uniqueKey(label.number.substr(colon + 1));
+    label.number.resize(colon);
+  }
+  const bool whole_end = label.id_end.size() == kIdEnd &&
+                         std::all_of(label.id_end.begin(), label.id_end.end(), [](char c) {
+                           return std::isalnum(static_cast<unsigned char>(c)) != 0;
+                         });
+  if (label.number.empty() || (!whole_end && !label.isPlaceOnPlate())) return {};
+  if (!whole_end && !label.id_end.empty()) return {};
+  return label;
+}
+
+Result<SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label) {
+  return catalogue.database().door([&] {
+    if (!label.id_end.empty())
+      return rowBy<SherdRow>(catalogue,
+                             "SELECT row FROM sherd WHERE substr(replace(id, '-', ''), -8) = ?",
+                             label.id_end);
+    const std::size_t dash = label.number.find('-');
+    if (dash == std::string::npos || !label.isPlaceOnPlate()) return SherdRow();
+    return rowBy<SherdRow>(
+        catalogue,
+        "SELECT sherd.row FROM sherd JOIN scan ON scan.row = sherd.front JOIN batch ON batch.row = "
+        "scan.batch WHERE batch.number = ? COLLATE NOCASE AND scan.position = CAST(? AS INTEGER)",
+        label.number.substr(0, dash), label.number.substr(dash + 1));
+  });
+}
+
+Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const LabelCode& label) {
+  return catalogue.database().door([&]() -> std::optional<BagPlace> {
+    if (label.of != LabelCode::Of::Bag || label.id_end.empty()) return {};
+    Statement rows = catalogue.database().sql(
+        "SELECT site.code, trench.code, context.number, bag.number FROM bag JOIN context ON "
+        "context.row = bag.context JOIN site ON site.row = context.site LEFT JOIN trench ON "
+        "trench.row = context.trench WHERE substr(replace(bag.id, '-', ''), -8) = ?");
+    if (!rows.with(label.id_end).next()) return {};
+    BagPlace place;
+    rows >> place.site >> place.trench >> place.context >> place.bag;
+    return place;
+  });
+}
+
+Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act) {
+  return catalogue.database().inTransaction([&] {
+    ContextRecord context;
+    context.number = place.context;
+    context.site = rowBy<SiteRow>(catalogue, "SELECT row FROM site WHERE code_key = ?",
+                                  uniqueKey(trimmed(place.site)));
+    if (!context.site) {
+      SiteRecord site;
+      site.code = site.name = place.site;
+      context.site = made<SiteRow>(catalogue, site, act);
+    }
+    if (!place.trench.empty())
+      context.trench =
+          rowBy<TrenchRow>(catalogue, "SELECT row FROM trench WHERE site = ? AND code_key = ?",
+                           context.site, uniqueKey(trimmed(place.trench)));
+    if (!place.trench.empty() && !context.trench) {
+      TrenchRecord trench;
+      trench.site = context.site;
+      trench.code = place.trench;
+      context.trench = made<TrenchRow>(catalogue, trench, act);
+    }
+    BagRecord bag;
+    bag.number = place.bag;
+    bag.context =
+        rowBy<ContextRow>(catalogue,
+                          "SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) = "
+                          "ifnull(?, 0) AND number_key "
+                          "= ?",
+                          context.site, context.trench, uniqueKey(trimmed(place.context)));
+    if (!bag.context) bag.context = made<ContextRow>(catalogue, context, act);
+    const BagRow known =
+        rowBy<BagRow>(catalogue, "SELECT row FROM bag WHERE context = ? AND number_key = ?",
+                      bag.context, uniqueKey(trimmed(place.bag)));
+    return known ? known : made<BagRow>(catalogue, bag, act);
+  });
+}
+
+}  // namespace ostraka::catalogue

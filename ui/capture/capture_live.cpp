@@ -89,8 +89,9 @@ void CaptureWizard::lookLive() {
 void CaptureWizard::readLabels(const QStringList& codes) {
   if (phase_ != CapturePhase::Place) return;
   for (const QString& code : codes) {
-    const std::optional<PlaceText> place = readPlaceText(code);
-    if (!place || !code.startsWith(QLatin1String("OST1:")) || code == label_) continue;
+    if (!code.startsWith(QLatin1String("OST1:")) || code == label_) continue;
+    const auto place = findPlaceText(session_->project().catalogue(), code);
+    if (!place) continue;
     label_ = code;
     setPlace(*place);
     emit placeRead();

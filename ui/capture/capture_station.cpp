@@ -223,6 +223,9 @@ void CaptureStation::openProject(ProjectSession& session) {
   importer_->setSession(&session);
   wizard_->setSession(&session);
   const catalogue::Catalogue& rows = session.project().catalogue();
+  place_->setReader([&session](const QString& text) {
+    return findPlaceText(session.project().catalogue(), text);
+  });
   const Result<std::string> place = rows.setting(kPlaceKey);
   place_->setText(place ? QString::fromStdString(*place) : QString());
   placeTyped();
@@ -237,6 +240,7 @@ void CaptureStation::closeProject() {
   wizard_->setSession(nullptr);
   importer_->setSession(nullptr);
   board_->setThumbnails(nullptr);
+  place_->setReader({});
   if (thumbnails_ != nullptr) thumbnails_->deleteLater();
   thumbnails_ = nullptr;
   failure_->hide();

@@ -31,6 +31,10 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   follow();
 }
 
+void PlaceEdit::setReader(std::function<std::optional<PlaceText>(const QString&)> reader) {
+  reader_ = reader ? std::move(reader) : readPlaceText;
+}
+
 void PlaceEdit::setText(const QString& text) {
   edit_->setText(text);
   follow();
@@ -41,11 +45,11 @@ QString PlaceEdit::text() const {
 }
 
 PlaceText PlaceEdit::place() const {
-  return readPlaceText(text()).value_or(PlaceText());
+  return reader_(text()).value_or(PlaceText());
 }
 
 bool PlaceEdit::isUsable() const {
-  return text().isEmpty() || readPlaceText(text()).has_value();
+  return text().isEmpty() || reader_(text()).has_value();
 }
 
 void PlaceEdit::follow() {

@@ -1,5 +1,6 @@
 #pragma once
 #include <QWidget>
+#include <functional>
 
 #include "ui/capture/place_text.h"
 
@@ -14,6 +15,8 @@ class PlaceEdit final : public QWidget {
 
  public:
   explicit PlaceEdit(QWidget* parent = nullptr);
+  /// How texts are understood; without one as readPlaceText does.
+  void setReader(std::function<std::optional<PlaceText>(const QString&)> reader);
   void setText(const QString& text);
   QString text() const;
   PlaceText place() const;  ///< empty when nothing or nonsense is typed
@@ -26,6 +29,7 @@ class PlaceEdit final : public QWidget {
  private:
   void follow();
 
+  std::function<std::optional<PlaceText>(const QString&)> reader_ = readPlaceText;
   QLineEdit* edit_;
   QLabel* note_;
 };

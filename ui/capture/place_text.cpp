@@ -5,51 +5,80 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "catalogue/catalogue.h"
+#include "catalogue/label_codes.h"
+#include "catalogue/names.h"
 
 namespace ostraka::ui {
 namespace {
 
-using namespace catalogue;
+using catalogue::Catalogue;
 
-Result<TrenchRow> trenchOf(Catalogue& rows, SiteRow site, const std::string& code, const Act& act) {
-  if (code.empty()) return TrenchRow{};
-  const auto known = rows.trenches();
-  if (!known) return known.error();
-  const auto at = std::find_if(known->begin(), known->end(), [&](const TrenchRecord& trench) {
-    return trench.site == site && trench.code == code;
-  });
-  if (at != known->end()) return at->row;
-  TrenchRecord fresh;
-  fresh.site = site;
-  fresh.code = code;
-  return rows.save(fresh, act);
+// Of what is typed, and of a code or number that has such marks itself.
+QStringList partsOf(const QString& text) {
+  static const QRegularExpression between(QStringLiteral("\\s*[-/]\\s*|\\s+bag\\s+|\\s+"),
+                                          QRegularExpression::CaseInsensitiveOption);
+  return text.trimmed().split(between, Qt::SkipEmptyParts);
 }
 
-Result<SiteRow> siteOf(Catalogue& rows, const std::string& code, const Act& act) {
-  const auto known = rows.sites();
-  if (!known) return known.error();
-  const auto at = std::find_if(known->begin(), known->end(),
-                               [&](const SiteRecord& site) { return site.code == code; });
-  if (at != known->end()) return at->row;
-  SiteRecord fresh;
-  fresh.code = fresh.name = code;
-  return rows.save(fresh, act);
+QStringList partsOf(const std::string& text) {
+  return partsOf(QString::fromStdString(text));
 }
 
-Result<ContextRow> contextOf(Catalogue& rows, SiteRow site, TrenchRow trench,
-                             const std::string& number, const Act& act) {
-  const auto known = rows.contexts();
-  if (!known) return known.error();
-  const auto at = std::find_if(known->begin(), known->end(), [&](const ContextRecord& context) {
-    return context.site == site && context.trench == trench && context.number == number;
-  });
-  if (at != known->end()) return at->row;
-  ContextRecord fresh;
-  fresh.site = site;
-  fresh.trench = trench;
-  fresh.number = number;
-  return rows.save(fresh, act);
+bool isSame(const QString& a, const QString& b) {
+  return catalogue::uniqueKey(a.toStdString()) == catalogue::uniqueKey(b.toStdString());
+}
+
+bool beginWith(const QStringList& typed, const QStringList& start) {
+  return !start.isEmpty() && typed.size() > start.size() &&
+         std::equal(start.begin(), start.end(), typed.begin(), isSame);
+}
+
+// The bag as the rest of the typed parts names it; only one that is known may have several parts.
+QString bagOf(const Catalogue& rows, catalogue::ContextRow context, const QStringList& rest) {
+  if (rest.size() == 1) return rest.front();
+  if (const auto bags = rows.bags(context))
+    for (const catalogue::BagRecord& bag : *bags)
+      if (const QStringList parts = partsOf(bag.number);
+          parts.size() == rest.size() &&
+          std::equal(parts.begin(), parts.end(), rest.begin(), isSame))
+        return QString::fromStdString(bag.number);
+  return {};
+}
+
+// The longest name counts: of 0012 and 0012-a, the second.
+std::optional<PlaceText> inKnownContext(const Catalogue& rows, const QStringList& typed) {
+  const auto contexts = rows.contexts();
+  if (!contexts) return {};
+  std::optional<PlaceText> found;
+  qsizetype longest = 0;
+  for (const catalogue::ContextRecord& context : *contexts) {
+    const QStringList start =
+        partsOf(context.site_code) + partsOf(context.trench_code) + partsOf(context.number);
+    if (start.size() <= longest || !beginWith(typed, start)) continue;
+    const QString bag = bagOf(rows, context.row, typed.mid(start.size()));
+    if (bag.isEmpty()) continue;
+    longest = start.size();
+    found = PlaceText{QString::fromStdString(context.site_code),
+                      QString::fromStdString(context.trench_code),
+                      QString::fromStdString(context.number), bag};
+  }
+  return found;
+}
+
+std::optional<PlaceText> inKnownSite(const Catalogue& rows, const QStringList& typed) {
+  const auto sites = rows.sites();
+  if (!sites) return {};
+  std::optional<PlaceText> found;
+  qsizetype longest = 1;  // a site's code of one part is read without knowing it
+  for (const catalogue::SiteRecord& site : *sites) {
+    const QStringList start = partsOf(site.code), rest = typed.mid(start.size());
+    if (start.size() <= longest || !beginWith(typed, start) || rest.size() < 2 || rest.size() > 3)
+      continue;
+    longest = start.size();
+    found = PlaceText{QString::fromStdString(site.code), rest.size() == 3 ? rest[0] : QString(),
+                      rest[rest.size() - 2], rest.back()};
+  }
+  return found;
 }
 
 }  // namespace
@@ -70,21 +99,35 @@ QString PlaceText::typed() const {
 }
 
 std::optional<PlaceText> readPlaceText(const QString& text) {
-  QString plain = text.trimmed();
-  if (plain.startsWith(QLatin1String("OST1:"))) {
-    const QStringList parts = plain.split(QLatin1Char(':'));
-    if (parts.size() < 3 || parts[1] != QLatin1String("B")) return {};
-    plain = parts[2];
+  QString plain = text;
+  if (plain.trimmed().startsWith(QLatin1String("OST1:"), Qt::CaseInsensitive)) {
+    const auto label = catalogue::readLabelCode(text.toStdString());
+    if (!label || label->of != catalogue::LabelCode::Of::Bag) return {};
+    plain = QString::fromStdString(label->number);
   }
-  static const QRegularExpression between(QStringLiteral("\\s*[-/]\\s*|\\s+bag\\s+|\\s+"),
-                                          QRegularExpression::CaseInsensitiveOption);
-  const QStringList parts = plain.split(between, Qt::SkipEmptyParts);
+  const QStringList parts = partsOf(plain);
   if (parts.size() == 4) return PlaceText{parts[0], parts[1], parts[2], parts[3]};
   if (parts.size() == 3) return PlaceText{parts[0], {}, parts[1], parts[2]};
   return {};
 }
 
-Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place, const Act& act) {
+std::optional<PlaceText> findPlaceText(const Catalogue& rows, const QString& text) {
+  QString plain = text;
+  if (const auto label = catalogue::readLabelCode(text.toStdString())) {
+    if (label->of != catalogue::LabelCode::Of::Bag) return {};
+    if (const auto known = catalogue::placeOfLabel(rows, *label); known && *known)
+      return PlaceText{
+          QString::fromStdString((*known)->site), QString::fromStdString((*known)->trench),
+          QString::fromStdString((*known)->context), QString::fromStdString((*known)->bag)};
+    plain = QString::fromStdString(label->number);
+  }
+  const QStringList typed = partsOf(plain);
+  if (auto known = inKnownContext(rows, typed)) return known;
+  if (auto known = inKnownSite(rows, typed)) return known;
+  return readPlaceText(plain);
+}
+
+Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place, const catalogue::Act& act) {
   if (place.isEmpty()) return std::int64_t{0};
   if (place.site.isEmpty() || place.context.isEmpty() || place.bag.isEmpty())
     return Error{ErrorCode::UnusableInput,
@@ -93,24 +136,12 @@ Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place, const Act
                      "A site, a context and a bag are needed so that the sherds can be numbered.")
                      .toStdString(),
                  {}};
-  const auto site = siteOf(rows, place.site.toStdString(), act);
-  if (!site) return site.error();
-  const auto trench = trenchOf(rows, *site, place.trench.toStdString(), act);
-  if (!trench) return trench.error();
-  const auto context = contextOf(rows, *site, *trench, place.context.toStdString(), act);
-  if (!context) return context.error();
-  const auto known = rows.bags(*context);
-  if (!known) return known.error();
-  const std::string number = place.bag.toStdString();
-  const auto at = std::find_if(known->begin(), known->end(),
-                               [&](const BagRecord& bag) { return bag.number == number; });
-  if (at != known->end()) return at->row.value;
-  BagRecord fresh;
-  fresh.context = *context;
-  fresh.number = number;
-  const auto saved = rows.save(fresh, act);
-  if (!saved) return saved.error();
-  return saved->value;
+  const auto row = catalogue::bagAt(rows,
+                                    {place.site.toStdString(), place.trench.toStdString(),
+                                     place.context.toStdString(), place.bag.toStdString()},
+                                    act);
+  if (!row) return row.error();
+  return row->value;
 }
 
 }  // namespace ostraka::ui

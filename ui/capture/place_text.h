@@ -27,6 +27,10 @@ struct PlaceText {
 /// "OST1:B:ARM1-T3-0012-4:7F3K9Q2M". Nothing when it is none of them.
 std::optional<PlaceText> readPlaceText(const QString& text);
 
+/// The same, by what the project knows: a label leads to the bag that carries it whatever its codes
+/// are by now, and codes that have marks themselves (AR-TS) are recognised, in any capitals.
+std::optional<PlaceText> findPlaceText(const catalogue::Catalogue& catalogue, const QString& text);
+
 /// The row of the bag, made with its context, trench and site where they are new; 0 and no error
 /// when nothing was given.
 Result<std::int64_t> bagRowOf(catalogue::Catalogue& catalogue, const PlaceText& place,

@@ -71,8 +71,7 @@ QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::Pl
                                     [&](const auto& s) { return s.front == scan->row; });
     if (sherd == sherds->end()) continue;
     label.context = placeOf(sherd->site, sherd->trench, sherd->context_number, sherd->bag_number);
-    if (sherd->number.empty()) continue;
-    label.number = QString::fromStdString(sherd->number);
+    if (!sherd->number.empty()) label.number = QString::fromStdString(sherd->number);
     label.code = codeOf(QLatin1Char('S'), label.number, sherd->id);
   }
   return labels;

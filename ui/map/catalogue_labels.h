@@ -10,7 +10,8 @@ class Catalogue;
 namespace ostraka::ui {
 
 /// The labels of a batch with what the catalogue knows of its sherds: number, place, and a code
-/// with the end of the sherd's id. What has no number there yet keeps the batch's own.
+/// with the end of the sherd's id. What has no number there yet keeps the batch's own; its label
+/// leads to it all the same, also when it has one.
 /// labels: one for each mark of the front side that has a number, in their order.
 QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::PlateMap& map,
                                   const catalogue::Catalogue& catalogue,

@@ -42,6 +42,26 @@ class PlaceTextTest : public QObject {
     QVERIFY(!readPlaceText(text).has_value());
   }
 
+  void aNewBagOfASiteWithAMarkInItsCode() {
+    QTemporaryDir folder;
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    auto project = catalogue::Project::create(folder.filePath("p").toStdString(), record);
+    QVERIFY(project.has_value());
+    catalogue::SiteRecord site;
+    site.code = "AR-TS";
+    QVERIFY(project->catalogue().save(site, {}).has_value());
+    const auto read = [&](const char* text) {
+      return findPlaceText(project->catalogue(), QString::fromLatin1(text));
+    };
+    QCOMPARE(read("ar-ts-T3-0012-4"), std::optional(PlaceText{"AR-TS", "T3", "0012", "4"}));
+    QCOMPARE(read("AR-TS / 0012 bag 4"), std::optional(PlaceText{"AR-TS", "", "0012", "4"}));
+    QCOMPARE(read("OST1:B:AR-TS-T3-0012-4:7F3K9Q2M"),
+             std::optional(PlaceText{"AR-TS", "T3", "0012", "4"}));
+    QCOMPARE(read("ARM1-T3-0012-4"), std::optional(PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(read("AR-TS-4"), std::optional(PlaceText{"AR", "", "TS", "4"}));
+  }
+
   void theSamePlaceIsMadeOnce() {
     QTemporaryDir folder;
     catalogue::ProjectRecord record;
@@ -60,6 +80,7 @@ class PlaceTextTest : public QObject {
     QCOMPARE(rows.sites()->size(), std::size_t{1});
     QCOMPARE(rows.contexts()->size(), std::size_t{1});
     QCOMPARE(*bagRowOf(rows, {}, {}), std::int64_t{0});
+    QCOMPARE(*bagRowOf(rows, {"arm1", "t3", "0012", "4"}, {}), *first);
   }
 };
 

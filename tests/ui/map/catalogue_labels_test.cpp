@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "capture/label_code.h"
+#include "catalogue/filter.h"
 #include "catalogue/project.h"
 #include "ui/capture/place_text.h"
 
@@ -20,6 +21,8 @@ class CatalogueLabelsTest : public QObject {
  private slots:
   void aNumberedSherdHasItsNumberAndAnotherTheBatchs();
   void aBagsLabelIsReadBackAsItsPlace();
+  void aBagsLabelIsReadBackWhateverItsCodesLookLike_data();
+  void aBagsLabelIsReadBackWhateverItsCodesLookLike();
   void aBagsLabelSaysHowManySherdsAndWhoBaggedThem();
   void theMapShowsTheEndsOfNumbersThatTellThemApart();
   void aPrintedLabelIsReadByTheCameraAndKeepsItsMargins();
@@ -101,6 +104,41 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackAsItsPlace() {
   QString why;
   QVERIFY2(printLabels(pdf, labels, &why), qPrintable(why));
   QVERIFY(QFileInfo(folder.filePath("bags.pdf")).size() > 1000);
+}
+
+void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike_data() {
+  QTest::addColumn<QStringList>("codes");
+  QTest::newRow("small letters") << QStringList{"Hayk1", "T3", "0012", "4"};
+  QTest::newRow("a site with a mark") << QStringList{"AR-TS", "T3", "0012", "4"};
+  QTest::newRow("without a trench") << QStringList{"AR-TS", "", "0012", "4"};
+  QTest::newRow("marks everywhere") << QStringList{"AR/TS", "T 3", "2026-12", "4-b"};
+  QTest::newRow("letters of its own") << QStringList{QString::fromUtf8("Ստ1"), "T3", "0012", "4"};
+}
+
+void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike() {
+  QFETCH(QStringList, codes);
+  const PlaceText place{codes[0], codes[1], codes[2], codes[3]};
+  QTemporaryDir folder;
+  catalogue::ProjectRecord record;
+  record.code = "ARM";
+  auto project = catalogue::Project::create(folder.path().toStdString() + "/project", record);
+  QVERIFY(project.has_value());
+  catalogue::Catalogue& rows = project->catalogue();
+  const auto row = bagRowOf(rows, place, {});
+  QVERIFY(row.has_value());
+  // Such as the first parts of its name.
+  QVERIFY(bagRowOf(rows, {"AR", "TS", "T3", "0012"}, {}).has_value());
+  QString code;
+  for (const SherdLabel& label : bagLabels(rows, {}))
+    if (label.number == place.typed()) code = label.code;
+  const auto read = findPlaceText(rows, code);
+  QVERIFY(read.has_value());
+  QCOMPARE(*read, place);
+  QCOMPARE(*bagRowOf(rows, *read, {}), *row);
+  // As the field shows it, and as a person types it.
+  QCOMPARE(findPlaceText(rows, place.typed()), std::optional(place));
+  QCOMPARE(*bagRowOf(rows, *findPlaceText(rows, place.typed().toLower()), {}), *row);
+  QCOMPARE(rows.bags()->size(), std::size_t{2});
 }
 
 void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
@@ -186,6 +224,27 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   const QString id = QString::fromStdString(rows.sherd(*sherd_row)->id).remove('-').toUpper();
   QCOMPARE(labels[1].code, "OST1:S:ARM1-T3-0012-0007:" + id.right(8));
   QCOMPARE(labels[1].context, QStringLiteral("ARM1 / 0012"));
+  const auto leadsTo = [&](const QString& code) {
+    const auto filter = catalogue::parseFilter(code.toStdString());
+    return filter ? *rows.sherdRows(*filter, {}) : std::vector<catalogue::SherdRow>();
+  };
+  QCOMPARE(leadsTo(labels[1].code), std::vector<catalogue::SherdRow>{*sherd_row});
+  // A draft's label, and what it leads to after the sherd has its number.
+  catalogue::SherdRecord draft;
+  draft.batch = *batch_row;
+  draft.context = *context_row;
+  scan.index = 1;
+  scan.name = "f001";
+  draft.front = *rows.save(scan, {});
+  const auto draft_row = rows.addSherd(draft, {});
+  QVERIFY(draft_row.has_value());
+  const SherdLabel before = withCatalogue(plain, map, rows, "B0001")[0];
+  QCOMPARE(before.number, QStringLiteral("B0001-01"));
+  QCOMPARE(leadsTo(before.code), std::vector<catalogue::SherdRow>{*draft_row});
+  const catalogue::FieldChange number{*draft_row, "number", "ARM1-8"};
+  QVERIFY(rows.change(std::span(&number, 1), {}).has_value());
+  QCOMPARE(leadsTo(before.code), std::vector<catalogue::SherdRow>{*draft_row});
+  QCOMPARE(leadsTo(plain[0].code), std::vector<catalogue::SherdRow>{*draft_row});
   QCOMPARE(labels[1].date, QStringLiteral("2026-07-14"));
   QCOMPARE(withCatalogue(plain, map, rows, "B0009")[1].number, QStringLiteral("B0001-02"));
 }

@@ -4229,6 +4229,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Oberfläche</translation>
     </message>
+    <message>
+      <source>These words are not saved yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Wörter sind noch nicht gespeichert.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CountEdit</name>

@@ -4229,6 +4229,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>επιφάνεια</translation>
     </message>
+    <message>
+      <source>These words are not saved yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτές οι λέξεις δεν έχουν αποθηκευτεί ακόμη.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CountEdit</name>

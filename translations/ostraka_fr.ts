@@ -4229,6 +4229,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>surface</translation>
     </message>
+    <message>
+      <source>These words are not saved yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces mots ne sont pas encore enregistrés.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CountEdit</name>

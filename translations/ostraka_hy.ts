@@ -4229,6 +4229,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մակերես</translation>
     </message>
+    <message>
+      <source>These words are not saved yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս բառերը դեռ պահված չեն։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CountEdit</name>

@@ -4190,6 +4190,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yüzey</translation>
     </message>
+    <message>
+      <source>These words are not saved yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sözcükler henüz kaydedilmedi.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CountEdit</name>

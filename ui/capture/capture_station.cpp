@@ -120,14 +120,19 @@ void CaptureStation::buildActions() {
     connect(action, &QAction::triggered, this, [this, camera] { wizard_->setCamera(camera); });
     cameras_.push_back(action);
   }
-  connect(next_, &QAction::triggered, this,
-          [this] { rig_page_->isHidden() ? wizard_->next() : rig_page_->goOn(); });
+  connect(next_, &QAction::triggered, this, &CaptureStation::goOn);
   connect(stop_, &QAction::triggered, wizard_, &CaptureWizard::stop);
   connect(again_, &QAction::triggered, wizard_, &CaptureWizard::again);
   connect(import_photographs_, &QAction::triggered, this,
           [this] { chooseImport(ImportKind::Photographs); });
   connect(import_scans_, &QAction::triggered, this, [this] { chooseImport(ImportKind::Scans); });
   connect(change_rig_, &QAction::triggered, wizard_, &CaptureWizard::clearRig);
+}
+
+void CaptureStation::goOn() {
+  if (!rig_page_->isHidden()) return rig_page_->goOn();
+  if (number_edit_->isVisible() && !number_edit_->keepTyped()) return;
+  wizard_->next();
 }
 
 QWidget* CaptureStation::buildWorkPage() {

@@ -60,6 +60,7 @@ class CaptureStation final : public Station {
   QWidget* buildFoot();
   QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
                   const QKeySequence& key);
+  void goOn();
   void follow();
   void followLive();
   void followNumbers();

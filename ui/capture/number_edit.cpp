@@ -1,5 +1,6 @@
 #include "ui/capture/number_edit.h"
 
+#include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -38,7 +39,10 @@ NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
 }
 
 void NumberEdit::choose(int sherd) {
-  showSherd(sherd);
+  if (sherd != sherd_) {
+    if (!keepTyped()) return;
+    showSherd(sherd);
+  }
   edit_->setFocus();
   edit_->selectAll();
 }
@@ -54,13 +58,22 @@ void NumberEdit::showSherd(int sherd) {
   emit chosen(sherd);
 }
 
-void NumberEdit::keep() {
+bool NumberEdit::give() {
+  if (edit_->text().trimmed() == numbers_->of(sherd_)) return true;
   const QString why = numbers_->give(sherd_, edit_->text());
-  if (!why.isEmpty()) {
-    note_->setText(why);
-    edit_->selectAll();
-    return;
-  }
+  if (!why.isEmpty()) note_->setText(why);
+  return why.isEmpty();
+}
+
+bool NumberEdit::keepTyped() {
+  if (give()) return true;
+  edit_->setFocus();
+  edit_->selectAll();
+  return false;
+}
+
+void NumberEdit::keep() {
+  if (!keepTyped()) return;
   if (sherd_ + 1 < numbers_->count()) return choose(sherd_ + 1);
   showSherd(sherd_);
   emit finished();
@@ -77,6 +90,10 @@ bool NumberEdit::eventFilter(QObject* watched, QEvent* event) {
       emit finished();
       return true;
     }
+  }
+  if (watched == edit_ && event->type() == QEvent::FocusOut) {
+    const Qt::FocusReason why = static_cast<QFocusEvent*>(event)->reason();
+    if (why != Qt::ActiveWindowFocusReason && why != Qt::PopupFocusReason) give();
   }
   return QWidget::eventFilter(watched, event);
 }

@@ -8,8 +8,8 @@ namespace ostraka::ui {
 
 class SherdNumbers;
 
-/// One sherd after another gets its number: Return keeps it and goes on, the arrow keys go back and
-/// forth.
+/// One sherd after another gets its number: Return keeps it and goes on, the arrow keys keep it and
+/// go back and forth, as does whoever leaves the field; only Esc takes it back.
 class NumberEdit final : public QWidget {
   Q_OBJECT
 
@@ -18,7 +18,10 @@ class NumberEdit final : public QWidget {
   int sherd() const { return sherd_; }
 
  public slots:
-  void choose(int sherd);  ///< and be ready to type
+  /// And be ready to type; a number that is refused is looked at first.
+  void choose(int sherd);
+  /// What stands in the field; false when it is refused, with the reason beside it.
+  bool keepTyped();
 
  signals:
   void chosen(int sherd);
@@ -30,6 +33,7 @@ class NumberEdit final : public QWidget {
  private:
   void showSherd(int sherd);
   void keep();
+  bool give();
 
   SherdNumbers* numbers_;
   QLabel *label_, *note_;

@@ -20,6 +20,12 @@ namespace {
 
 constexpr int kLines = 7;
 
+QString linesOf(const std::vector<catalogue::Term>& terms) {
+  QStringList lines;
+  for (const catalogue::Term& term : terms) lines << QString::fromStdString(term.term);
+  return lines.join(QLatin1Char('\n'));
+}
+
 }  // namespace
 
 /// Values only; the vocabulary is read anew each time.
@@ -74,7 +80,10 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
   told_->setWordWrap(true);
   save_->setObjectName(QStringLiteral("vocabularySave"));
   buildLayout();
-  connect(which_, &QComboBox::currentIndexChanged, this, &VocabularyEdit::showTerms);
+  connect(which_, &QComboBox::currentIndexChanged, this, [this] {
+    keepDraft();
+    showTerms();
+  });
   connect(save_, &QPushButton::clicked, this, &VocabularyEdit::save);
   setVisible(false);
 }
@@ -101,20 +110,29 @@ void VocabularyEdit::buildLayout() {
 
 void VocabularyEdit::setSession(ProjectSession* session) {
   session_ = session;
+  drafts_.clear();
   setVisible(session != nullptr);
   showTerms();
 }
 
+void VocabularyEdit::keepDraft() {
+  const QString typed = terms_->toPlainText();
+  if (typed == linesOf(held_))
+    drafts_.remove(shown_);
+  else
+    drafts_.insert(shown_, typed);
+}
+
 void VocabularyEdit::showTerms() {
   held_.clear();
-  told_->setText(tr("A word that sherds use already stays; change those first."));
+  shown_ = which_->currentData().toString();
   if (session_)
-    if (auto terms = session_->project().catalogue().vocabulary(
-            which_->currentData().toString().toStdString()))
+    if (auto terms = session_->project().catalogue().vocabulary(shown_.toStdString()))
       held_ = std::move(*terms);
-  QStringList lines;
-  for (const catalogue::Term& term : held_) lines << QString::fromStdString(term.term);
-  terms_->setPlainText(lines.join(QLatin1Char('\n')));
+  terms_->setPlainText(drafts_.value(shown_, linesOf(held_)));
+  told_->setText(drafts_.contains(shown_)
+                     ? tr("These words are not saved yet.")
+                     : tr("A word that sherds use already stays; change those first."));
 }
 
 // A word that was there before keeps what it is called in other languages.
@@ -137,6 +155,8 @@ Result<void> VocabularyEdit::hold(const QString& vocabulary,
       !done)
     return done;
   session_->tellVocabulariesChanged();
+  keepDraft();
+  drafts_.remove(vocabulary);
   showTerms();
   return {};
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <QHash>
 #include <QPointer>
 #include <QWidget>
 #include <vector>
@@ -28,12 +29,15 @@ class VocabularyEdit final : public QWidget {
   friend class VocabularyCommand;
   void buildLayout();
   void showTerms();
+  void keepDraft();
   void save();
   Result<void> hold(const QString& vocabulary, const std::vector<catalogue::Term>& terms);
   std::vector<catalogue::Term> written() const;
 
   QPointer<ProjectSession> session_;
-  std::vector<catalogue::Term> held_;  ///< of the vocabulary that is shown
+  QString shown_;                      ///< the vocabulary that is shown
+  std::vector<catalogue::Term> held_;  ///< its words in the catalogue
+  QHash<QString, QString> drafts_;     ///< of each vocabulary, as typed and not saved yet
   QComboBox* which_;
   QPlainTextEdit* terms_;
   QLabel* told_;

@@ -311,10 +311,31 @@ class CaptureStationTest : public QObject {
     QCOMPARE(edit.sherd(), 1);
     QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().contains("two sherds"));
     QTest::keyClick(line, Qt::Key_Down);
+    QCOMPARE(edit.sherd(), 1);  // what is refused is not thrown away
+    line->clear();
+    QTest::keyClick(line, Qt::Key_Down);
     QTest::keyClicks(line, "OST1:S:OLD-9:7F3K9Q2M");
     QTest::keyClick(line, Qt::Key_Return);
     QCOMPARE(finished.count(), 1);
     QCOMPARE(numbers.all(), (QStringList{"ARM1-T3-0012-0007", {}, "OLD-9"}));
+    // Whoever goes on without Return has typed all the same.
+    edit.choose(1);
+    QTest::keyClicks(line, "8");
+    QTest::keyClick(line, Qt::Key_Up);
+    QCOMPARE(numbers.of(1), QStringLiteral("ARM1-T3-0012-0008"));
+    QCOMPARE(edit.sherd(), 0);
+    QTest::keyClicks(line, "8");
+    edit.choose(2);             // by a click on the plate
+    QCOMPARE(edit.sherd(), 0);  // two sherds of one number: it stays and says so
+    QCOMPARE(line->text(), QStringLiteral("8"));
+    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().contains("two sherds"));
+    QTest::keyClick(line, Qt::Key_Escape);
+    QCOMPARE(numbers.of(0), QStringLiteral("ARM1-T3-0012-0007"));
+    edit.choose(1);
+    line->clear();
+    QVERIFY(edit.keepTyped());
+    QCOMPARE(numbers.of(1), QString());
+    QCOMPARE(finished.count(), 2);
     // The fronts are photographed again: the numbers stay where the sherds lie.
     std::swap(look.sherds[0], look.sherds[2]);
     look.sherds[0].centre_mm.x() += 3;

@@ -144,6 +144,39 @@ class NumberingTest : public QObject {
     QCOMPARE(terms->toPlainText(), QStringLiteral("oxidised\nreduced\nmixed"));
   }
 
+  void wordsThatAreNotSavedYetWaitWhileAnotherListIsShown() {
+    VocabularyEdit edit;
+    edit.setSession(session_.get());
+    auto* which = edit.findChild<QComboBox*>("vocabularyWhich");
+    auto* terms = edit.findChild<QPlainTextEdit*>("vocabularyTerms");
+    auto* told = edit.findChild<QLabel*>("vocabularyTold");
+    const QString standard = told->text();
+    which->setCurrentIndex(which->findData("firing"));
+    terms->setPlainText("oxidised\nreduced\nmixed\nsmoked");
+    which->setCurrentIndex(which->findData("surface"));
+    QVERIFY(!terms->toPlainText().contains("smoked"));
+    QCOMPARE(told->text(), standard);
+    which->setCurrentIndex(which->findData("firing"));
+    QCOMPARE(terms->toPlainText(), QStringLiteral("oxidised\nreduced\nmixed\nsmoked"));
+    QVERIFY(told->text() != standard);  // and says that it is not saved
+    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{3});
+    edit.findChild<QPushButton*>("vocabularySave")->click();
+    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{4});
+    which->setCurrentIndex(which->findData("surface"));
+    which->setCurrentIndex(which->findData("firing"));
+    QCOMPARE(told->text(), standard);
+    // What is typed in one list outlives an undo in another.
+    which->setCurrentIndex(which->findData("surface"));
+    const QString typed = terms->toPlainText() + "\nsooted";
+    terms->setPlainText(typed);
+    session_->undo().undo();
+    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{3});
+    QCOMPARE(terms->toPlainText(), typed);
+    edit.setSession(nullptr);
+    edit.setSession(session_.get());
+    QVERIFY(!terms->toPlainText().contains("sooted"));
+  }
+
   void withoutAProjectThereIsNothingToChange() {
     NumberingEdit numbering;
     VocabularyEdit vocabulary;

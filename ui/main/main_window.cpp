@@ -175,45 +175,54 @@ void MainWindow::buildActions() {
           &QAction::triggered, this, &MainWindow::leaveSidePage);
 }
 
+// The lock comes first: opening may bring the catalogue up to date.
 void MainWindow::openProject(const QString& path) {
+  closeProject();
   // A file manager hands over the catalogue's file; the project is its folder.
   const QFileInfo given(path);
   const QString folder = given.isFile() ? given.absolutePath() : path;
+  if (catalogue::Project::isProject(folder.toStdString()) && !lockProject(folder)) return;
   Result<catalogue::Project> project = catalogue::Project::open(folder.toStdString());
   if (!project) {
-    closeProject();
-    start_->showError(project.error());
-    return;
+    lock_.reset();
+    return start_->showError(project.error());
   }
-  takeProject(std::make_shared<catalogue::Project>(std::move(*project)));
+  showProject(std::make_shared<catalogue::Project>(std::move(*project)));
+  showStation(qMax(0, stationNamed(settings_.station)));
 }
 
 // Two windows would compute the same batch twice. A window that died leaves no lock behind: its
 // process is gone.
 bool MainWindow::lockProject(const QString& folder) {
-  const QString file = folder + QStringLiteral("/.ostraka.lock");
+  const QString file = QDir(folder).absoluteFilePath(QStringLiteral(".ostraka.lock"));
   if (leaving_lock_ != nullptr && leaving_lock_->fileName() == file) {
     lock_ = std::move(leaving_lock_);
     return true;
   }
   auto lock = std::make_unique<QLockFile>(file);
   lock->setStaleLockTime(0);
-  if (!lock->tryLock() && lock->error() == QLockFile::LockFailedError) return false;
+  if (!lock->tryLock() && lock->error() == QLockFile::LockFailedError) {
+    start_->showError(
+        {ErrorCode::UnusableInput,
+         tr("This project is open in another window already: go on there.").toStdString(),
+         folder.toStdString()});
+    return false;
+  }
   lock_ = std::move(lock);
   return true;
 }
 
+// One that was just made.
 void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   closeProject();
+  if (!lockProject(QString::fromStdString(project->folder().string()))) return;
+  showProject(std::move(project));
+  showStation(0);
+}
+
+void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   const std::filesystem::path folder = project->folder();
   const QString path = QString::fromStdString(folder.string());
-  if (!lockProject(path)) {
-    start_->showError(
-        {ErrorCode::UnusableInput,
-         tr("This project is open in another window already: go on there.").toStdString(),
-         folder.string()});
-    return;
-  }
   session_ = std::make_unique<ProjectSession>(std::move(project), folder, runner_);
   session_->setInitials(settings_.initials);
   undo_->addStack(&session_->undo());
@@ -231,7 +240,6 @@ void MainWindow::takeProject(std::shared_ptr<catalogue::Project> project) {
   });
   connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
   measureRoom();
-  showStation(0);
 }
 
 void MainWindow::closeProject() {
@@ -268,12 +276,17 @@ void MainWindow::showStation(int index) {
     stations_[i]->setInFront(static_cast<int>(i) == index);
 }
 
-void MainWindow::showStationNamed(const QString& icon_name, const QString& what) {
+int MainWindow::stationNamed(const QString& icon_name) const {
   for (std::size_t i = 0; i < stations_.size(); ++i)
-    if (stations_[i]->iconName() == icon_name) {
-      showStation(static_cast<int>(i));
-      if (!what.isEmpty()) stations_[i]->showItem(what);
-    }
+    if (stations_[i]->iconName() == icon_name) return static_cast<int>(i);
+  return -1;
+}
+
+void MainWindow::showStationNamed(const QString& icon_name, const QString& what) {
+  const int station = stationNamed(icon_name);
+  if (station < 0) return;
+  showStation(station);
+  if (!what.isEmpty()) stations_[static_cast<std::size_t>(station)]->showItem(what);
 }
 
 void MainWindow::showSettings() {

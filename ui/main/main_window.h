@@ -66,6 +66,8 @@ class MainWindow final : public QMainWindow {
   void buildActions();
   bool lockProject(const QString& folder);
   void takeProject(std::shared_ptr<catalogue::Project> project);
+  void showProject(std::shared_ptr<catalogue::Project> project);
+  int stationNamed(const QString& icon_name) const;
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);
   void leaveSidePage();

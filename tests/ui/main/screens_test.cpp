@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QLockFile>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabWidget>
@@ -22,6 +23,7 @@
 #include "person.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
 #include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/station.h"
@@ -138,6 +140,41 @@ class ScreensTest : public QObject {
     MainWindow other(*jobs_);
     other.openProject(folder);
     QVERIFY(other.session() == nullptr);
+  }
+
+  // Opening may bring the catalogue up to date: never under the hands of another window.
+  void aProjectThatIsOpenElsewhereIsNotEvenRead() {
+    openVirtual();
+    window_->closeProject();
+    QFile catalogue(project_ + "/catalogue.sqlite");
+    QVERIFY(catalogue.open(QIODevice::WriteOnly));
+    catalogue.write("no catalogue");
+    catalogue.close();
+    auto* words = named<MessagePanel>(*window_, "startMessage");
+    {
+      QLockFile elsewhere(project_ + "/.ostraka.lock");
+      QVERIFY(elsewhere.tryLock());
+      window_->openProject(project_);
+      QVERIFY(window_->session() == nullptr);
+      QVERIFY2(words->words().contains("another window"), qPrintable(words->words()));
+    }
+    window_->openProject(project_);
+    QVERIFY(window_->session() == nullptr);
+    QVERIFY(!words->words().contains("another window"));
+    QVERIFY(!QFile::exists(project_ + "/.ostraka.lock"));  // who could not open it holds nothing
+    QVERIFY(QFile::remove(project_ + "/catalogue.sqlite"));
+    project_.clear();
+  }
+
+  void theStationOfTheLastTimeIsInFrontAgain() {
+    openVirtual();
+    QVERIFY(window_->stations()[0]->isVisible());
+    window_->showStation(2);
+    window_->close();
+    window_ = std::make_unique<MainWindow>(*jobs_);
+    activate(*window_);
+    openVirtual();
+    QVERIFY(window_->stations()[2]->isVisible());
   }
 
   void theCataloguesFileOpensItsProject() {

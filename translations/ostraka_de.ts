@@ -663,6 +663,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einlesen von %1</translation>
     </message>
+    <message>
+      <source>The copy cannot be put in its place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kopie lässt sich nicht an ihren Platz legen: %1.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -4277,6 +4282,19 @@
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Einlesen anhalten</translation>
+    </message>
+  </context>
+  <context>
+    <name>ImportBatch</name>
+    <message>
+      <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In seinem Ordner %1/ sind keine Scans (*.ply). Wählen Sie einen Ordner mit front/ und back/.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read to its end: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner lässt sich nicht zu Ende lesen: %1.</translation>
     </message>
   </context>
 </TS>

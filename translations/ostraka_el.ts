@@ -663,6 +663,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εισαγωγή του %1</translation>
     </message>
+    <message>
+      <source>The copy cannot be put in its place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αντίγραφο δεν μπορεί να μπει στη θέση του: %1.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -4277,6 +4282,19 @@
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακοπή της εισαγωγής</translation>
+    </message>
+  </context>
+  <context>
+    <name>ImportBatch</name>
+    <message>
+      <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχουν σαρώσεις (*.ply) στον φάκελό του %1/. Επιλέξτε φάκελο που περιέχει front/ και back/.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read to its end: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος δεν διαβάζεται ως το τέλος: %1.</translation>
     </message>
   </context>
 </TS>

@@ -663,6 +663,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importación de %1</translation>
     </message>
+    <message>
+      <source>The copy cannot be put in its place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La copia no se puede poner en su sitio: %1.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -4277,6 +4282,19 @@
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detener la importación</translation>
+    </message>
+  </context>
+  <context>
+    <name>ImportBatch</name>
+    <message>
+      <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay escaneos (*.ply) en su carpeta %1/. Elija una carpeta que contenga front/ y back/.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read to its end: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta no se puede leer hasta el final: %1.</translation>
     </message>
   </context>
 </TS>

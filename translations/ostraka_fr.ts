@@ -663,6 +663,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importation de %1</translation>
     </message>
+    <message>
+      <source>The copy cannot be put in its place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La copie ne peut pas être mise à sa place : %1.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -4277,6 +4282,19 @@
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêter l'importation</translation>
+    </message>
+  </context>
+  <context>
+    <name>ImportBatch</name>
+    <message>
+      <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n'y a pas de scans (*.ply) dans son dossier %1/. Choisissez un dossier qui contient front/ et back/.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read to its end: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier ne peut pas être lu jusqu'au bout : %1.</translation>
     </message>
   </context>
 </TS>

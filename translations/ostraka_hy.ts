@@ -663,6 +663,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի ներմուծում</translation>
     </message>
+    <message>
+      <source>The copy cannot be put in its place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատճենը հնարավոր չէ դնել իր տեղը՝ %1։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -4277,6 +4282,19 @@
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցնել ներմուծումը</translation>
+    </message>
+  </context>
+  <context>
+    <name>ImportBatch</name>
+    <message>
+      <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նրա %1/ պանակում սկաններ (*.ply) չկան։ Ընտրեք պանակ, որում կան front/ և back/։</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read to its end: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակը հնարավոր չէ կարդալ մինչև վերջ՝ %1։</translation>
     </message>
   </context>
 </TS>

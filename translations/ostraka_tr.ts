@@ -657,6 +657,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alınıyor</translation>
     </message>
+    <message>
+      <source>The copy cannot be put in its place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kopya yerine konamıyor: %1.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -4238,6 +4243,19 @@
       <source>Stop the import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Almayı durdur</translation>
+    </message>
+  </context>
+  <context>
+    <name>ImportBatch</name>
+    <message>
+      <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1/ klasöründe tarama (*.ply) yok. front/ ve back/ içeren bir klasör seçin.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read to its end: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasör sonuna kadar okunamıyor: %1.</translation>
     </message>
   </context>
 </TS>

@@ -67,7 +67,10 @@ Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& pl
   std::error_code error;
   std::filesystem::rename(copied.folder, project.batchFolder(made->number), error);
   if (error)
-    return Error{ErrorCode::CannotWrite, error.message(),
+    return Error{ErrorCode::CannotWrite,
+                 tr("The copy cannot be put in its place: %1.")
+                     .arg(QString::fromStdString(error.message()))
+                     .toStdString(),
                  project.batchFolder(made->number).string()};
   if (const auto queued = rows.setBatchState(*row, catalogue::BatchState::Queued, act); !queued)
     return queued.error();

@@ -244,6 +244,7 @@ void CaptureStation::closeProject() {
   wizard_->setLive(false);
   wizard_->setSession(nullptr);
   importer_->setSession(nullptr);
+  renewal_->forget();
   board_->setThumbnails(nullptr);
   place_->setReader({});
   if (thumbnails_ != nullptr) thumbnails_->deleteLater();

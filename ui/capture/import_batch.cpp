@@ -1,5 +1,6 @@
 #include "ui/capture/import_batch.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <system_error>
 #include <vector>
@@ -26,8 +27,11 @@ Result<std::vector<fs::path>> scansIn(const fs::path& folder) {
       if (isScan(at->path())) files.push_back(at->path());
     if (files.size() == before)
       return Error{ErrorCode::UnusableInput,
-                   std::string("There are no scans (*.ply) in its folder ") + side +
-                       "/. Choose a folder that holds front/ and back/.",
+                   QCoreApplication::translate("ImportBatch",
+                                               "There are no scans (*.ply) in its folder %1/. "
+                                               "Choose a folder that holds front/ and back/.")
+                       .arg(QLatin1String(side))
+                       .toStdString(),
                    folder.string()};
   }
   return files;
@@ -46,7 +50,13 @@ Result<std::vector<fs::path>> photographsIn(const fs::path& folder, Progress& pr
     }
     if (at->is_regular_file()) files.push_back(at->path());
   }
-  if (error) return Error{ErrorCode::UnusableInput, error.message(), folder.string()};
+  if (error)
+    return Error{
+        ErrorCode::UnusableInput,
+        QCoreApplication::translate("ImportBatch", "This folder cannot be read to its end: %1.")
+            .arg(QString::fromStdString(error.message()))
+            .toStdString(),
+        folder.string()};
   return files;
 }
 

@@ -6,6 +6,11 @@
 
 namespace ostraka::ui {
 
+void RigRenewal::forget() {
+  if (job_ != nullptr) job_->drop();
+  job_ = nullptr;
+}
+
 void RigRenewal::start(ProjectSession& session, const std::filesystem::path& rig_file,
                        const QString& batch) {
   if (job_ != nullptr) return;

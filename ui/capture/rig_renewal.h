@@ -16,6 +16,7 @@ class RigRenewal final : public QObject {
 
  public:
   using QObject::QObject;
+  void forget();  ///< of a project that is closed; it ends in silence
   void start(ProjectSession& session, const std::filesystem::path& rig_file, const QString& batch);
 
  signals:

@@ -184,6 +184,12 @@ class CaptureStationTest : public QObject {
     QCOMPARE(rig::readRig(file)->cameras[0].camera_from_turntable.translation().z(), 507.0);
     QVERIFY(said.last()[0].toString().contains("RIG.before-1.json"));
     QVERIFY(QFile::exists(folder_->filePath("RIG.before-1.json")));
+    // A project that is closed meanwhile says nothing to the next one.
+    station_->showItem("calibrate:B0001");
+    station_->closeProject();
+    station_->openProject(*session_);
+    QTest::qWait(50);
+    QCOMPARE(renewed.count(), 1);
   }
 
   // "All right" means that it was read: nothing else may happen, wherever the wizard stands.

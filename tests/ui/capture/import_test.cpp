@@ -1,4 +1,5 @@
 #include <QSignalSpy>
+#include <QTranslator>
 #include <QtTest>
 
 #include "base/files.h"
@@ -58,6 +59,32 @@ class ImportTest : public QObject {
     QVERIFY(sentence.find("back/") != std::string::npos);
     QCOMPARE(imported.count(), 0);
     QVERIFY(session_->project().catalogue().batches()->empty());
+  }
+
+  void whyAnImportIsRefusedIsSaidInThePersonsLanguage() {
+    class Marked final : public QTranslator {
+     public:
+      QString translate(const char*, const char* text, const char*, int) const override {
+        return QStringLiteral("<%1>").arg(QString::fromUtf8(text));
+      }
+      bool isEmpty() const override { return false; }
+    } marked;
+    QVERIFY(QCoreApplication::installTranslator(&marked));
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    QString why;
+    connect(&importer, &BatchImporter::failed, this,
+            [&](const Error& error) { why = QString::fromStdString(error.what); });
+    importer.start(QString::fromStdString(path("absent").string()), ImportKind::Scans, {});
+    QTRY_VERIFY(!why.isEmpty());
+    QVERIFY2(why.startsWith('<') && why.endsWith('>') && why.contains("front/"), qPrintable(why));
+    QVERIFY(writeFileAtomically(path("scans") / "front" / "a.ply", "x").has_value());
+    QVERIFY(writeFileAtomically(path("scans") / "back" / "a.ply", "x").has_value());
+    QVERIFY(writeFileAtomically(session_->project().batchFolder("B0001") / "x", "x").has_value());
+    why.clear();
+    importer.start(QString::fromStdString(path("scans").string()), ImportKind::Scans, {});
+    QTRY_VERIFY(!why.isEmpty());
+    QVERIFY2(why.startsWith('<') && why.endsWith('>'), qPrintable(why));
   }
 
   void photographsThatAreNoBatchAreRefused() {

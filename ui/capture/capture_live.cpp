@@ -102,8 +102,7 @@ void CaptureWizard::readLabels(const QStringList& codes) {
 
 void CaptureWizard::lookAtFront() {
   if (devices_ == nullptr) return;
-  const std::filesystem::path side =
-      session_->project().batchFolder(number_.toStdString()) / batch::name(batch::Side::Front);
+  const std::filesystem::path side = batch_.folder() / batch::name(batch::Side::Front);
   std::filesystem::path file;
   for (const char* ending : {".jpg", ".png", ".tif"})
     if (std::filesystem::path found =

@@ -33,9 +33,10 @@ void CaptureWizard::setSession(ProjectSession* session) {
   waiting_.reset();
   if (session_ != nullptr) session_->disconnect(this);
   session_ = session;
+  batch_.setSession(session);
   if (session_ != nullptr)
     connect(session_, &ProjectSession::batchChanged, this, [this](const QString& number) {
-      if (phase_ == CapturePhase::Done && number == number_) emit changed();
+      if (phase_ == CapturePhase::Done && number == batch_.number()) emit changed();
     });
   live_.reset();
   forgetPlate();
@@ -64,12 +65,10 @@ void CaptureWizard::changeRig(RigSource source) {
   source_ = std::move(source);
   devices_.reset();
   if (source_.open) {
-    resumeBatch();
+    batch_.resume();
     return openRig();
   }
-  counted_ = 0;
-  number_.clear();
-  batch_row_ = 0;
+  batch_.forget();
   enter(CapturePhase::NoRig);
 }
 
@@ -85,22 +84,13 @@ JobHandle* CaptureWizard::start(Job job) {
   return handle;
 }
 
-int CaptureWizard::batchIndex() const {
-  QString number = number_;
-  if (number.isEmpty() && session_ != nullptr)
-    if (const auto next = session_->project().catalogue().nextBatchNumber())
-      number = QString::fromStdString(*next);
-  number.remove(QLatin1Char('B'));
-  return number.toInt();
-}
-
 void CaptureWizard::openRig() {
   if (session_ == nullptr || !source_.open) return;
   if (devices_ != nullptr && !source_.anew_for_each_batch) return enter(CapturePhase::Place);
   enter(CapturePhase::Opening);
   whenCameraIsFree([this] {
     work_ = start(makeJob(tr("Opening the rig"),
-                          [open = source_.open, ask = question_.asker(), batch = batchIndex()](
+                          [open = source_.open, ask = question_.asker(), batch = batch_.index()](
                               Progress&, std::stop_token stop) { return open(batch, ask, stop); }));
     connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
       work_ = nullptr;
@@ -113,30 +103,13 @@ void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices
   if (!opened) return fail(opened.error(), {});
   devices_ = *opened;
   camera_ = std::clamp(camera_ < 0 ? cameras() - 1 : camera_, 0, cameras() - 1);
-  if (number_.isEmpty() || batch_row_ == 0) return enter(CapturePhase::Place);
-  const auto batch = session_->project().catalogue().batch({batch_row_});
-  const BatchState state = batch ? batch->state : BatchState::Placed;
+  if (!batch_.isThere()) return enter(CapturePhase::Place);
+  const BatchState state = batch_.state();
   // Whole, and only a person says that it is right where there were doubts.
   if (state == BatchState::Back)
     return doubts_.isEmpty() ? queueBatch() : enter(CapturePhase::Done);
   enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
-  emit said(tr("%1 goes on where it was.").arg(number_));
-}
-
-// A batch whose photographs are not whole was interrupted: it goes on.
-void CaptureWizard::resumeBatch() {
-  number_.clear();
-  batch_row_ = 0;
-  if (session_ == nullptr) return;
-  const auto batches = session_->project().catalogue().batches();
-  if (!batches) return;
-  // Newer ones may have come from elsewhere since.
-  const auto last = std::find_if(batches->begin(), batches->end(),
-                                 [](const auto& batch) { return batch.state <= BatchState::Back; });
-  if (last == batches->end()) return;
-  number_ = QString::fromStdString(last->number);
-  batch_row_ = last->row.value;
-  counted_ = last->counted;
+  emit said(tr("%1 goes on where it was.").arg(batch_.number()));
 }
 
 void CaptureWizard::setLive(bool on) {
@@ -166,8 +139,8 @@ void CaptureWizard::setPlace(const PlaceText& place) {
 }
 
 void CaptureWizard::setCounted(int sherds) {
-  if (sherds == counted_ || sherds < 0) return;
-  counted_ = sherds;
+  if (sherds == batch_.counted() || sherds < 0) return;
+  batch_.setCounted(sherds);
   emit changed();
 }
 
@@ -219,9 +192,7 @@ void CaptureWizard::next() {
       return shoot(batch::Side::Back, {});
     case CapturePhase::Done:
       if (!queued_) return queueBatch();
-      number_.clear();
-      batch_row_ = 0;
-      counted_ = 0;
+      batch_.forget();
       return openRig();
     case CapturePhase::NoRig:
     case CapturePhase::Opening:
@@ -250,46 +221,12 @@ void CaptureWizard::again() {
   shoot(back ? batch::Side::Back : batch::Side::Front, std::move(retake));
 }
 
-Result<void> CaptureWizard::makeBatch() {
-  if (batch_row_ != 0) return keepCount();
-  catalogue::Catalogue& rows = session_->project().catalogue();
-  const catalogue::Act act = session_->act();
-  const Result<std::int64_t> bag = bagRowOf(rows, place_, act);
-  if (!bag) return bag.error();
-  catalogue::BatchRecord batch;
-  if (*bag != 0) batch.bags.push_back({*bag});
-  batch.operator_ = act.person;
-  batch.counted = counted_;
-  batch.started_ms = rows.now();
-  const auto row = rows.addBatch(batch, act);
-  if (!row) return row.error();
-  const auto made = rows.batch(*row);
-  if (!made) return made.error();
-  batch_row_ = row->value;
-  number_ = QString::fromStdString(made->number);
-  session_->tellBatchChanged(number_);
-  return {};
-}
-
-// Of a batch that was begun before the person counted.
-Result<void> CaptureWizard::keepCount() {
-  catalogue::Catalogue& rows = session_->project().catalogue();
-  auto batch = rows.batch({batch_row_});
-  if (!batch) return batch.error();
-  if (batch->counted == counted_) return {};
-  batch->counted = counted_;
-  return rows.saveBatch(*batch, session_->act());
-}
-
-void CaptureWizard::setState(int state) {
-  const Result<void> set = session_->project().catalogue().setBatchState(
-      {batch_row_}, static_cast<BatchState>(state), session_->act());
-  if (!set) emit said(sentenceOf(set.error()));
-  session_->tellBatchChanged(number_);
+void CaptureWizard::setState(catalogue::BatchState state) {
+  if (const Result<void> set = batch_.setState(state); !set) emit said(sentenceOf(set.error()));
 }
 
 void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retake) {
-  if (const Result<void> made = makeBatch(); !made) return fail(made.error(), {});
+  if (const Result<void> begun = batch_.begin(place_); !begun) return fail(begun.error(), {});
   phase_ = side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
   fault_.reset();
   holders_.clear();
@@ -297,7 +234,7 @@ void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retak
   shots_.clear();
   stop_ = -1;
   stops_done_ = 0;
-  if (side == batch::Side::Back) setState(static_cast<int>(BatchState::Flipped));
+  if (side == batch::Side::Back) setState(BatchState::Flipped);
   emit changed();
   emit shotsChanged();
   whenCameraIsFree([this, side, retake = std::move(retake)] { startShooting(side, retake); });
@@ -305,12 +242,12 @@ void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retak
 
 void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotName> retake) {
   capture::SideOptions options;
-  options.batch = session_->project().batchFolder(number_.toStdString());
+  options.batch = batch_.folder();
   options.side = side;
   options.stops = source_.stops;
   options.retake = std::move(retake);
   const auto work = [devices = devices_, prepare = source_.prepare, shoot = source_.shoot,
-                     batch = batchIndex(), options](
+                     batch = batch_.index(), options](
                         Progress& progress, std::stop_token stop) -> Result<capture::SideSummary> {
     if (options.side == batch::Side::Front)
       if (const Result<void> done = prepare(options.batch, batch, progress, stop); !done)
@@ -320,7 +257,7 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
         *devices, options,
         [&progress](const capture::CaptureEvent& event) { tell(progress, event); }, progress, stop);
   };
-  work_ = start(makeJob(tr("Photographs of %1").arg(number_), work));
+  work_ = start(makeJob(tr("Photographs of %1").arg(batch_.number()), work));
   connect(work_, &JobHandle::told, this, [this](const std::any& event) {
     hear(std::any_cast<const capture::CaptureEvent&>(event));
   });
@@ -365,7 +302,7 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
                 tr("The %n photograph(s) of this side so far are safe.", nullptr, safe));
   }
   summary_[back ? 1 : 0] = *summary;
-  setState(static_cast<int>(back ? BatchState::Back : BatchState::Front));
+  setState(back ? BatchState::Back : BatchState::Front);
   enter(back ? CapturePhase::Done : CapturePhase::Flip);
   for (const capture::ShotName& shot : summary->flagged) {
     const auto at = std::find_if(shots_.begin(), shots_.end(), [&](const TakenShot& taken) {
@@ -390,34 +327,21 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
 
 // Hidden, touching another, still in the hand, or fallen under the table: only a person knows.
 void CaptureWizard::doubtCount(const capture::SideCheck& check) {
-  if (counted_ == 0 || !check.counted || check.sherds == counted_) return;
+  const int counted = batch_.counted();
+  if (counted == 0 || !check.counted || check.sherds == counted) return;
   doubts_ << tr("You counted %1 sherds, the photographs show %2: look for one that hides, touches "
                 "another or was never laid down.")
-                 .arg(counted_)
+                 .arg(counted)
                  .arg(check.sherds);
 }
 
 void CaptureWizard::queueBatch() {
-  catalogue::Catalogue& rows = session_->project().catalogue();
-  if (auto batch = rows.batch({batch_row_})) {
-    batch->ended_ms = rows.now();
-    // What a person has counted is what the scans are compared with.
-    if (counted_ > 0)
-      batch->counted = counted_;
-    else if (summary_[0])
-      batch->counted = summary_[0]->check.sherds;
-    if (const Result<void> saved = rows.saveBatch(*batch, session_->act()); !saved)
-      emit said(sentenceOf(saved.error()));
-  }
+  const int seen = summary_[0] ? summary_[0]->check.sherds : 0;
+  if (const Result<void> queued = batch_.queue(seen); !queued) return fail(queued.error(), {});
   queued_ = true;
   doubts_.clear();
-  const QString number = number_;
-  setState(static_cast<int>(BatchState::Queued));
-  if (phase_ == CapturePhase::Done)
-    emit changed();
-  else
-    enter(CapturePhase::Done);
-  emit batchQueued(number);
+  enter(CapturePhase::Done);
+  emit batchQueued(batch_.number());
 }
 
 }  // namespace ostraka::ui

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "capture/sequence.h"
+#include "ui/capture/batch_in_hand.h"
 #include "ui/capture/capture_facts.h"
 #include "ui/capture/place_text.h"
 #include "ui/capture/rig_source.h"
@@ -73,11 +74,11 @@ class CaptureWizard final : public QObject {
   int currentStop() const { return stop_; }  ///< -1: none
   int stopsDone() const { return stops_done_; }
   const std::vector<TakenShot>& shots() const { return shots_; }
-  QString batchNumber() const { return number_; }
+  QString batchNumber() const { return batch_.number(); }
   const PlaceText& place() const { return place_; }
   /// Sherds that the person has counted onto the plate; 0: not counted. Compared with what the
   /// photographs show before the flip and before the plate is cleared.
-  int counted() const { return counted_; }
+  int counted() const { return batch_.counted(); }
   QString rigWords() const { return source_.words; }
 
  public slots:
@@ -102,17 +103,14 @@ class CaptureWizard final : public QObject {
   void openRig();
   void takeDevices(const Result<std::shared_ptr<capture::RigDevices>>& opened);
   void whenCameraIsFree(std::function<void()> act);
-  void resumeBatch();
   void enter(CapturePhase phase);
   void forgetPlate();
   void shoot(batch::Side side, std::vector<capture::ShotName> retake);
   void startShooting(batch::Side side, std::vector<capture::ShotName> retake);
   void hear(const capture::CaptureEvent& event);
   void finishSide(batch::Side side, const Result<capture::SideSummary>& summary);
-  Result<void> makeBatch();
-  Result<void> keepCount();
   void doubtCount(const capture::SideCheck& check);
-  void setState(int state);
+  void setState(catalogue::BatchState state);
   void queueBatch();
   void lookLive();
   void lookAtFront();
@@ -121,8 +119,6 @@ class CaptureWizard final : public QObject {
   void askWhoHolds();
   void releaseCameras();
   JobHandle* start(Job job);
-  int batchIndex() const;
-  bool isComputed() const;  ///< the batch in hand, and be it as a draft
 
   QPointer<ProjectSession> session_;
   RigSource source_;
@@ -139,10 +135,10 @@ class CaptureWizard final : public QObject {
   std::optional<PlatePicture> live_, front_picture_;
   std::optional<capture::SideSummary> summary_[2];
   std::vector<TakenShot> shots_;
-  int camera_ = -1, stop_ = -1, stops_done_ = 0, counted_ = 0;
+  int camera_ = -1, stop_ = -1, stops_done_ = 0;
   PlaceText place_;
-  QString number_, label_;  ///< label_: of the bag, read last; seen again it says nothing new
-  qint64 batch_row_ = 0;
+  QString label_;  ///< of the bag, read last; seen again it says nothing new
+  BatchInHand batch_;
 };
 
 }  // namespace ostraka::ui

@@ -37,8 +37,9 @@ QString CaptureWizard::instruction() const {
     case CapturePhase::Flip:
       return tr("Shifting is fine, swapping is fine, losing one is not.");
     case CapturePhase::Done:
-      return queued_ ? tr("%1 is in the queue; the next batch is one key away.").arg(number_)
-                     : tr("Space goes on all the same, R photographs the backs again.");
+      return queued_
+                 ? tr("%1 is in the queue; the next batch is one key away.").arg(batch_.number())
+                 : tr("Space goes on all the same, R photographs the backs again.");
     case CapturePhase::NoRig:
     case CapturePhase::Opening:
       break;
@@ -67,13 +68,6 @@ QString CaptureWizard::buttonText() const {
   return tr("One moment");
 }
 
-bool CaptureWizard::isComputed() const {
-  if (session_ == nullptr || batch_row_ == 0) return false;
-  const auto batch = session_->project().catalogue().batch({batch_row_});
-  return batch && (batch->state == catalogue::BatchState::Review ||
-                   batch->state == catalogue::BatchState::Done);
-}
-
 std::vector<CaptureFact> CaptureWizard::facts() const {
   std::vector<CaptureFact> facts;
   if (phase_ == CapturePhase::Flip && summary_[0]) {
@@ -88,7 +82,7 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
     facts.push_back({front == back, tr("Front %1, back %2").arg(front).arg(back)});
     facts.push_back(
         {true, tr("%n photograph(s) are safe", nullptr, summary_[0]->kept + summary_[1]->kept)});
-    if (queued_ && isComputed())
+    if (queued_ && batch_.isComputed())
       facts.push_back(
           {true, tr("Its sherds stand in the review (Ctrl+3): look while they still lie here")});
     return facts;
@@ -101,9 +95,9 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   if (phase_ == CapturePhase::Place)
     facts.push_back({!look.sherds.empty() && look.too_close.empty(),
                      tr("%n sherd(s) seen", nullptr, static_cast<int>(look.sherds.size()))});
-  if (phase_ == CapturePhase::Place && counted_ > 0)
-    facts.push_back(
-        {static_cast<int>(look.sherds.size()) == counted_, tr("You counted %1").arg(counted_)});
+  if (phase_ == CapturePhase::Place && batch_.counted() > 0)
+    facts.push_back({static_cast<int>(look.sherds.size()) == batch_.counted(),
+                     tr("You counted %1").arg(batch_.counted())});
   if (phase_ == CapturePhase::Place && look.pixel_from_plate)
     facts.push_back({true, live_->room.places.empty()
                                ? tr("No room for more")

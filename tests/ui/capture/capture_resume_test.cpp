@@ -1,7 +1,9 @@
 // What becomes of the batch in hand when the program, the project or the rig is another.
+#include <QSignalSpy>
 #include <QtTest>
 
 #include "bench.h"
+#include "catalogue/database.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -31,6 +33,32 @@ class CaptureResumeTest : public QObject {
     again.wizard.next();
     QTRY_COMPARE(again.batch().state, BatchState::Queued);
     QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
+  }
+
+  void aBatchThatTheCatalogueDoesNotTakeIsNotSaidToBeQueued() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    catalogue::Database& database = bench.session.project().catalogue().database();
+    database
+        .sql(
+            "CREATE TEMP TRIGGER full BEFORE UPDATE ON batch BEGIN SELECT RAISE(ABORT, 'full'); "
+            "END")
+        .run();
+    QSignalSpy queued(&bench.wizard, &CaptureWizard::batchQueued);
+    bench.wizard.next();
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    QCOMPARE(queued.count(), 0);
+    database.sql("DROP TRIGGER full").run();
+    QVERIFY(bench.wizard.canGoOn());
+    bench.wizard.next();
+    QCOMPARE(bench.batch().state, BatchState::Queued);
+    QCOMPARE(queued.count(), 1);
+    QVERIFY(!bench.wizard.fault());
+    QCOMPARE(bench.wizard.phase(), CapturePhase::Done);
   }
 
   // A calibration that ends while the plate is photographed.

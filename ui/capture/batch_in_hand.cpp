@@ -1,0 +1,108 @@
+#include "ui/capture/batch_in_hand.h"
+
+#include <algorithm>
+
+#include "catalogue/project.h"
+#include "ui/capture/place_text.h"
+#include "ui/frame/project_session.h"
+
+namespace ostraka::ui {
+
+void BatchInHand::setSession(ProjectSession* session) {
+  session_ = session;
+  forget();
+}
+
+void BatchInHand::forget() {
+  number_.clear();
+  row_ = 0;
+  counted_ = 0;
+}
+
+void BatchInHand::resume() {
+  number_.clear();
+  row_ = 0;
+  if (session_ == nullptr) return;
+  const auto batches = session_->project().catalogue().batches();
+  if (!batches) return;
+  const auto last = std::find_if(batches->begin(), batches->end(), [](const auto& batch) {
+    return batch.state <= catalogue::BatchState::Back;
+  });
+  if (last == batches->end()) return;
+  number_ = QString::fromStdString(last->number);
+  row_ = last->row.value;
+  counted_ = last->counted;
+}
+
+int BatchInHand::index() const {
+  QString number = number_;
+  if (number.isEmpty() && session_ != nullptr)
+    if (const auto next = session_->project().catalogue().nextBatchNumber())
+      number = QString::fromStdString(*next);
+  number.remove(QLatin1Char('B'));
+  return number.toInt();
+}
+
+std::filesystem::path BatchInHand::folder() const {
+  return session_->project().batchFolder(number_.toStdString());
+}
+
+catalogue::BatchState BatchInHand::state() const {
+  if (session_ == nullptr || row_ == 0) return catalogue::BatchState::Placed;
+  const auto batch = session_->project().catalogue().batch({row_});
+  return batch ? batch->state : catalogue::BatchState::Placed;
+}
+
+bool BatchInHand::isComputed() const {
+  const catalogue::BatchState now = state();
+  return now == catalogue::BatchState::Review || now == catalogue::BatchState::Done;
+}
+
+Result<void> BatchInHand::begin(const PlaceText& place) {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  const catalogue::Act act = session_->act();
+  if (row_ != 0) {  // begun before the person counted
+    auto batch = rows.batch({row_});
+    if (!batch) return batch.error();
+    if (batch->counted == counted_) return {};
+    batch->counted = counted_;
+    return rows.saveBatch(*batch, act);
+  }
+  const Result<std::int64_t> bag = bagRowOf(rows, place, act);
+  if (!bag) return bag.error();
+  catalogue::BatchRecord batch;
+  if (*bag != 0) batch.bags.push_back({*bag});
+  batch.operator_ = act.person;
+  batch.counted = counted_;
+  batch.started_ms = rows.now();
+  const auto row = rows.addBatch(batch, act);
+  if (!row) return row.error();
+  const auto made = rows.batch(*row);
+  if (!made) return made.error();
+  row_ = row->value;
+  number_ = QString::fromStdString(made->number);
+  session_->tellBatchChanged(number_);
+  return {};
+}
+
+Result<void> BatchInHand::setState(catalogue::BatchState state) {
+  Result<void> set = session_->project().catalogue().setBatchState({row_}, state, session_->act());
+  session_->tellBatchChanged(number_);
+  return set;
+}
+
+Result<void> BatchInHand::queue(int seen) {
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  auto batch = rows.batch({row_});
+  if (!batch) return batch.error();
+  batch->ended_ms = rows.now();
+  // What a person has counted is what the scans are compared with.
+  if (counted_ > 0)
+    batch->counted = counted_;
+  else if (seen > 0)
+    batch->counted = seen;
+  if (Result<void> saved = rows.saveBatch(*batch, session_->act()); !saved) return saved;
+  return setState(catalogue::BatchState::Queued);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,49 @@
+#pragma once
+#include <QPointer>
+#include <QString>
+#include <cstdint>
+#include <filesystem>
+
+#include "base/result.h"
+#include "catalogue/records.h"
+
+namespace ostraka::ui {
+
+class ProjectSession;
+struct PlaceText;
+
+/// The batch that lies on the plate, as the catalogue keeps it: what a capture writes there, and
+/// where one that was interrupted goes on. No widget, no device.
+class BatchInHand {
+ public:
+  void setSession(ProjectSession* session);
+  void forget();
+  /// The newest whose photographs are not whole, or queued, yet; newer ones may have come from
+  /// elsewhere since.
+  void resume();
+
+  bool isThere() const { return row_ != 0; }
+  const QString& number() const { return number_; }  ///< empty: it has not begun
+  int index() const;  ///< 31 of B0031; of the next one before it has begun
+  std::filesystem::path folder() const;
+  catalogue::BatchState state() const;
+  bool isComputed() const;  ///< and be it as a draft
+  /// Sherds that a person has counted; 0: not counted.
+  int counted() const { return counted_; }
+  void setCounted(int sherds) { counted_ = sherds; }
+
+  /// Makes it, with the place that its sherds are from, or keeps a count that came later.
+  Result<void> begin(const PlaceText& place);
+  Result<void> setState(catalogue::BatchState state);
+  /// Its photographs are whole. seen: sherds on the photographs, 0 when not known; what a person
+  /// has counted goes before.
+  Result<void> queue(int seen);
+
+ private:
+  QPointer<ProjectSession> session_;
+  QString number_;
+  std::int64_t row_ = 0;
+  int counted_ = 0;
+};
+
+}  // namespace ostraka::ui

@@ -282,10 +282,10 @@ Result<ScanRow> Catalogue::save(const ScanRecord& s, const Act& act) {
                              {"plate_y_mm", opt(s.plate_y_mm)}}))
       database_
           ->sql(
-              "UPDATE scan SET name = ?, path = ?, points = ?, coverage_pct = ?, plate_x_mm = ?, "
-              "plate_y_mm = ?, updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row "
-              "= ?")
-          .with(s.name, *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm, now(),
+              "UPDATE scan SET position = ?, name = ?, path = ?, points = ?, coverage_pct = ?, "
+              "plate_x_mm = ?, plate_y_mm = ?, updated_at = ?, updated_by = ?, revision = revision "
+              "+ 1 WHERE row = ?")
+          .with(s.index, s.name, *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm, now(),
                 act.person, row)
           .run();
     return ScanRow{row};

@@ -240,16 +240,49 @@ bool sameWord(const PairDecision& a, const PairDecision& b) {
          samePose(a.front_from_back, b.front_from_back);
 }
 
+// For each piece that the catalogue knows the index of the one found at its place, -1 if there is
+// none: within 10 mm, the nearest first (a piece's mean moves less when it is computed anew, and no
+// two pieces' means lie nearer). Without a place the name decides.
+std::vector<int> samePieces(const std::vector<ScanRecord>& known,
+                            const std::vector<ScanRecord>& found) {
+  constexpr double kSamePiece_mm = 10;
+  struct Candidate {
+    double distance_mm;
+    bool other_name;
+    std::size_t known, found;
+    auto operator<=>(const Candidate&) const = default;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      if (known[i].side != found[j].side) continue;
+      const bool other_name = known[i].name != found[j].name;
+      if (!known[i].plate_x_mm || !known[i].plate_y_mm) {
+        if (!other_name) candidates.push_back({kSamePiece_mm, other_name, i, j});
+        continue;
+      }
+      const double distance_mm = std::hypot(*known[i].plate_x_mm - *found[j].plate_x_mm,
+                                            *known[i].plate_y_mm - *found[j].plate_y_mm);
+      if (distance_mm < kSamePiece_mm) candidates.push_back({distance_mm, other_name, i, j});
+    }
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<int> same(known.size(), -1);
+  std::vector<bool> taken(found.size());
+  for (const Candidate& c : candidates) {
+    if (same[c.known] >= 0 || taken[c.found]) continue;
+    same[c.known] = static_cast<int>(c.found);
+    taken[c.found] = true;
+  }
+  return same;
+}
+
 class Entering {
  public:
   Entering(Catalogue& catalogue, BatchRow batch, const Act& act)
       : catalogue_(catalogue), batch_(batch), act_{{}, "process", act.why} {}
 
   EnteredResults enter(const ReadResults& read) {
-    for (const ScanRecord& scan : read.scans) {
-      rows_[scan.name] = orRefuse(catalogue_.save(scan, act_));
-      ++entered_.scans;
-    }
+    scans(read.scans);
     decide(read);
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
@@ -271,6 +304,35 @@ class Entering {
   }
 
  private:
+  // Pieces are numbered anew by each computation, in the order of their places; what a person said
+  // about one must stay with it, so it is known by its place.
+  void scans(std::vector<ScanRecord> found) {
+    const std::vector<ScanRecord> known = orRefuse(catalogue_.scans(batch_));
+    const std::vector<int> same = samePieces(known, found);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const bool gone = same[i] < 0;
+      if (gone && !known[i].isThere()) continue;
+      ScanRecord scan = known[i];
+      scan.index = -static_cast<int>(scan.row.value);  // out of the way of the others
+      if (gone) {
+        scan.name += "-earlier" + std::to_string(scan.row.value);
+        orRefuse(catalogue_.save(scan, act_));
+        continue;
+      }
+      ScanRecord& now = found[static_cast<std::size_t>(same[i])];
+      now.row = scan.row;
+      if (now.index != known[i].index)
+        catalogue_.database()
+            .sql("UPDATE scan SET position = ? WHERE row = ?")
+            .with(scan.index, scan.row)
+            .run();
+    }
+    for (const ScanRecord& scan : found) {
+      rows_[scan.name] = orRefuse(catalogue_.save(scan, act_));
+      ++entered_.scans;
+    }
+  }
+
   ScanRow scan(const std::string& name) const {
     const auto found = rows_.find(name);
     if (found == rows_.end())

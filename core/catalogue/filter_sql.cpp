@@ -1,6 +1,9 @@
 // The ids of a table's rows: filter and order happen in SQL.
 #include "catalogue/filter.h"
 
+#include <nlohmann/json.hpp>
+
+#include "catalogue/database.h"
 #include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/sherd_order.h"
@@ -10,6 +13,7 @@ namespace ostraka::catalogue {
 namespace {
 
 struct Query {
+  Database& database;
   std::string where;
   std::vector<std::string> texts;
   std::string mark(std::string value) {
@@ -31,6 +35,24 @@ std::string inContext(const std::string& condition) {
          condition + ")";
 }
 
+// The terms that are meant, as they are spelled in the vocabularies and so at the sherds: capitals
+// make no difference, and a label in another language will do.
+std::string isTerm(Query& query, const std::string& word) {
+  const std::string key = uniqueKey(word);
+  std::string in = "term IN (" + query.mark(word);
+  Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
+  while (rows.next()) {
+    std::string term, labels;
+    rows >> term >> labels;
+    bool meant = uniqueKey(term) == key;
+    const nlohmann::json names = nlohmann::json::parse(labels, nullptr, false);
+    for (const nlohmann::json& name : names)
+      meant |= name.is_string() && uniqueKey(name.get<std::string>()) == key;
+    if (meant) in += ", " + query.mark(term);
+  }
+  return in + ")";
+}
+
 std::string wordSql(Query& query, const std::string& word) {
   if (letters(word) >= 3) {
     std::string quoted = "\"";
@@ -43,7 +65,7 @@ std::string wordSql(Query& query, const std::string& word) {
   }
   // Below three letters the search has no index: whole terms and whole places then.
   const std::string key = query.mark(uniqueKey(word));
-  return "(s.row IN (SELECT sherd FROM sherd_term WHERE term = " + key + ") OR " +
+  return "(s.row IN (SELECT sherd FROM sherd_term WHERE " + isTerm(query, word) + ") OR " +
          inContext("site.code_key = " + key + " OR trench.code_key = " + key +
                    " OR context.number_key = " + key) +
          " OR s.bag IN (SELECT row FROM bag WHERE number_key = " + key + "))";
@@ -87,8 +109,7 @@ std::string equalSql(Query& query, const SherdColumn& column, const std::string&
            "WHERE number_key = " +
            query.mark(key) + "))";
   if (column.field.kind == FieldKind::Terms || column.field.kind == FieldKind::Term) {
-    const std::string term = query.mark(key);
-    return "s.row IN (SELECT sherd FROM sherd_term WHERE term = " + term +
+    return "s.row IN (SELECT sherd FROM sherd_term WHERE " + isTerm(query, value) +
            " AND field = " + query.mark(name) + ")";
   }
   return std::string(column.sql) + " = " + query.mark(value) + " COLLATE NOCASE";
@@ -129,7 +150,7 @@ std::string conditionSql(Query& query, const Condition& condition) {
 Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
                                                    const SherdOrder& order) const {
   return database_->door([&] {
-    Query query;
+    Query query{*database_, {}, {}};
     query.where = "NOT (s.state = 'void' AND s.number = '')";
     for (const Condition& condition : filter.conditions) {
       const std::string sql = conditionSql(query, condition);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <set>
 
 #include "catalogue/database.h"
 #include "catalogue/migrations.h"
@@ -17,6 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFile = "catalogue.sqlite";
+const std::string kBackup = "catalogue-";  // and the time: 20261121-181557-123
+const std::size_t kDayLetters = kBackup.size() + 8;
 
 Catalogue::Clock orSystemClock(const Catalogue::Clock& clock) {
   if (clock) return clock;
@@ -55,12 +58,10 @@ Result<fs::path> backUpTo(const fs::path& folder, const Catalogue& catalogue,
                           const std::string& kind) {
   std::error_code code;
   fs::create_directories(folder / "backups", code);
-  fs::path file =
-      folder / "backups" / ("catalogue-" + timeStamp(catalogue.now()) + kind + ".sqlite");
+  fs::path file = folder / "backups" / (kBackup + timeStamp(catalogue.now()) + kind + ".sqlite");
   for (int more = 2; fs::exists(file, code); ++more)
-    file =
-        folder / "backups" /
-        ("catalogue-" + timeStamp(catalogue.now()) + kind + "-" + std::to_string(more) + ".sqlite");
+    file = folder / "backups" /
+           (kBackup + timeStamp(catalogue.now()) + kind + "-" + std::to_string(more) + ".sqlite");
   if (const Result<void> made = catalogue.backup(file); !made) return made.error();
   return file;
 }
@@ -157,16 +158,40 @@ Result<std::string> Project::relative(const fs::path& absolute) const {
   return path;
 }
 
-Result<fs::path> Project::backUp(int keep) const {
+Result<fs::path> Project::backUp(int keep, int days) const {
   Result<fs::path> file = backUpTo(folder_, catalogue_, {});
   if (!file) return file;
-  // Copies made before an update are for life; only the daily ones make room.
+  // Copies made before an update are for life; only the others make room.
   int seen = 0;
+  std::set<std::string> seen_days;
   std::error_code ignored;
-  for (const fs::path& old : backups())
-    if (old.string().find("-before-") == std::string::npos && ++seen > keep)
-      fs::remove(old, ignored);
+  for (const fs::path& old : backups()) {
+    const std::string name = old.filename().string();
+    if (name.find("-before-") != std::string::npos) continue;
+    const bool last_of_its_day = seen_days.insert(name.substr(0, kDayLetters)).second;
+    const bool kept_for_its_day = last_of_its_day && static_cast<int>(seen_days.size()) <= days;
+    if (++seen > keep && !kept_for_its_day) fs::remove(old, ignored);
+  }
   return file;
+}
+
+Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
+  const Result<std::int64_t> changed = catalogue_.database().door([&] {
+    std::int64_t at = 0;
+    Statement last = catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");
+    if (last.next()) last >> at;
+    return at;
+  });
+  if (!changed) return changed.error();
+  // The names sort as their times do.
+  const auto nameAt = [](std::int64_t ms) { return kBackup + timeStamp(ms); };
+  std::string newest;
+  for (const fs::path& copy : backups()) newest = std::max(newest, copy.filename().string());
+  if (*changed == 0 || nameAt(*changed) < newest) return false;
+  if (nameAt(catalogue_.now() - after.count()) < newest) return false;
+  const Result<fs::path> made = backUp();
+  if (!made) return made.error();
+  return true;
 }
 
 std::vector<fs::path> Project::backups() const {

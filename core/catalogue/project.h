@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -37,8 +38,12 @@ class Project {
   /// Relative with '/' as the records hold it; an error outside the project.
   Result<std::string> relative(const std::filesystem::path& absolute) const;
 
-  /// Into backups/, checked by reading it back; the newest `keep` stay. Returns the file.
-  Result<std::filesystem::path> backUp(int keep = 20) const;
+  /// Into backups/, checked by reading it back. The newest `keep` stay, and of each of the latest
+  /// `days` (UTC) with a copy the last one. Returns the file.
+  Result<std::filesystem::path> backUp(int keep = 20, int days = 30) const;
+  /// The same if anything was changed since the newest copy, and that is `after` old or more.
+  /// Returns whether a copy was made.
+  Result<bool> backUpIfChanged(std::chrono::milliseconds after = std::chrono::hours(1)) const;
   /// Newest first.
   std::vector<std::filesystem::path> backups() const;
 

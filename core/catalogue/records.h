@@ -120,12 +120,14 @@ struct ScanRecord {
   ScanRow row;
   BatchRow batch;
   batch::Side side = batch::Side::Front;
-  int index = 0;     ///< 3 for f003
+  int index = 0;     ///< 3 for f003; negative: of an earlier computation only
   std::string name;  ///< as in pairs.json: f003
   std::string path;  ///< relative to the project
   std::optional<int> points;
   std::optional<double> coverage_pct, plate_x_mm, plate_y_mm;
   ScanState state = ScanState::Open;  ///< follows the decisions
+
+  bool isThere() const { return index >= 0; }
 };
 
 /// Withdraw takes an earlier decision of a person back (undo); all rows stay.

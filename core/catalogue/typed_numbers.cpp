@@ -148,7 +148,8 @@ Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow
     std::vector<Eigen::Vector2d> places;
     std::vector<ScanRow> fronts;
     for (const ScanRecord& scan : orRefuse(catalogue.scans(batch))) {
-      if (scan.side != batch::Side::Front || !scan.plate_x_mm || !scan.plate_y_mm) continue;
+      if (!scan.isThere() || scan.side != batch::Side::Front) continue;
+      if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
       places.emplace_back(*scan.plate_x_mm, *scan.plate_y_mm);
       fronts.push_back(scan.row);
     }

@@ -79,7 +79,7 @@ class Importing {
                                   : report_.same);
     if (fate != RowFate::Changed) return {};
     report_.changes.insert(report_.changes.end(), done_.begin(), done_.end());
-    report_.undo.insert(report_.undo.begin(), undo_.begin(), undo_.end());
+    report_.undo.insert(report_.undo.end(), undo_.rbegin(), undo_.rend());  // turned at the end
     return {};
   }
 
@@ -231,6 +231,7 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
       enterInPortions(catalogue, rows.size(), options, progress, stop,
                       [&](std::size_t i) { return importing.row(rows[i]); });
   if (!entered) return entered.error();
+  std::reverse(report.undo.begin(), report.undo.end());
   report.not_reached = static_cast<int>(rows.size() - *entered);
   return report;
 }

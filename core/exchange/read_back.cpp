@@ -129,7 +129,7 @@ class ReadingBack {
       ++kept.refused;
       const auto undo = catalogue.change(otherVersion(*sherd, record.row, name_), act_);
       if (!undo) return undo.error();
-      kept.undo.insert(kept.undo.begin(), undo->begin(), undo->end());
+      kept.undo.insert(kept.undo.end(), undo->rbegin(), undo->rend());  // turned at the end
       kept.refusals.push_back({record.row.line, "number", sherd->number,
                                "The project has this sherd with other values; they stay, and what "
                                "differs is kept beside them in fields that end in _in_" +
@@ -141,7 +141,7 @@ class ReadingBack {
     for (const ReadSherdJson& record : records_)
       if (Result<void> done = afterwards(record); !done) return done.error();
     report->same += kept.same;
-    report->undo.insert(report->undo.begin(), kept.undo.begin(), kept.undo.end());
+    report->undo.insert(report->undo.begin(), kept.undo.rbegin(), kept.undo.rend());
     report->refused += kept.refused;
     report->refusals.insert(report->refusals.end(), kept.refusals.begin(), kept.refusals.end());
     return report;
@@ -247,18 +247,23 @@ Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMo
   if (!files) return files.error();
   ReadingBack reading(project, folder, *files, act);
   if (Result<void> read = reading.records(); !read) return read.error();
-  if (mode == ImportMode::Enter)
-    if (const auto saved = project.backUp(); !saved) return saved.error();
   ImportReport report;
-  const Result<void> done = previewOrEnter(project.catalogue(), mode, [&]() -> Result<void> {
+  const auto records = [&](ImportMode how) {
     // The records of one export belong together: within the transaction around them.
-    Result<ImportReport> entered =
-        reading.enter({ImportMode::Enter, UnknownPlaces::Refuse}, progress, stop);
-    if (!entered) return entered.error();
-    report = std::move(*entered);
-    return mode == ImportMode::Enter ? reading.copyFiles(stop) : Result<void>();
-  });
-  if (!done) return done.error();
+    return previewOrEnter(project.catalogue(), how, [&]() -> Result<void> {
+      Result<ImportReport> entered =
+          reading.enter({ImportMode::Enter, UnknownPlaces::Refuse}, progress, stop);
+      if (!entered) return entered.error();
+      report = std::move(*entered);
+      return {};
+    });
+  };
+  if (const Result<void> fits = records(ImportMode::Preview); !fits) return fits.error();
+  if (mode == ImportMode::Preview) return report;
+  if (const auto saved = project.backUp(); !saved) return saved.error();
+  // Nobody who wants to write waits for files to be copied.
+  if (const Result<void> copied = reading.copyFiles(stop); !copied) return copied.error();
+  if (const Result<void> entered = records(mode); !entered) return entered.error();
   return report;
 }
 

@@ -84,7 +84,8 @@ int countedOtherwise(const catalogue::Catalogue& rows, const catalogue::BatchRec
   const auto scans = rows.scans(batch.row);
   if (!scans || batch.counted == 0) return 0;
   int found[2] = {0, 0};
-  for (const catalogue::ScanRecord& scan : *scans) ++found[scan.side == batch::Side::Front ? 0 : 1];
+  for (const catalogue::ScanRecord& scan : *scans)
+    if (scan.isThere()) ++found[scan.side == batch::Side::Front ? 0 : 1];
   return std::max(found[0], found[1]) == batch.counted ? 0 : batch.counted;
 }
 

@@ -40,12 +40,14 @@ class Entering : public SmallProject {
 // Front 3 was cut into 3 and 4, back 3 into 3 and 4; back 2 was joined to back 1.
 TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
   enter();
+  out.places_mm.push_back({160, 0});
+  out.write();
   const fs::path work = project_->resultsFolder("B0001") / "work";
   nlohmann::json candidates;
   const auto piece = [&](const std::string& side, const std::string& name) {
     const std::string file = "pieces_" + side + "/" + name + ".ply";
     fs::create_directories(work / ("pieces_" + side));
-    fs::copy_file(work / "scans_front/f001.ply", work / file);
+    fs::copy_file(work / ("scans_" + side) / (name + ".ply"), work / file);
     candidates[side + "s"].push_back({{"id", name}, {"file", file}});
   };
   for (const char* name : {"f001", "f002", "f003", "f004"}) piece("front", name);
@@ -60,7 +62,7 @@ TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
   EXPECT_EQ(entered.open, 1) << "front 2 alone; back 2 is a part of back 1";
   ASSERT_TRUE(scanNamed("f004"));
   for (const ScanRecord& scan : valueIn(catalogue().scans(batch))) {
-    const char* folder = scan.name == "b002" ? "work/scans_back/" : "work/pieces_";
+    const char* folder = scan.isThere() ? "work/pieces_" : "work/scans_back/";
     EXPECT_THAT(scan.path, testing::HasSubstr(folder));
   }
 }
@@ -85,8 +87,8 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   EXPECT_EQ(catalogue().files(sherd.row)->size(), 3u);
   const ScanRecord scan = catalogue().scans(batch)->front();
   EXPECT_EQ(scan.points, 3);
-  EXPECT_EQ(scan.plate_x_mm, 1);
-  EXPECT_EQ(scan.plate_y_mm, 1);
+  EXPECT_EQ(scan.plate_x_mm, 40);
+  EXPECT_EQ(scan.plate_y_mm, 0);
   EXPECT_TRUE(catalogue().checkIntegrity());
 }
 
@@ -209,6 +211,62 @@ TEST_F(Entering, KeepsTheNumbersAndTheWeighing) {
   EXPECT_EQ(valueOf(sherd, "weight_g"), "23.4");
   EXPECT_EQ(valueOf(sherd, "length_mm"), "52") << "measured by hand: it stays";
   EXPECT_EQ(valueOf(sherds()[1].row, "length_mm"), "52.01");
+}
+
+// A mended mask brings a piece to light that comes before the others: all are numbered anew, and
+// each keeps its own words, weight and number.
+TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
+  enter();
+  const std::vector<SherdRecord> before = sherds();
+  const std::vector<FieldChange> said = {{before[0].row, "number", "A-1"},
+                                         {before[0].row, "note", "at 40 mm"},
+                                         {before[2].row, "number", "A-3"},
+                                         {before[2].row, "note", "at 120 mm"}};
+  ASSERT_TRUE(catalogue().change(said, anna));
+  PairDecision person;
+  person.batch = batch;
+  person.front = before[1].front;
+  person.back = before[1].back;
+  person.verdict = Verdict::Accept;
+  ASSERT_TRUE(catalogue().decide(person, anna));
+
+  out.places_mm = {{0, -50}, {41, 1}, {79, 0}, {120, 2}};
+  out.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}, {4, 4, false}};
+  out.write();
+  enter();
+  const auto noteAt = [&](double x) -> std::string {
+    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+      if (scan.side == batch::Side::Front && std::abs(*scan.plate_x_mm - x) < 5)
+        for (const SherdRecord& sherd : sherds())
+          if (sherd.front == scan.row)
+            return sherd.number + ", " + sherd.note + ", " + std::to_string(scan.index);
+    return "nobody";
+  };
+  EXPECT_EQ(noteAt(40), "A-1, at 40 mm, 2");
+  EXPECT_EQ(noteAt(80), ", , 3");
+  EXPECT_EQ(noteAt(120), "A-3, at 120 mm, 4");
+  EXPECT_EQ(noteAt(0), ", , 1");
+  EXPECT_EQ(sherds().size(), 4U);
+  for (const PairDecision& d : valueIn(catalogue().currentDecisions(batch)))
+    EXPECT_EQ(static_cast<bool>(d.by), d.front == before[1].front);
+  const int history = count("history");
+  enter();
+  EXPECT_EQ(count("history"), history);
+
+  // The piece at 40 mm is lost: its sherd keeps its number, and no other takes its place.
+  out.places_mm = {{0, -50}, {79, 0}, {120, 2}};
+  out.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}};
+  out.write();
+  enter();
+  EXPECT_EQ(noteAt(120), "A-3, at 120 mm, 3");
+  EXPECT_EQ(noteAt(40).substr(0, 14), "A-1, at 40 mm,");
+  EXPECT_EQ(sherds().front().back, ScanRow{});
+  out.places_mm = {{0, -50}, {41, 1}, {79, 0}, {120, 2}};
+  out.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}, {4, 4, false}};
+  out.write();
+  enter();
+  EXPECT_EQ(noteAt(40), "A-1, at 40 mm, 2");
+  EXPECT_TRUE(sherds().front().back);
 }
 
 TEST_F(Entering, WithoutAScaleNoLengthIsKnown) {

@@ -101,6 +101,21 @@ TEST_F(Filters, FieldsAreComparedWhole) {
   EXPECT_EQ(letters("surface_out:*"), "a");
 }
 
+TEST_F(Filters, TermsAreFoundHoweverTheVocabularySpellsThem) {
+  std::vector<Term> wares = *catalogue().vocabulary("part");
+  wares.push_back({"Terra Sigillata", {{"de", "Glanztonware"}}, {}});
+  wares.push_back({"TS", {}, {}});
+  ASSERT_TRUE(catalogue().setVocabulary("part", wares, anna));
+  add(context13, bag1, {{"part", "Terra Sigillata"}});
+  add(context13, bag1, {{"part", "TS"}});
+  EXPECT_EQ(letters("part:\"Terra Sigillata\""), "?");
+  EXPECT_EQ(letters("part:\"terra sigillata\""), "?");
+  EXPECT_EQ(letters("part:glanztonware"), "?");
+  EXPECT_EQ(letters("part:terra"), "");
+  EXPECT_EQ(letters("ts"), "?");
+  EXPECT_EQ(letters("-part:ts part:\"terra sigillata\""), "?");
+}
+
 TEST_F(Filters, TheCodeOfAPrintedLabelFindsItsSherd) {
   const std::string b = "ARM1-T3-0012-0002:" + labelEnd("ARM1-T3-0012-0002");
   EXPECT_EQ(letters("OST1:S:" + b), "b");

@@ -110,6 +110,33 @@ TEST_F(ProjectFolder, OldBackupsMakeRoomForNewOnes) {
   EXPECT_GT(project_->backups()[0], project_->backups()[1]) << "the newest first";
 }
 
+TEST_F(ProjectFolder, TheLastBackupOfEachDayStays) {
+  constexpr std::int64_t kDay_ms = 24 * 3600 * 1000;
+  std::vector<fs::path> last_of_day;
+  for (int day = 0; day < 4; ++day) {
+    for (int i = 0; i < 3; ++i) last_of_day.resize(1 + day, *project_->backUp(2, 3));
+    last_of_day.back() = project_->backups().front();
+    now_ms += kDay_ms;
+  }
+  const std::vector<fs::path> left = project_->backups();  // two of today, one of two days before
+  ASSERT_EQ(left.size(), 4u);
+  EXPECT_EQ(left[0], last_of_day[3]);
+  EXPECT_EQ(left[2], last_of_day[2]);
+  EXPECT_EQ(left[3], last_of_day[1]);
+}
+
+TEST_F(ProjectFolder, WhatWasChangedIsBackedUpOnceAnHour) {
+  using namespace std::chrono_literals;
+  EXPECT_EQ(*project_->backUpIfChanged(1h), true) << "never before";
+  EXPECT_EQ(*project_->backUpIfChanged(0h), false) << "nothing changed since";
+  numbered(context12);
+  EXPECT_EQ(*project_->backUpIfChanged(1h), false) << "too soon";
+  now_ms += 2 * 3600 * 1000;
+  EXPECT_EQ(*project_->backUpIfChanged(1h), true);
+  EXPECT_EQ(*project_->backUpIfChanged(0h), false);
+  EXPECT_EQ(project_->backups().size(), 2u);
+}
+
 TEST_F(ProjectFolder, ADamagedCatalogueIsNoticed) {
   for (int i = 0; i < 50; ++i) draft(context12);
   ASSERT_TRUE(catalogue().checkIntegrity());

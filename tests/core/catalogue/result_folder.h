@@ -14,8 +14,10 @@ namespace ostraka::catalogue {
 class ResultFolder {
  public:
   ResultFolder(std::filesystem::path out, int n) : out_(std::move(out)) {
-    for (int i = 1; i <= n; ++i) pairs_.push_back({i, i, false});
-    scans_ = n;
+    for (int i = 1; i <= n; ++i) {
+      pairs_.push_back({i, i, false});
+      places_mm.push_back({40.0 * i, 0});
+    }
     write();
   }
   struct Pair {
@@ -23,6 +25,8 @@ class ResultFolder {
     bool ambiguous;
   };
   std::vector<Pair>& pairs() { return pairs_; }
+  /// Of each piece, both sides alike: piece 1 is the first.
+  std::vector<Eigen::Vector2d> places_mm;
   double length_mm = 50;
   bool has_scale = true;
   std::vector<std::string> scale_doubts;
@@ -63,11 +67,15 @@ class ResultFolder {
       for (const char* file : {"model.ply", "model.glb", "preview.png"})
         put(out_ / "sherds" / number / file, model + file);
     }
-    PointCloud cloud;
-    cloud.points = {{0, 0, 0}, {2, 0, 0}, {1, 3, 0}};
-    for (int i = 1; i <= scans_; ++i) {
-      put(out_ / "work/scans_front" / (name('f', i) + ".ply"), formatPly(cloud, "plate_front"));
-      put(out_ / "work/scans_back" / (name('b', i) + ".ply"), formatPly(cloud, "plate_back"));
+    for (const char* side : {"front", "back"})
+      std::filesystem::remove_all(out_ / "work" / ("scans_" + std::string(side)));
+    for (std::size_t i = 0; i < places_mm.size(); ++i) {
+      PointCloud cloud;
+      for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-1, -1), {1, -1}, {0, 2}})
+        cloud.points.emplace_back((places_mm[i] + corner).x(), (places_mm[i] + corner).y(), 0);
+      const int n = static_cast<int>(i) + 1;
+      put(out_ / "work/scans_front" / (name('f', n) + ".ply"), formatPly(cloud, "plate_front"));
+      put(out_ / "work/scans_back" / (name('b', n) + ".ply"), formatPly(cloud, "plate_back"));
     }
     put(out_ / "pairs.json", ordered_json({{"unit", "mm"}, {"pairs", pairs}}).dump());
     put(out_ / "report.json",
@@ -94,7 +102,6 @@ class ResultFolder {
   }
   std::filesystem::path out_;
   std::vector<Pair> pairs_;
-  int scans_ = 0;
 };
 
 }  // namespace ostraka::catalogue

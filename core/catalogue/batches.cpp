@@ -186,6 +186,14 @@ Result<BatchRecord> Catalogue::batchByNumber(const std::string& number) const {
   });
 }
 
+Result<std::optional<BatchRecord>> Catalogue::batchById(const std::string& id) const {
+  return database_->door([&]() -> std::optional<BatchRecord> {
+    Statement rows = database_->sql(std::string(kBatches) + "WHERE id = ?");
+    if (!rows.with(id).next()) return std::nullopt;
+    return readBatchRow(*database_, rows);
+  });
+}
+
 Result<PhotographRow> Catalogue::save(const PhotographRecord& p, const Act& act) {
   return database_->inTransaction([&] {
     const Result<std::string> path = checkedPath(p.path);

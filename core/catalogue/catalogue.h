@@ -62,6 +62,8 @@ class Catalogue {
   Result<std::vector<BatchRecord>> batches() const;  ///< newest first
   Result<BatchRecord> batch(BatchRow) const;
   Result<BatchRecord> batchByNumber(const std::string&) const;
+  /// None when it is not there.
+  Result<std::optional<BatchRecord>> batchById(const std::string& id) const;
   Result<PhotographRow> save(const PhotographRecord&, const Act&);  ///< row none: by its key
   Result<std::vector<PhotographRecord>> photographs(BatchRow) const;
   Result<ScanRow> save(const ScanRecord&, const Act&);  ///< row none: by batch, side, index

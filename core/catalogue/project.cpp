@@ -178,7 +178,8 @@ Result<fs::path> Project::backUp(int keep, int days) const {
 Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
   const Result<std::int64_t> changed = catalogue_.database().door([&] {
     std::int64_t at = 0;
-    Statement last = catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");
+    Statement last =
+        catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");
     if (last.next()) last >> at;
     return at;
   });

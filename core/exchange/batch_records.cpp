@@ -184,14 +184,21 @@ class Entering {
   Result<void> batch(const json& b) {
     BatchRecord batch;
     batch.id = text(b, "id");
-    batch.number = text(b, "number");
-    const Result<BatchRecord> there = catalogue_.batchByNumber(batch.number);
-    if (there && there->id == batch.id) return {};
-    if (there)
-      return Error{ErrorCode::UnusableInput,
-                   "The project has another batch " + batch.number +
-                       "; read this export into a project of its own.",
-                   {}};
+    batch.note = text(b, "note");
+    batch.number = number_ = text(b, "number");
+    const Result<std::optional<BatchRecord>> there = catalogue_.batchById(batch.id);
+    if (!there) return there.error();
+    if (*there) {
+      read.numbers[number_] = (*there)->number;
+      return {};
+    }
+    if (catalogue_.batchByNumber(number_)) {
+      const Result<std::string> next = catalogue_.nextBatchNumber();
+      if (!next) return next.error();
+      batch.number = *next;
+      batch.note += (batch.note.empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
+    }
+    read.numbers[number_] = batch.number;
     batch.state = fromWord<BatchState>(text(b, "state"));
     batch.counted = b.value("counted", 0);
     batch.operator_ = {row(b, "operator")};
@@ -207,7 +214,6 @@ class Entering {
     batch.rig_sha256 = text(b, "rig_sha256");
     batch.program = text(b, "program");
     batch.settings_sha256 = text(b, "settings_sha256");
-    batch.note = text(b, "note");
     const Result<BatchRow> added = catalogue_.addBatch(batch, act_);
     if (!added) return added.error();
     for (const json& p : listOf(b, "photographs"))
@@ -229,9 +235,16 @@ class Entering {
     return {};
   }
 
-  std::vector<FileCopy> copies;
+  ReadBatches read;
 
  private:
+  // The folders of a batch bear its number.
+  std::string here(const std::string& path) const {
+    for (const char* folder : {"batches/", "results/"})
+      if (const std::string old = folder + number_ + "/"; path.starts_with(old))
+        return folder + read.numbers.at(number_) + "/" + path.substr(old.size());
+    return path;
+  }
   std::int64_t row(const json& object, const char* key) const {
     const auto found = rows_.find(text(object, key));
     return found == rows_.end() ? 0 : found->second;
@@ -249,7 +262,7 @@ class Entering {
     photograph.camera = camera.empty() ? 'A' : camera[0];
     photograph.stop = p.at("stop").get<int>();
     photograph.take = p.at("take").get<int>();
-    photograph.path = text(p, "path");
+    photograph.path = here(text(p, "path"));
     photograph.serial = text(p, "serial");
     photograph.exif_json = text(p, "exif");
     take(p, "angle_deg", photograph.angle_deg);
@@ -266,7 +279,7 @@ class Entering {
     scan.side = fromWord<batch::Side>(text(s, "side"));
     scan.index = s.at("index").get<int>();
     scan.name = text(s, "name");
-    scan.path = text(s, "path");
+    scan.path = here(text(s, "path"));
     take(s, "points", scan.points);
     take(s, "coverage_pct", scan.coverage_pct);
     take(s, "plate_x_mm", scan.plate_x_mm);
@@ -307,7 +320,7 @@ class Entering {
   Result<void> file(const json& f, BatchRow batch) {
     FileRecord file;
     file.id = text(f, "id");
-    file.path = text(f, "path");
+    file.path = here(text(f, "path"));
     file.sha256 = text(f, "sha256");
     file.bytes = f.at("bytes").get<std::int64_t>();
     file.media_type = text(f, "media_type");
@@ -315,7 +328,7 @@ class Entering {
     file.batch = batch;
     const auto saved = catalogue_.save(file, act_);  // refuses a path that leads out of the project
     if (!saved) return saved.error();
-    copies.push_back({text(f, "at"), file.path});
+    read.copies.push_back({text(f, "at"), file.path});
     return {};
   }
 
@@ -323,6 +336,7 @@ class Entering {
   const std::map<std::string, std::int64_t>& rows_;
   const Act& act_;
   std::map<std::string, std::int64_t> own_;  ///< id -> row of scans and decisions
+  std::string number_;                       ///< of the present batch in the export
 };
 
 }  // namespace
@@ -339,13 +353,12 @@ Result<ordered_json> batchesJson(const Catalogue& catalogue, const std::set<Batc
   return ordered_json{{"batches", list}};
 }
 
-Result<std::vector<FileCopy>> readBatches(Catalogue& catalogue, const json& batches,
-                                          const std::map<std::string, std::int64_t>& rows,
-                                          const Act& act) {
+Result<ReadBatches> readBatches(Catalogue& catalogue, const json& batches,
+                                const std::map<std::string, std::int64_t>& rows, const Act& act) {
   Entering entering(catalogue, rows, act);
   for (const json& b : batches.at("batches"))
     if (const Result<void> done = entering.batch(b); !done) return done.error();
-  return std::move(entering.copies);
+  return std::move(entering.read);
 }
 
 }  // namespace ostraka::exchange

@@ -21,12 +21,16 @@ struct FileCopy {
   std::string from;  ///< relative to data/ of the export
   std::string to;    ///< relative to the project
 };
-/// Batches that are not there yet enter whole, with their ids; the others stay as they are.
-/// rows: id -> row of persons and bags. Returns the files that belong to what entered. Errors:
-/// another batch of the same number; throws json::exception where something is not as written.
-Result<std::vector<FileCopy>> readBatches(catalogue::Catalogue& catalogue,
-                                          const nlohmann::json& batches,
-                                          const std::map<std::string, std::int64_t>& rows,
-                                          const catalogue::Act& act);
+struct ReadBatches {
+  std::vector<FileCopy> copies;                ///< the files that belong to what entered
+  std::map<std::string, std::string> numbers;  ///< of the export -> in the project
+};
+/// Batches that are not there yet enter whole, with their ids; the others stay as they are. Where
+/// the project has another batch of the same number (two laptops begin with B0001 each), the
+/// entering one gets the project's next number. rows: id -> row of persons and bags. Throws
+/// json::exception where something is not as written.
+Result<ReadBatches> readBatches(catalogue::Catalogue& catalogue, const nlohmann::json& batches,
+                                const std::map<std::string, std::int64_t>& rows,
+                                const catalogue::Act& act);
 
 }  // namespace ostraka::exchange

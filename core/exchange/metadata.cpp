@@ -345,8 +345,8 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
   return {};
 }
 
-Result<std::vector<FileCopy>> readMetadata(Catalogue& catalogue,
-                                           const std::filesystem::path& metadata, const Act& act) {
+Result<ReadBatches> readMetadata(Catalogue& catalogue, const std::filesystem::path& metadata,
+                                 const Act& act) {
   const Result<json> places = readJson(metadata / "places.json");
   if (!places) return places.error();
   const Result<json> batches = readJson(metadata / "batches.json");

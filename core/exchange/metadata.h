@@ -18,9 +18,8 @@ Result<void> writeMetadata(const catalogue::Catalogue& catalogue,
 
 /// Persons, sites, trenches, contexts, bags and batches with their photographs, scans and decisions
 /// of metadata/, with their ids, into a catalogue that does not have them yet; what is there stays
-/// as it is. Returns the files that belong to what entered.
-Result<std::vector<FileCopy>> readMetadata(catalogue::Catalogue& catalogue,
-                                           const std::filesystem::path& metadata,
-                                           const catalogue::Act& act);
+/// as it is.
+Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue,
+                                 const std::filesystem::path& metadata, const catalogue::Act& act);
 
 }  // namespace ostraka::exchange

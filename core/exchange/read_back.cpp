@@ -103,10 +103,9 @@ class ReadingBack {
   Result<ImportReport> enter(const ImportOptions& options, Progress& progress,
                              std::stop_token stop) {
     Catalogue& catalogue = project_.catalogue();
-    Result<std::vector<FileCopy>> beside =
-        readMetadata(catalogue, folder_ / "data" / "metadata", act_);
+    Result<ReadBatches> beside = readMetadata(catalogue, folder_ / "data" / "metadata", act_);
     if (!beside) return beside.error();
-    copies_ = std::move(*beside);
+    copies_ = std::move(beside->copies);
     ImportReport kept;
     std::vector<ImportRow> fresh;
     std::vector<std::pair<SherdRow, std::string>> joins;
@@ -118,6 +117,11 @@ class ReadingBack {
       if (!*there) {
         fresh.push_back(record.row);
         fresh.back().values.erase("joins");  // when all sherds are there
+        if (const auto batch = fresh.back().values.find("batch");
+            batch != fresh.back().values.end())
+          if (const auto number = beside->numbers.find(batch->second);
+              number != beside->numbers.end())
+            batch->second = number->second;
         continue;
       }
       const Result<SherdRecord> sherd = catalogue.sherd(*there);

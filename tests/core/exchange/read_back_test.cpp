@@ -292,6 +292,37 @@ TEST_F(ReadingBack, TwiceGivesOnceAndADifferenceStaysAsItIs) {
   EXPECT_GE(other.backups().size(), 2u) << "backed up before";
 }
 
+// Each laptop begins with B0001.
+TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
+  ASSERT_TRUE(exportTo("out", all));
+  Project other = empty("other");
+  const BatchRow own = *other.catalogue().addBatch({}, {});
+  put(other.folder() / "batches/B0001/front/cam0_pos00.jpg", "of its own");
+  for (int time = 0; time < 2; ++time) {
+    const Result<ImportReport> report =
+        readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
+    ASSERT_TRUE(report) << report.error().sentence();
+    EXPECT_EQ(report->fresh, time == 0 ? 3 : 0);
+    EXPECT_EQ(report->same, time == 0 ? 0 : 3);
+  }
+  const std::string id = catalogue().batch(batch)->id;
+  EXPECT_EQ(other.catalogue().batches()->size(), 2u);
+  EXPECT_EQ(other.catalogue().batch(own)->number, "B0001");
+  const BatchRecord entered = **other.catalogue().batchById(id);
+  EXPECT_EQ(entered.number, "B0002");
+  EXPECT_EQ(entered.note, "Was B0001 where it was made.");
+  EXPECT_EQ(*readFile(other.folder() / "batches/B0001/front/cam0_pos00.jpg"), "of its own");
+  EXPECT_EQ(*readFile(other.folder() / "batches/B0002/front/cam0_pos00.jpg"), "JPEG");
+  for (const ScanRecord& scan : valueIn(other.catalogue().scans(entered.row)))
+    EXPECT_TRUE(scan.path.starts_with("results/B0002/work/")) << scan.path;
+  for (const SherdRow row : rows) {
+    const SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
+    EXPECT_EQ(other.catalogue().sherd(there)->batch_number, "B0002");
+    EXPECT_TRUE(fs::exists(other.absolute(other.catalogue().sherd(there)->model_path)));
+  }
+  EXPECT_TRUE(other.catalogue().checkIntegrity());
+}
+
 TEST_F(ReadingBack, APreviewChangesNothing) {
   ASSERT_TRUE(exportTo("out", all));
   Project other = empty("other");

@@ -47,7 +47,8 @@ ordered_json asJson(const SherdDrawing& drawing) {
   return {{"id", drawing.id},
           {"drawn_as_rim", drawing.drawn_as_rim},
           {"rim", rim},
-          {"remarks", drawing.remarks}};
+          {"remarks", drawing.remarks},
+          {"hints", drawing.hints}};
 }
 
 void print(const SherdDrawing& drawing) {
@@ -55,8 +56,9 @@ void print(const SherdDrawing& drawing) {
     std::printf("%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim kept.\n",
                 drawing.id.c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm,
                 drawing.rim->high_mm, 100 * drawing.rim->kept);
-  for (const std::string& remark : drawing.remarks)
-    std::printf("%s: %s\n", drawing.id.c_str(), remark.c_str());
+  for (const auto* sentences : {&drawing.remarks, &drawing.hints})
+    for (const std::string& sentence : *sentences)
+      std::printf("%s: %s\n", drawing.id.c_str(), sentence.c_str());
 }
 
 int runDraw(const DrawArguments& arguments, Session& session) {

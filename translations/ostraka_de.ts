@@ -3671,6 +3671,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; zweifelhaft</translation>
     </message>
+    <message>
+      <source>%1 ± %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ± %2</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -3635,6 +3635,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; şüpheli</translation>
     </message>
+    <message>
+      <source>%1 ± %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ± %2</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

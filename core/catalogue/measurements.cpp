@@ -79,6 +79,7 @@ void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind,
 void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act) {
   Measurement m = typed;
   m.by = act.person;
+  if (m.uncertainty) return setMeasure(catalogue, m, act, MeasureRank::Always);
   // Who types what was there before (undo does) restores it with its method.
   Statement rows = catalogue.database().sql(
       "SELECT person, method, model_sha256, uncertainty FROM measurement WHERE sherd = ? AND kind "

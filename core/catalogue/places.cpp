@@ -94,13 +94,14 @@ class Saving {
 
 constexpr const char* kContexts =
     "SELECT context.row, context.site, context.trench, context.id, context.number, kind, "
-    "excavated_on, period, date_edtf, note, closed, site.code, trench.code FROM context "
+    "excavated_on, period, date_edtf, note, closed, context.extra, site.code, trench.code FROM "
+    "context "
     "JOIN site ON site.row = context.site LEFT JOIN trench ON trench.row = context.trench";
 
 ContextRecord readContext(Statement& row) {
   ContextRecord c;
   row >> c.row >> c.site >> c.trench >> c.id >> c.number >> c.kind >> c.excavated_on >> c.period >>
-      c.date_edtf >> c.note >> c.closed >> c.site_code >> c.trench_code;
+      c.date_edtf >> c.note >> c.closed >> c.extra_json >> c.site_code >> c.trench_code;
   return c;
 }
 
@@ -279,20 +280,22 @@ Result<ContextRow> Catalogue::save(const ContextRecord& c, const Act& act) {
                                      "= ifnull(?, 0) AND number_key = ?")
                                .with(c.site, c.trench, key)),
                  c.row.value, "There is a context " + number + " in this place already.");
-    const ContextRow row{
-        Saving(*this, act, "context", c.row.value, c.id)
-            .done("site trench number number_key kind excavated_on period date_edtf closed note",
-                  number,
-                  {{"site", rowText(c.site.value)},
-                   {"trench", rowText(c.trench.value)},
-                   {"number", number},
-                   {"kind", c.kind},
-                   {"excavated_on", day},
-                   {"period", c.period},
-                   {"date_edtf", edtf},
-                   {"closed", c.closed ? "1" : "0"},
-                   {"note", c.note}},
-                  c.site, c.trench, number, key, c.kind, day, c.period, edtf, c.closed, c.note)};
+    const ContextRow row{Saving(*this, act, "context", c.row.value, c.id)
+                             .done("site trench number number_key kind excavated_on period "
+                                   "date_edtf closed note extra",
+                                   number,
+                                   {{"site", rowText(c.site.value)},
+                                    {"trench", rowText(c.trench.value)},
+                                    {"number", number},
+                                    {"kind", c.kind},
+                                    {"excavated_on", day},
+                                    {"period", c.period},
+                                    {"date_edtf", edtf},
+                                    {"closed", c.closed ? "1" : "0"},
+                                    {"note", c.note},
+                                    {"extra", c.extra_json}},
+                                   c.site, c.trench, number, key, c.kind, day, c.period, edtf,
+                                   c.closed, c.note, c.extra_json)};
     if (c.row) searchAnew(*database_, "row", row.value);
     return row;
   });

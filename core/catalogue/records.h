@@ -72,6 +72,7 @@ struct ContextRecord {
   std::string id, number;  ///< a text: 0012 and 12 differ
   std::string kind, excavated_on, period, date_edtf, note;
   bool closed = false;
+  std::string extra_json = "{}";       ///< the user's own fields
   std::string site_code, trench_code;  ///< read only
 };
 

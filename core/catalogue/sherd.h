@@ -43,8 +43,8 @@ struct Measurement {
   SherdRow sherd;
   std::string kind, unit;
   double value = 0;
-  std::optional<double> uncertainty;
-  std::string method = "program";  ///< program, scale, calliper, estimate
+  std::optional<double> uncertainty;  ///< half of the 95 % interval, in the unit
+  std::string method = "program";     ///< program, scale, calliper, estimate
   PersonRow by;
   std::string model_sha256;
 };

@@ -19,9 +19,10 @@ struct Examined {
   ChangePreview shown;
   const SherdColumn* column = nullptr;  ///< null for the user's own fields
   double number = 0;
-  ContextRow context;  ///< of a place, once for all its parts
+  ContextRow context;                 ///< of a place, once for all its parts
   BagRow bag;
   std::vector<SherdRow> joins;
+  std::optional<double> uncertainty = std::nullopt;  ///< of a measure typed as 12.5 ± 0.4
   bool changes() const { return shown.old_value != shown.new_value; }
 };
 
@@ -143,7 +144,17 @@ class Examination {
 
   void measure(Examined& change) {
     const std::string unit = unitOf(change.column->measure);
-    change.number = orRefuse(parsedNumber(change.shown.new_value));
+    std::string value = change.shown.new_value;
+    std::optional<std::string> half;
+    for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
+      if (const std::size_t at = value.find(sign); at != std::string::npos) {
+        half = value.substr(at + sign.size());
+        value.resize(at);
+        break;
+      }
+    change.number = orRefuse(parsedNumber(value));
+    if (half) change.uncertainty = orRefuse(parsedNumber(*half));
+    if (change.uncertainty.value_or(1) <= 0) refuse("What follows the sign ± is above 0.");
     if (!(change.number > 0)) refuse("A measurement is above 0.");
     if (unit == "mm" && change.number > kMostMillimetres)
       refuse("No sherd is larger than 1000 mm; is this in millimetres?");
@@ -317,9 +328,9 @@ void apply(Catalogue& catalogue, const Examined& change, SherdRecord& sherd, Pla
     if (value.empty())
       clearMeasure(catalogue, row, kind, act);
     else
-      typeMeasure(catalogue,
-                  {row, kind, {}, change.number, std::nullopt, methodOf(kind), act.person, {}},
-                  act);
+      typeMeasure(
+          catalogue,
+          {row, kind, {}, change.number, change.uncertainty, methodOf(kind), act.person, {}}, act);
     return;  // its history is written with the measurement
   } else if (change.column->field.kind == FieldKind::Joins) {
     setJoins(catalogue, row, change.joins);

@@ -60,6 +60,7 @@ class Composer {
   }
 
   Result<SherdDrawing> run() {
+    out_.remarks = options_.remarks;
     const Walls walls = findWalls(mesh_);
     out_.measures = model::measure(mesh_);
     if (options_.rim != RimChoice::No) out_.rim = findRim(walls);
@@ -91,7 +92,7 @@ class Composer {
       out_.remarks.push_back(
           words("Drawn as a rim, which is likely (%.0f %%); check it.", 100 * p));
     else if (!out_.drawn_as_rim && p >= kPossible)
-      out_.remarks.push_back(
+      out_.hints.push_back(
           words("May be a rim (%.0f %%); if it is one, say so and draw it again.", 100 * p));
   }
 

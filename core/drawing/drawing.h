@@ -23,6 +23,7 @@ struct DrawingOptions {
   double scale = 1;  ///< mm on paper per mm: 1 or 0.5 by custom
   RimChoice rim = RimChoice::Propose;
   Surface surface = Surface::Relief;
+  std::vector<std::string> remarks;  ///< to stand below the measures, before the drawing's own
   Result<void> check() const;
 };
 
@@ -35,7 +36,8 @@ struct SherdDrawing {
   std::optional<RimEstimate> rim;  ///< where a stretch of the edge could be a lip
   bool drawn_as_rim = false;
   model::Measures measures;
-  std::vector<std::string> remarks;  ///< what a person should know or decide, whole sentences
+  std::vector<std::string> remarks;  ///< on the sheet, too; whole sentences
+  std::vector<std::string> hints;    ///< what could be drawn otherwise; not on the sheet
 };
 
 /// mesh: closed, outward, mm. Errors: UnusableInput (options, a mesh without faces; RimChoice::Yes

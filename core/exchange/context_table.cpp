@@ -1,5 +1,6 @@
 // Sites, trenches, contexts and bags from a table.
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "catalogue/names.h"
 #include "catalogue/values.h"
@@ -12,12 +13,20 @@ namespace {
 
 using namespace catalogue;
 
+const std::vector<std::string> kColumns = {
+    "site",   "trench", "context", "kind",         "excavated_on",  "period",   "date_edtf",
+    "closed", "note",   "bag",     "collected_on", "count_written", "weight_g", "storage"};
+
 Error unknown(const std::string& what, const std::string& code) {
   return {ErrorCode::UnusableInput,
           "There is no " + what + " " + code +
               "; make it, or let the "
               "import make it.",
           {}};
+}
+
+bool isKnown(const std::string& column) {
+  return column == "uuid" || std::find(kColumns.begin(), kColumns.end(), column) != kColumns.end();
 }
 
 // Sets a text from a column: blank keeps, <clear> empties.
@@ -34,6 +43,20 @@ class Values {
     const std::string read = raw(column);
     if (!read.empty()) value = read == "<clear>" ? std::string() : read;
   }
+  // The user's own fields with what the columns say that are not known.
+  std::string extra(const std::string& before) const {
+    nlohmann::ordered_json fields = nlohmann::ordered_json::parse(before, nullptr, false);
+    if (!fields.is_object()) fields = nlohmann::ordered_json::object();
+    for (const std::string& column : table_.columns) {
+      if (isKnown(column)) continue;
+      std::string value = fields.contains(column) && fields[column].is_string()
+                              ? fields[column].get<std::string>()
+                              : std::string();
+      text(column, value);
+      value.empty() ? (void)fields.erase(column) : (void)(fields[column] = value);
+    }
+    return fields.dump();
+  }
   Result<void> number(const std::string& column, std::optional<double>& value) const {
     const std::string read = raw(column);
     if (read.empty()) return {};
@@ -49,10 +72,6 @@ class Values {
   const CsvTable& table_;
   const CsvRow& row_;
 };
-
-const std::vector<std::string> kColumns = {
-    "site",   "trench", "context", "kind",         "excavated_on",  "period",   "date_edtf",
-    "closed", "note",   "bag",     "collected_on", "count_written", "weight_g", "storage"};
 
 template <class Record, class Row>
 Record* byRow(std::vector<Record>& records, Row row) {
@@ -76,6 +95,7 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
     return Error{ErrorCode::UnusableInput, "The column closed takes yes or no.", {}};
   if (!closed.empty()) context.closed = closed == "yes";
+  context.extra_json = values.extra(context.extra_json);
   if (const auto saved = catalogue.save(context, act); !saved) return saved.error();
   const std::string number = values.raw("bag");
   if (number.empty()) return {};
@@ -227,9 +247,9 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
                                     Progress& progress, std::stop_token stop) {
   ImportReport report;
   for (const std::string& column : table.columns)
-    if (std::find(kColumns.begin(), kColumns.end(), column) == kColumns.end() && column != "uuid")
+    if (!isKnown(column))
       report.warnings.push_back("The column '" + column +
-                                "' is not known for contexts and is left aside.");
+                                "' is not known; its values are kept as a field of your own.");
   ContextRows entering(catalogue, table, act, report);
   const Result<std::size_t> entered =
       enterInPortions(catalogue, table.rows.size(), options, progress, stop,

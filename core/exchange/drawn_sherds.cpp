@@ -42,21 +42,16 @@ Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
-  const auto withDoubt = [&](Result<drawing::SherdDrawing> drawing) {
-    if (drawing && sherd.scale_doubtful)
-      drawing->remarks.push_back(
-          "The measures of its batch are in doubt: so is the size of this drawing.");
-    return drawing;
-  };
+  if (sherd.scale_doubtful)
+    how.remarks.push_back(
+        "The measures of its batch are in doubt: so is the size of this drawing.");
   Result<drawing::SherdDrawing> drawn = drawing::drawSherd(model->mesh, id, how);
-  if (drawn || how.rim != RimChoice::Yes) return withDoubt(std::move(drawn));
+  if (drawn || how.rim != RimChoice::Yes) return drawn;
   // No stretch of the edge can be a lip, or the model itself is at fault: then this fails, too.
   how.rim = RimChoice::No;
-  drawn = drawing::drawSherd(model->mesh, id, how);
-  if (drawn)
-    drawn->remarks.push_back(
-        "It is said to be a rim, but no stretch of its edge can be one; drawn without.");
-  return withDoubt(std::move(drawn));
+  how.remarks.push_back(
+      "It is said to be a rim, but no stretch of its edge can be one; drawn without.");
+  return drawing::drawSherd(model->mesh, id, how);
 }
 
 Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,

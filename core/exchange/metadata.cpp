@@ -134,6 +134,8 @@ ordered_json contextJson(const ContextRecord& c, const std::string& site,
   put(one, "date_edtf", c.date_edtf);
   put(one, "note", c.note);
   one["closed"] = c.closed;
+  if (const auto own = ordered_json::parse(c.extra_json, nullptr, false); !own.empty())
+    one["extra"] = own;
   return one;
 }
 
@@ -231,6 +233,7 @@ class Reading {
       context.date_edtf = text(c, "date_edtf");
       context.note = text(c, "note");
       context.closed = c.value("closed", false);
+      if (c.contains("extra")) context.extra_json = c.at("extra").dump();
       if (auto done = add(context); !done) return done;
     }
     for (const json& b : places.at("bags")) {

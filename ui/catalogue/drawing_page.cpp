@@ -282,7 +282,8 @@ QString DrawingPage::words() const {
   }
   if (sherds_.size() == 1) {
     for (const drawing::SherdDrawing& one : sherds.drawings)
-      for (const std::string& remark : one.remarks) lines << QString::fromStdString(remark);
+      for (const auto* sentences : {&one.remarks, &one.hints})
+        for (const std::string& sentence : *sentences) lines << QString::fromStdString(sentence);
     for (const exchange::SherdLeftOut& out : sherds.left_out)
       lines << QString::fromStdString(out.why);
     return lines.join('\n');
@@ -376,11 +377,16 @@ void DrawingPage::write(const QString& title,
 void DrawingPage::enterRim() {
   if (!drawn_ || drawn_->sherds.drawings.empty()) return;
   const drawing::RimEstimate& rim = *drawn_->sherds.drawings.front().rim;
-  const auto rounded = [](double value) {
-    return catalogue::numberText(std::round(value * 10) / 10);
+  // With the larger half of the 95 % interval; an open one has no half to name.
+  const auto rounded = [](double value, double low, double high) {
+    const auto tenths = [](double x) { return catalogue::numberText(std::round(x * 10) / 10); };
+    const double half = std::max(high - value, value - low);
+    return tenths(value) + (std::isfinite(half) ? " ± " + tenths(half) : std::string());
   };
-  emit measuresWanted({{sherds_.front(), "rim_diameter_mm", rounded(rim.diameter_mm)},
-                       {sherds_.front(), "rim_pct", rounded(100 * rim.kept)}});
+  emit measuresWanted(
+      {{sherds_.front(), "rim_diameter_mm", rounded(rim.diameter_mm, rim.low_mm, rim.high_mm)},
+       {sherds_.front(), "rim_pct",
+        rounded(100 * rim.kept, 100 * rim.kept_low, 100 * rim.kept_high)}});
 }
 
 }  // namespace ostraka::ui

@@ -251,7 +251,9 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
       const bool doubtful = sherd.doubtful.contains(m.kind);
       auto* item = new QTreeWidgetItem(
           measures_,
-          {measureLabel(m.kind), measureText(m.value),
+          {measureLabel(m.kind),
+           m.uncertainty ? tr("%1 ± %2").arg(measureText(m.value), measureText(*m.uncertainty))
+                         : measureText(m.value),
            doubtful ? tr("%1; in doubt").arg(methodLabel(m.method)) : methodLabel(m.method)});
       item->setFont(1, tabularFont(font()));
       item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);

@@ -107,6 +107,27 @@ TEST_F(Changes, MeasurementsHaveLimits) {
   EXPECT_FALSE(set(a, "rim_pct", "101"));
 }
 
+TEST_F(Changes, AMeasurementMayBeTypedWithItsUncertainty) {
+  const SherdRow a = numbered(context12);
+  const auto diameter = [&] {
+    for (const Measurement& m : valueIn(catalogue().measurements(a)))
+      if (m.kind == "rim_diameter") return m;
+    return Measurement{};
+  };
+  ASSERT_TRUE(set(a, "rim_diameter_mm", "234,5 ± 6"));
+  EXPECT_EQ(diameter().value, 234.5);
+  EXPECT_EQ(diameter().uncertainty, 6);
+  const FieldChange other{a, "rim_diameter_mm", "230"};
+  const auto undo = catalogue().change(std::span(&other, 1), anna);
+  ASSERT_TRUE(undo);
+  EXPECT_EQ(diameter().uncertainty, std::nullopt);
+  ASSERT_TRUE(catalogue().change(*undo, anna));
+  EXPECT_EQ(diameter().value, 234.5);
+  EXPECT_EQ(diameter().uncertainty, 6);
+  for (const char* bad : {"234 ±", "234 ± 0", "234 ± -1", "± 6", "234 ± 6 ± 1", "234 ± x"})
+    EXPECT_FALSE(set(a, "rim_diameter_mm", bad)) << bad;
+}
+
 TEST_F(Changes, TextsThatAreNoTextAreRefused) {
   const SherdRow a = numbered(context12);
   EXPECT_FALSE(set(a, "note", "\xFF\xFE"));

@@ -49,6 +49,18 @@ TEST(Drawing, SaysTheNumberAndTheMeasures) {
   EXPECT_THAT(svg, HasSubstr(">1 : 1</text>"));
 }
 
+TEST(Drawing, HoldsRemarksAndNoHints) {
+  DrawingOptions options;
+  options.rim = RimChoice::No;
+  options.remarks = {"The size is in doubt."};
+  auto drawing = drawSherd(wallSherd().sherd.mesh, "ARM1-7", options);
+  ASSERT_TRUE(drawing.has_value());
+  drawing->hints.push_back("Draw it again.");
+  const std::string svg = formatSvg(layOut({*drawing}, 1, {})[0], "x");
+  EXPECT_THAT(svg, HasSubstr("The size is in doubt."));
+  EXPECT_THAT(svg, testing::Not(HasSubstr("Draw it again.")));
+}
+
 TEST(Drawing, OfARimSaysDiameterIntervalAndWhatIsKept) {
   const TrueSherdOfVessel rim = trueSherd(SherdPart::Rim, 500, 0);
   DrawingOptions options;

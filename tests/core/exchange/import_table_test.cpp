@@ -158,6 +158,17 @@ TEST_F(Import, OfContextsMakesAndChangesThem) {
   EXPECT_EQ(again.fresh + again.changed, 0);
 }
 
+TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {
+  const ImportReport report =
+      import("site;trench;context;description;Öffner\nARM1;T3;0012;dark fill;LT\n");
+  EXPECT_EQ(report.warnings.size(), 2u);
+  const auto own = [&](ContextRow row) { return catalogue().context(row)->extra_json; };
+  EXPECT_EQ(own(context12), "{\"description\":\"dark fill\",\"Öffner\":\"LT\"}");
+  EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;\n").same, 1);
+  EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;<clear>\n").changed, 1);
+  EXPECT_EQ(own(context12), "{\"Öffner\":\"LT\"}");
+}
+
 TEST_F(Import, ATableOfSomethingElseIsRefusedWhole) {
   for (const char* text : {"a,b\n1,2\n", "number,number\n1,2\n", "number,,x\n1,2,3\n", ""})
     EXPECT_FALSE(importTable(catalogue(), text, "t.csv", {}, anna, quiet, {})) << text;

@@ -21,6 +21,11 @@
         <numerusform>%n Scherben wurden auf dem Teller gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Während die Ladung berechnet wurde, sind Paare entschieden worden; berechnen Sie sie dafür noch einmal.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>

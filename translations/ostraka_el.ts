@@ -21,6 +21,11 @@
         <numerusform>Μετρήθηκαν %n όστρακα πάνω στον δίσκο και βρέθηκε άλλος αριθμός· αναζητήστε στον χάρτη αυτό που λείπει ή κόπηκε στα δύο.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποφασίστηκαν ζεύγη ενώ υπολογιζόταν η παρτίδα· υπολογίστε την ξανά γι' αυτά.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>

@@ -21,6 +21,11 @@
         <numerusform>Se contaron %n fragmentos sobre el plato y se encontró otro número; busque en el plano el que falta o está partido en dos.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se decidieron pares mientras se calculaba la tanda; calcúlela de nuevo para ellos.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>

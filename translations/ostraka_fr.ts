@@ -21,6 +21,11 @@
         <numerusform>%n tessons ont été comptés sur le plateau, et un autre nombre a été trouvé ; cherchez sur le plan celui qui manque ou qui est coupé en deux.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des paires ont été décidées pendant le calcul du lot ; recalculez-le pour elles.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>

@@ -21,6 +21,11 @@
         <numerusform>Սկավառակի վրա հաշվվել է %n խեցաբեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգեր որոշվեցին, մինչ խմբաքանակը հաշվարկվում էր. նորից հաշվարկեք այն դրանց համար։</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>

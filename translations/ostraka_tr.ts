@@ -20,6 +20,11 @@
         <numerusform>Tabla üzerinde %n parça sayıldı, başka bir sayı bulundu; eksik olanı ya da ikiye bölüneni planda arayın.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti hesaplanırken çiftlere karar verildi; onlar için yeniden hesaplayın.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "batch/batch.h"
+#include "catalogue/review_decisions.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/typed_numbers.h"
 #include "catalogue/values.h"
@@ -281,8 +282,9 @@ class Entering {
   Entering(Catalogue& catalogue, BatchRow batch, const Act& act)
       : catalogue_(catalogue), batch_(batch), act_{{}, "process", act.why} {}
 
-  EnteredResults enter(const ReadResults& read) {
+  EnteredResults enter(const ReadResults& read, const fs::path& out) {
     scans(read.scans);
+    orRefuse(enterStanding(catalogue_, orRefuse(catalogue_.batch(batch_)).number, out));
     decide(read);
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
@@ -427,7 +429,7 @@ Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& projec
       catalogue.database().door([&] { return Reading(project, batch, out, progress, stop).all(); });
   if (!read) return read.error();
   return catalogue.database().inTransaction(
-      [&] { return Entering(catalogue, batch, act).enter(*read); });
+      [&] { return Entering(catalogue, batch, act).enter(*read, out); });
 }
 
 Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, BatchRow batch,

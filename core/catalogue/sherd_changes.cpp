@@ -19,7 +19,7 @@ struct Examined {
   ChangePreview shown;
   const SherdColumn* column = nullptr;  ///< null for the user's own fields
   double number = 0;
-  ContextRow context;                 ///< of a place, once for all its parts
+  ContextRow context;  ///< of a place, once for all its parts
   BagRow bag;
   std::vector<SherdRow> joins;
   std::optional<double> uncertainty = std::nullopt;  ///< of a measure typed as 12.5 ± 0.4

@@ -140,6 +140,37 @@ Result<void> checked(const PairDecision& d) {
 
 }  // namespace
 
+Decisions followed(const Decisions& all, const fs::path& output) {
+  std::error_code none;
+  const Result<nlohmann::json> report = readJson(output / "report.json");
+  if (!report) return {};
+  if (const auto numbers = report->find("decisions");
+      numbers != report->end() && numbers->is_array()) {
+    Decisions found;
+    for (const PairDecision& d : all)
+      if (std::find(numbers->begin(), numbers->end(), d.number) != numbers->end())
+        found.push_back(d);
+    return found;
+  }
+  const auto computed = fs::last_write_time(output / "report.json", none);
+  const auto decided = fs::last_write_time(output / "decisions.json", none);
+  return none || decided > computed ? Decisions() : standing(all);
+}
+
+Decisions changedSince(const Decisions& all, const Decisions& followed) {
+  Decisions changed;
+  const Decisions now = standing(all);
+  const auto without = [&](const Decisions& list, const Decisions& other) {
+    for (const PairDecision& d : list)
+      if (std::none_of(other.begin(), other.end(),
+                       [&](const PairDecision& o) { return o.number == d.number; }))
+        changed.push_back(d);
+  };
+  without(now, followed);
+  without(followed, now);
+  return changed;
+}
+
 int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans) {
   int nearest = -1;
   double least = 10;

@@ -74,6 +74,12 @@ Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDec
 
 nlohmann::ordered_json toJson(const Decisions& decisions);
 
+/// Those whose numbers OUT/report.json names: what holds may have changed since. None where there
+/// are no results; all where they name none (an earlier program), if nothing was written since.
+Decisions followed(const Decisions& all, const std::filesystem::path& output);
+/// What holds and was not followed, and what was followed and holds no more.
+Decisions changedSince(const Decisions& all, const Decisions& followed);
+
 /// The index of the scan that is meant, -1 when none lies within 10 mm of the place: a sherd's
 /// mean moves less when it is computed anew, and no two sherds' means lie nearer. Scans of other
 /// photographs are not meant.

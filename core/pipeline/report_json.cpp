@@ -36,6 +36,7 @@ ordered_json reportJson(const ReportInput& input) {
           {"has_scale", input.poses == nullptr || input.poses->has_scale},
           {"scale_doubts", input.scale_doubts},
           {"draft", input.draft},
+          {"decisions", input.decisions},
           {"batch", input.batch_name},
           {"stages", stages},
           {"sherds", sherds},

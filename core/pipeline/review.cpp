@@ -205,6 +205,18 @@ Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing) 
   return review;
 }
 
+bool onlyConfirm(const CandidateTable& table, const Decisions& decisions) {
+  if (decisions.empty()) return true;
+  const Result<Review> free = reviewOf(table, {});
+  if (!free) return false;
+  return std::all_of(decisions.begin(), decisions.end(), [&](const PairDecision& d) {
+    if (d.kind != DecisionKind::Pair || d.settle == Settle::AsGiven) return false;
+    const ReviewCard* card = free->ofFront(resolved(d.scans.at(0), table.fronts));
+    if (card == nullptr || card->back != resolved(d.scans.at(1), table.backs)) return false;
+    return !d.front_from_back || d.front_from_back->isApprox(card->front_from_back, 1e-6);
+  });
+}
+
 Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
   const std::filesystem::path file = output / "work" / "pairs" / "candidates.json";
   std::error_code failed;

@@ -68,6 +68,10 @@ struct Review {
 /// Milliseconds, for 60 sherds too. Errors: those of assigned().
 Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing);
 
+/// These decisions say no more than the program does without any: nothing is to be computed for
+/// them.
+bool onlyConfirm(const CandidateTable& table, const Decisions& decisions);
+
 /// The table of a batch that was computed. Errors: Missing when its pairs are not computed yet or
 /// by an older program, UnusableInput.
 Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output);

@@ -27,6 +27,7 @@ void PairReviewModel::open(OpenedBatch batch) {
   candidates_.clear();
   live_ = std::move(batch.live);
   decisions_ = std::move(batch.decisions);
+  followed_ = std::move(batch.followed);
   thumbnails_.clear();
   more_.clear();
   asked_.clear();
@@ -69,6 +70,7 @@ void PairReviewModel::close() {
   review_ = {};
   rows_.clear();
   decisions_.clear();
+  followed_.clear();
   candidates_.clear();
   trial_ = {};
   scene_wanted_ = clouds_wanted_ = busy_ = false;
@@ -190,7 +192,8 @@ int PairReviewModel::holderOf(int back) const {
 }
 
 bool PairReviewModel::wantsComputing() const {
-  return live_ && !onlyConfirm(live_->table(), pipeline::standing(decisions_));
+  return live_ &&
+         !pipeline::onlyConfirm(live_->table(), pipeline::changedSince(decisions_, followed_));
 }
 
 void PairReviewModel::selectRow(int row) {

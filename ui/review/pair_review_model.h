@@ -134,6 +134,7 @@ class PairReviewModel final : public QAbstractListModel {
   QString person_;
   LivePairsPtr live_;
   pipeline::Decisions decisions_;
+  pipeline::Decisions followed_;  ///< by the results as they are
   pipeline::Review review_;
   std::vector<ReviewRow> rows_;
   ScanPictures thumbnails_;

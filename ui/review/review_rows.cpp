@@ -9,7 +9,6 @@ namespace ostraka::ui {
 namespace {
 
 using pipeline::CardState;
-using pipeline::DecisionKind;
 
 }  // namespace
 
@@ -36,18 +35,6 @@ ReviewFigures figuresOf(const pipeline::Review& review) {
   }
   figures.ask = review.waiting();
   return figures;
-}
-
-bool onlyConfirm(const pipeline::CandidateTable& table, const pipeline::Decisions& standing) {
-  const Result<pipeline::Review> free = pipeline::reviewOf(table, {});
-  if (!free) return false;
-  return std::all_of(standing.begin(), standing.end(), [&](const pipeline::PairDecision& d) {
-    if (d.kind != DecisionKind::Pair || d.settle == pipeline::Settle::AsGiven) return false;
-    const auto* card = free->ofFront(pipeline::resolved(d.scans.at(0), table.fronts));
-    if (card == nullptr || card->back != pipeline::resolved(d.scans.at(1), table.backs))
-      return false;
-    return !d.front_from_back || d.front_from_back->isApprox(card->front_from_back, 1e-6);
-  });
 }
 
 QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table) {

@@ -30,10 +30,6 @@ struct ReviewFigures {
 };
 ReviewFigures figuresOf(const pipeline::Review& review);
 
-/// The standing decisions say no more than the program does without them: nothing is to be computed
-/// for them.
-bool onlyConfirm(const pipeline::CandidateTable& table, const pipeline::Decisions& standing);
-
 QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table);
 QString rowWord(const ReviewRow& row);
 /// Whole sentence: why a lone back wants a person, or what was decided about it.

@@ -10,11 +10,11 @@
 #include <algorithm>
 
 #include "catalogue/project.h"
+#include "catalogue/review_decisions.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/state_colours.h"
 #include "ui/queue/batch_figures.h"
-#include "ui/review/catalogue_entry.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
 
@@ -190,7 +190,7 @@ void ReviewStation::openOutput(const QString& batch, const std::string& decider)
     const auto opened = outcomeAs<OpenedBatch>(outcome);
     if (!opened) return say(QString::fromStdString(opened.error().sentence()));
     model_->open(*opened);
-    compute_->setVisible(model_->wantsComputing() && isOlderThanDecisions());
+    compute_->setVisible(model_->wantsComputing());
     if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
     if (!decider.empty() && session_->hasProject()) {
       if (const Result<void> told = tellQueue(decider); !told)
@@ -205,8 +205,8 @@ void ReviewStation::openOutput(const QString& batch, const std::string& decider)
 // The queue computes; this only says that the batch wants it.
 void ReviewStation::compute() {
   if (!session_ || !session_->hasProject()) return;
-  const Result<void> queued = queueAgain(session_->project().catalogue(), batch_.toStdString(),
-                                         session_->initials().toStdString());
+  const Result<void> queued = catalogue::queueAgain(
+      session_->project().catalogue(), batch_.toStdString(), session_->initials().toStdString());
   if (!queued) return say(QString::fromStdString(queued.error().sentence()));
   compute_->hide();
   say(tr("%1 waits to be computed; only what changed is done again.").arg(batch_));
@@ -225,7 +225,7 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
           : tr("Saved, with your name."));
   if (session_->hasProject()) {
     catalogue::Catalogue& rows = session_->project().catalogue();
-    const Result<void> entered = enterDecision(rows, batch.toStdString(), decision);
+    const Result<void> entered = catalogue::enterDecision(rows, batch.toStdString(), decision);
     const Result<void> told = shown ? tellQueue(decision.by) : Result<void>();
     if (shown) compute_->setVisible(model_->wantsComputing());
     for (const Result<void>* done : {&told, &entered})
@@ -245,7 +245,8 @@ Result<void> ReviewStation::tellQueue(const std::string& person) {
   figures.decided = now.decided;
   figures.ask = now.ask;
   if (const Result<void> kept = keepFigures(rows, batch, figures); !kept) return kept;
-  return settleBatch(rows, batch.toStdString(), person, now.ask == 0 && !model_->wantsComputing());
+  return catalogue::settleBatch(rows, batch.toStdString(), person,
+                                now.ask == 0 && !model_->wantsComputing());
 }
 
 // What another station did to this batch: new pairs are shown, a mere change of its state is not.
@@ -255,15 +256,6 @@ void ReviewStation::follow(const QString& batch) {
   if (batch == batch_) showScale();
   // The first batch that is computed shows itself; one that was computed anew is read anew.
   if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) != stamp_)) openOutput(batch);
-}
-
-// Whether something was decided since the batch was computed.
-bool ReviewStation::isOlderThanDecisions() const {
-  std::error_code none;
-  const auto decided = fs::last_write_time(outputOf(batch_) / "decisions.json", none);
-  if (none) return false;
-  const auto computed = fs::last_write_time(outputOf(batch_) / "report.json", none);
-  return none || decided > computed;
 }
 
 fs::file_time_type ReviewStation::stampOf(const QString& batch) const {

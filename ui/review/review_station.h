@@ -47,7 +47,6 @@ class ReviewStation final : public Station {
   void compute();
   void enter(const std::filesystem::path& output, const pipeline::PairDecision& decision);
   Result<void> tellQueue(const std::string& person);  ///< of the pairs that are shown
-  bool isOlderThanDecisions() const;
   void follow(const QString& batch);
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);

@@ -41,7 +41,8 @@ Result<OpenedBatch> openBatch(const std::filesystem::path& output) {
   if (!decisions) return decisions.error();
   const auto live = pipeline::LivePairs::open(output);
   if (!live) return live.error();
-  return OpenedBatch{*live, std::move(*decisions)};
+  pipeline::Decisions followed = pipeline::followed(*decisions, output);
+  return OpenedBatch{*live, std::move(*decisions), std::move(followed)};
 }
 
 Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,

@@ -19,6 +19,7 @@ using LivePairsPtr = std::shared_ptr<const pipeline::LivePairs>;
 struct OpenedBatch {
   LivePairsPtr live;
   pipeline::Decisions decisions;  ///< all ever taken
+  pipeline::Decisions followed;   ///< by the results as they are
 };
 Result<OpenedBatch> openBatch(const std::filesystem::path& output);
 

@@ -176,5 +176,31 @@ TEST_F(DecisionsOf, FindTheirScanByItsPlaceWhenItsIdChanged) {
   EXPECT_EQ(resolved({Side::Back, "b001", {0, 0}}, now), -1);
 }
 
+// What the results follow is told by their report, not by the age of files.
+TEST_F(DecisionsOf, WhatChangedSinceTheResultsIsKnown) {
+  const auto changed = [&] {
+    std::vector<int> numbers;
+    const Decisions all = *readDecisions(out_);
+    for (const PairDecision& d : changedSince(all, followed(all, out_)))
+      numbers.push_back(d.number);
+    return numbers;
+  };
+  append(pair(1, 1));
+  append(pair(2, 2));
+  EXPECT_EQ(changed(), (std::vector<int>{1, 2})) << "there are no results";
+  ASSERT_TRUE(writeFileAtomically(out_ / "report.json", R"({"decisions": [1]})"));
+  EXPECT_EQ(changed(), std::vector<int>{2}) << "taken while it was computed";
+  ASSERT_TRUE(writeFileAtomically(out_ / "report.json", R"({"decisions": [1, 2]})"));
+  EXPECT_TRUE(changed().empty());
+  PairDecision back;
+  back.kind = DecisionKind::Withdraw;
+  back.by = "AP";
+  back.replaces = {1};
+  append(back);
+  EXPECT_EQ(changed(), std::vector<int>{1}) << "followed, and holds no more";
+  ASSERT_TRUE(writeFileAtomically(out_ / "report.json", R"({"format": "of an earlier program"})"));
+  EXPECT_TRUE(changed().empty());
+}
+
 }  // namespace
 }  // namespace ostraka::pipeline

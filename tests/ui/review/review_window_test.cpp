@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "../names.h"
+#include "base/files.h"
 #include "catalogue/piece_decisions.h"
 #include "review_window.h"
 #include "ui/frame/look.h"
@@ -35,6 +36,7 @@ class ReviewWindowTest : public ReviewWindow {
   void piecesOfTheBackAreJoinedByKeyboardAndByMouse();
   void theQueueFollowsWhatIsDecided();
   void whatIsOnlyConfirmedNeedsNoComputing();
+  void aJoinThatWasComputedAndIsTakenBackWantsComputing();
   void aBatchOfDoubtfulScaleSaysSoAboveItsPairs();
   void whatDecidesIsInSightHoweverLargeTheLetters();
   void everyControlHasAName();
@@ -304,6 +306,25 @@ void ReviewWindowTest::whatIsOnlyConfirmedNeedsNoComputing() {
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(model()->waiting(), 2);
+  QCOMPARE(batchState(), catalogue::BatchState::Review);
+}
+
+void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
+  open(4, true);
+  const auto* compute = station_->findChild<QPushButton*>("compute");
+  key(Qt::Key_J, Qt::ShiftModifier);
+  key(Qt::Key_Down);
+  key(Qt::Key_Down);
+  key(Qt::Key_Return);
+  QTRY_VERIFY(compute->isVisible());
+  // As the computation leaves it that followed the join.
+  QVERIFY(writeFileAtomically(out_.output / "report.json", R"({"decisions": [1]})"));
+  station_->showItem("B0001");
+  QTRY_VERIFY(model()->isOpen());
+  QTRY_VERIFY(!compute->isVisible());
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_VERIFY(standingOnDisk().empty());
+  QTRY_VERIFY(compute->isVisible());
   QCOMPARE(batchState(), catalogue::BatchState::Review);
 }
 

@@ -1,29 +1,34 @@
 #pragma once
+#include <filesystem>
 #include <string>
 
 #include "base/result.h"
 #include "pipeline/decisions.h"
 
 namespace ostraka::catalogue {
-class Catalogue;
-}
 
-namespace ostraka::ui {
+class Catalogue;
 
 /// Enters what a person decided into the catalogue's append-only list, so that the sherds follow.
 /// A decision about several scans becomes a row each; joins and cuts go into the list of pieces.
 /// Errors: Missing when the batch or its scans are not entered yet.
-Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& batch_number,
+Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
                            const pipeline::PairDecision& decision);
+
+/// Enters those of OUT/decisions.json that hold and are not there yet: taken while the batch was
+/// computed, or without a catalogue. One about scans that are gone is left. Returns how many.
+/// Errors: a file that cannot be read, the batch is not there.
+Result<int> enterStanding(Catalogue& catalogue, const std::string& batch_number,
+                          const std::filesystem::path& output);
 
 /// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
 /// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
 /// as it is.
-Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
+Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do);
 
 /// The batch is to be computed again; the queue sees it.
-Result<void> queueAgain(catalogue::Catalogue& catalogue, const std::string& batch_number,
+Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
                         const std::string& person);
 
-}  // namespace ostraka::ui
+}  // namespace ostraka::catalogue

@@ -1,14 +1,14 @@
-#include "ui/review/catalogue_entry.h"
+#include "catalogue/review_decisions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "catalogue/catalogue.h"
 #include "catalogue/piece_decisions.h"
 
-namespace ostraka::ui {
+namespace ostraka::catalogue {
 namespace {
 
-using catalogue::Catalogue;
 using pipeline::DecisionKind;
 
 // Rows that stand for a decision say its number in the file, so that a withdrawal finds them.
@@ -21,48 +21,66 @@ bool isMarked(const std::string& note, int number) {
   return note == mark || note.rfind(mark + ":", 0) == 0;
 }
 
-Result<void> withdraw(Catalogue& catalogue, catalogue::BatchRow batch,
-                      const pipeline::PairDecision& decision, const catalogue::Act& act) {
+Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::PairDecision& decision,
+                      const Act& act) {
   const auto all = catalogue.decisions(batch);
   if (!all) return all.error();
-  for (const catalogue::PairDecision& earlier : *all) {
+  for (const PairDecision& earlier : *all) {
     const bool meant = std::any_of(decision.replaces.begin(), decision.replaces.end(),
                                    [&](int number) { return isMarked(earlier.note, number); });
-    if (!meant || !earlier.by || earlier.verdict == catalogue::Verdict::Withdraw) continue;
-    catalogue::PairDecision back = earlier;
+    if (!meant || !earlier.by || earlier.verdict == Verdict::Withdraw) continue;
+    PairDecision back = earlier;
     back.row = {};
-    back.verdict = catalogue::Verdict::Withdraw;
+    back.verdict = Verdict::Withdraw;
     back.replaces = earlier.row;
     back.note = marked(decision.number, decision.note);
     if (const auto row = catalogue.decide(back, act); !row) return row.error();
   }
-  const auto pieces = catalogue::pieceDecisions(catalogue, batch);
+  const auto pieces = pieceDecisions(catalogue, batch);
   if (!pieces) return pieces.error();
-  for (const catalogue::PieceDecision& earlier : *pieces) {
+  for (const PieceDecision& earlier : *pieces) {
     const bool meant = std::any_of(decision.replaces.begin(), decision.replaces.end(),
                                    [&](int number) { return isMarked(earlier.note, number); });
-    if (!meant || earlier.verdict == catalogue::PieceVerdict::Withdraw) continue;
-    catalogue::PieceDecision back = earlier;
-    back.verdict = catalogue::PieceVerdict::Withdraw;
+    if (!meant || earlier.verdict == PieceVerdict::Withdraw) continue;
+    PieceDecision back = earlier;
+    back.verdict = PieceVerdict::Withdraw;
     back.replaces = earlier.row;
     back.note = marked(decision.number, decision.note);
-    if (const auto row = catalogue::decidePieces(catalogue, back, act); !row) return row.error();
+    if (const auto row = decidePieces(catalogue, back, act); !row) return row.error();
   }
   return {};
 }
 
+// By its place, as the results are (see pipeline::resolved); by its name where no place is known.
+const ScanRecord* scanOf(const std::vector<ScanRecord>& scans, const pipeline::ScanRef& ref) {
+  const ScanRecord* nearest = nullptr;
+  double least_mm = 10;
+  for (const ScanRecord& scan : scans) {
+    if (scan.side != ref.side || !scan.isThere() || !scan.plate_x_mm || !scan.plate_y_mm) continue;
+    const double distance_mm =
+        std::hypot(*scan.plate_x_mm - ref.place_mm.x(), *scan.plate_y_mm - ref.place_mm.y());
+    if (distance_mm >= least_mm) continue;
+    least_mm = distance_mm;
+    nearest = &scan;
+  }
+  if (nearest != nullptr) return nearest;
+  const auto named = std::find_if(scans.begin(), scans.end(), [&](const ScanRecord& s) {
+    return s.side == ref.side && s.name == ref.id;
+  });
+  return named == scans.end() ? nullptr : &*named;
+}
+
 // Pieces are kept by name and place: their scans come and go with each computation.
-Result<void> enterPieces(Catalogue& catalogue, catalogue::BatchRow batch,
-                         const pipeline::PairDecision& decision, const catalogue::Act& act) {
-  catalogue::PieceDecision row;
+Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
+                         const pipeline::PairDecision& decision, const Act& act) {
+  PieceDecision row;
   row.batch = batch;
   row.side = decision.scans.empty() ? batch::Side::Front : decision.scans.front().side;
-  row.verdict = decision.kind == DecisionKind::Join ? catalogue::PieceVerdict::Join
-                                                    : catalogue::PieceVerdict::Cut;
+  row.verdict = decision.kind == DecisionKind::Join ? PieceVerdict::Join : PieceVerdict::Cut;
   for (const pipeline::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
   row.cut_mm = decision.cut_mm;
   row.note = marked(decision.number, decision.note);
-  const auto entered = catalogue::decidePieces(catalogue, row, act);
+  const auto entered = decidePieces(catalogue, row, act);
   return entered ? Result<void>() : Result<void>(entered.error());
 }
 
@@ -75,25 +93,23 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
     if (!batch) return batch.error();
     const auto person = catalogue.personByInitials(decision.by, {});
     if (!person) return person.error();
-    const catalogue::Act act{*person, "window", decision.note};
+    const Act act{*person, "window", decision.note};
     if (decision.kind == DecisionKind::Withdraw)
       return withdraw(catalogue, batch->row, decision, act);
     if (decision.kind == DecisionKind::Join || decision.kind == DecisionKind::Split)
       return enterPieces(catalogue, batch->row, decision, act);
     const auto scans = catalogue.scans(batch->row);
     if (!scans) return scans.error();
-    catalogue::PairDecision row;
+    PairDecision row;
     row.batch = batch->row;
     row.front_from_back = decision.front_from_back;
     row.note = marked(decision.number, decision.note);
-    row.verdict = decision.kind == DecisionKind::Pair    ? catalogue::Verdict::Accept
-                  : decision.kind == DecisionKind::Aside ? catalogue::Verdict::Aside
-                                                         : catalogue::Verdict::Reshoot;
+    row.verdict = decision.kind == DecisionKind::Pair    ? Verdict::Accept
+                  : decision.kind == DecisionKind::Aside ? Verdict::Aside
+                                                         : Verdict::Reshoot;
     for (const pipeline::ScanRef& ref : decision.scans) {
-      const auto scan = std::find_if(scans->begin(), scans->end(), [&](const auto& s) {
-        return s.side == ref.side && s.name == ref.id;
-      });
-      if (scan == scans->end())
+      const ScanRecord* scan = scanOf(*scans, ref);
+      if (scan == nullptr)
         return Error{ErrorCode::Missing,
                      "The decision is saved with the batch, but " + ref.id +
                          " is not in the catalogue yet; it is entered with the next results.",
@@ -109,9 +125,34 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
   });
 }
 
+Result<int> enterStanding(Catalogue& catalogue, const std::string& batch_number,
+                          const std::filesystem::path& output) {
+  const Result<pipeline::Decisions> all = pipeline::readDecisions(output);
+  if (!all) return all.error();
+  const auto batch = catalogue.batchByNumber(batch_number);
+  if (!batch) return batch.error();
+  std::vector<std::string> notes;
+  const auto pairs = catalogue.decisions(batch->row);
+  if (!pairs) return pairs.error();
+  for (const PairDecision& d : *pairs)
+    if (d.by) notes.push_back(d.note);
+  const auto pieces = pieceDecisions(catalogue, batch->row);
+  if (!pieces) return pieces.error();
+  for (const PieceDecision& d : *pieces) notes.push_back(d.note);
+  int entered = 0;
+  for (const pipeline::PairDecision& d : pipeline::standing(*all)) {
+    if (std::any_of(notes.begin(), notes.end(),
+                    [&](const std::string& note) { return isMarked(note, d.number); }))
+      continue;
+    const Result<void> done = enterDecision(catalogue, batch_number, d);
+    if (!done && done.error().code != ErrorCode::Missing) return done.error();
+    entered += done ? 1 : 0;
+  }
+  return entered;
+}
+
 Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do) {
-  using catalogue::BatchState;
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
   if (batch->state != BatchState::Review && batch->state != BatchState::Done) return {};
@@ -127,13 +168,13 @@ Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
                         const std::string& person) {
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
-  catalogue::Act act;
+  Act act;
   if (!person.empty()) {
     const auto row = catalogue.personByInitials(person, {});
     if (!row) return row.error();
     act.person = *row;
   }
-  return catalogue.setBatchState(batch->row, catalogue::BatchState::Queued, act);
+  return catalogue.setBatchState(batch->row, BatchState::Queued, act);
 }
 
-}  // namespace ostraka::ui
+}  // namespace ostraka::catalogue

@@ -1,0 +1,159 @@
+// A person's decisions in the catalogue: rows are only added, and what counts follows.
+#include "catalogue/review_decisions.h"
+
+#include "catalogue/piece_decisions.h"
+#include "result_folder.h"
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using pipeline::DecisionKind;
+
+class ReviewDecisions : public SmallProject {
+ protected:
+  ReviewDecisions() : batch(newBatch({bag4})) {
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      ScanRecord scan;
+      scan.batch = batch;
+      scan.side = side;
+      scan.index = 1;
+      scan.name = side == batch::Side::Front ? "f001" : "b001";
+      scan.path = "results/B0001/scans/" + scan.name + ".ply";
+      EXPECT_TRUE(catalogue().save(scan, {}));
+    }
+  }
+  static pipeline::PairDecision decision(DecisionKind kind, int number) {
+    pipeline::PairDecision d;
+    d.kind = kind;
+    d.number = number;
+    d.by = "AP";
+    d.scans = {{batch::Side::Front, "f001", {0, 0}}, {batch::Side::Back, "b001", {0, 0}}};
+    return d;
+  }
+  Result<void> enter(const pipeline::PairDecision& d) {
+    return enterDecision(catalogue(), "B0001", d);
+  }
+  BatchRow batch;
+};
+
+TEST_F(ReviewDecisions, APairCountsAndItsWithdrawalTakesItBack) {
+  const std::size_t persons = catalogue().persons()->size();
+  const Result<void> entered = enter(decision(DecisionKind::Pair, 1));
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+  EXPECT_EQ(catalogue().currentDecisions(batch)->front().verdict, Verdict::Accept);
+  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 2);
+  back.replaces = {1};
+  ASSERT_TRUE(enter(back));
+  EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
+  EXPECT_EQ(catalogue().decisions(batch)->size(), 2u);
+  EXPECT_EQ(catalogue().persons()->size(), persons) << "AP was there";
+}
+
+TEST_F(ReviewDecisions, InitialsInOtherCapitalsAreTheSamePerson) {
+  pipeline::PairDecision typed = decision(DecisionKind::Aside, 2);
+  typed.by = "ap";
+  const Result<void> entered = enter(typed);
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  for (const PairDecision& row : valueIn(catalogue().decisions(batch)))
+    EXPECT_EQ(row.by, anna.person);
+}
+
+TEST_F(ReviewDecisions, EachScanSetAsideHasARow) {
+  ASSERT_TRUE(enter(decision(DecisionKind::Aside, 1)));
+  EXPECT_EQ(catalogue().decisions(batch)->size(), 2u);
+}
+
+TEST_F(ReviewDecisions, JoinsAndCutsAreKeptAndTakenBack) {
+  pipeline::PairDecision join = decision(DecisionKind::Join, 2);
+  join.scans[0] = {batch::Side::Back, "b002", {5, 6}};
+  ASSERT_TRUE(enter(join));
+  pipeline::PairDecision back = join;
+  back.kind = DecisionKind::Withdraw;
+  back.number = 3;
+  back.replaces = {2};
+  ASSERT_TRUE(enter(back));
+  const auto kept = pieceDecisions(catalogue(), batch);
+  ASSERT_EQ(kept->size(), 2u);
+  EXPECT_EQ(kept->at(0).side, batch::Side::Back);
+  EXPECT_EQ(kept->at(0).pieces.at(0).name, "b002");
+  EXPECT_EQ(kept->at(1).verdict, PieceVerdict::Withdraw);
+  EXPECT_EQ(kept->at(1).replaces, kept->at(0).row);
+  EXPECT_TRUE(catalogue().decisions(batch)->empty());
+}
+
+TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
+  pipeline::PairDecision d = decision(DecisionKind::Pair, 1);
+  d.scans[1].id = "b009";
+  const Result<void> refused = enter(d);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().sentence().find("b009"), std::string::npos);
+  EXPECT_FALSE(enterDecision(catalogue(), "B0077", d));
+}
+
+// The pieces were numbered anew between the decision and its entry.
+TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
+  std::vector<ScanRecord> scans = valueIn(catalogue().scans(batch));
+  ScanRecord other = scans.front();
+  for (ScanRecord& scan : scans) {
+    scan.plate_x_mm = 40;
+    scan.plate_y_mm = 0;
+    ASSERT_TRUE(catalogue().save(scan, {}));
+  }
+  other.row = {};
+  other.index = 2;
+  other.name = "f002";
+  other.plate_x_mm = other.plate_y_mm = 0;
+  const ScanRow meant = *catalogue().save(other, {});
+  pipeline::PairDecision d = decision(DecisionKind::Aside, 1);
+  d.scans = {{batch::Side::Front, "f001", {3, 1}}};
+  ASSERT_TRUE(enter(d));
+  EXPECT_EQ(catalogue().decisions(batch)->front().front, meant);
+}
+
+TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
+  const std::filesystem::path output = project_->resultsFolder("B0001");
+  std::filesystem::create_directories(output);
+  const auto append = [&](DecisionKind kind, std::vector<pipeline::ScanRef> scans) {
+    pipeline::PairDecision d;
+    d.kind = kind;
+    d.by = "AP";
+    d.scans = std::move(scans);
+    const auto written = pipeline::appendDecision(output, d);
+    EXPECT_TRUE(written) << (written ? "" : written.error().sentence());
+    return *written;
+  };
+  const pipeline::ScanRef front{batch::Side::Front, "f001", {0, 0}},
+      back{batch::Side::Back, "b001", {0, 0}};
+  ASSERT_TRUE(enter(append(DecisionKind::Aside, {front})));
+  append(DecisionKind::Pair, {front, back});
+  append(DecisionKind::Aside, {{batch::Side::Front, "f007", {90, 90}}});
+  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 1) << "f007 is gone";
+  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 0);
+  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+  const PairDecision now = catalogue().currentDecisions(batch)->front();
+  EXPECT_EQ(now.verdict, Verdict::Accept);
+  EXPECT_EQ(now.by, anna.person);
+}
+
+TEST_F(ReviewDecisions, TheBatchIsQueuedAgain) {
+  ASSERT_TRUE(queueAgain(catalogue(), "B0001", "AP"));
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Queued);
+}
+
+TEST_F(ReviewDecisions, ABatchIsSettledUnlessItsScaleIsInDoubt) {
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", false));
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  BatchRecord doubtful = *catalogue().batch(batch);
+  doubtful.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";
+  ASSERT_TRUE(catalogue().saveBatch(doubtful, {}));
+  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -72,8 +72,7 @@ struct ContextRecord {
   std::string id, number;  ///< a text: 0012 and 12 differ
   std::string kind, excavated_on, period, date_edtf, note;
   bool closed = false;
-  std::string extra_json = "{}";       ///< the user's own fields
-  std::string site_code, trench_code;  ///< read only
+  std::string site_code, trench_code, extra_json = "{}";  ///< codes read only; own fields
 };
 
 struct BagRecord {
@@ -121,13 +120,12 @@ struct ScanRecord {
   ScanRow row;
   BatchRow batch;
   batch::Side side = batch::Side::Front;
-  int index = 0;     ///< 3 for f003; negative: of an earlier computation only
+  int index = 0;     ///< 3 for f003; below 0: of an earlier computation, gone since
   std::string name;  ///< as in pairs.json: f003
   std::string path;  ///< relative to the project
   std::optional<int> points;
   std::optional<double> coverage_pct, plate_x_mm, plate_y_mm;
   ScanState state = ScanState::Open;  ///< follows the decisions
-
   bool isThere() const { return index >= 0; }
 };
 

@@ -133,8 +133,7 @@ class PairReviewModel final : public QAbstractListModel {
   QUndoStack& undo_;
   QString person_;
   LivePairsPtr live_;
-  pipeline::Decisions decisions_;
-  pipeline::Decisions followed_;  ///< by the results as they are
+  pipeline::Decisions decisions_, followed_;  ///< all, and those that the results follow
   pipeline::Review review_;
   std::vector<ReviewRow> rows_;
   ScanPictures thumbnails_;

@@ -183,7 +183,8 @@ Result<BagFile> BagWriter::addFile(const std::string& path, const fs::path& sour
   return file;
 }
 
-Result<void> BagWriter::finish(const std::map<std::string, std::string>& info) {
+Result<void> BagWriter::finish(const std::map<std::string, std::string>& info,
+                               const std::function<Result<void>(const fs::path&)>& check) {
   std::string info_text;
   for (const auto& [key, value] : info) {
     std::string line = value;
@@ -204,6 +205,8 @@ Result<void> BagWriter::finish(const std::map<std::string, std::string>& info) {
   const Result<void> last =
       writeFileAtomically(partial_ / "tagmanifest-sha256.txt", manifestOf(tag_files));
   if (!last) return last;
+  if (check)
+    if (Result<void> good = check(partial_); !good) return good;
   std::error_code code;
   if (fs::exists(target_, code))
     return Error::unusable("Somebody made a folder of this name meanwhile; choose another name.",

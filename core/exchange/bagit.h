@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <stop_token>
 #include <string>
@@ -38,8 +39,10 @@ class BagWriter {
   /// Copies in pieces, hashing while it reads; stops within a piece.
   Result<BagFile> addFile(const std::string& path, const std::filesystem::path& source,
                           std::stop_token stop);
-  /// Writes bagit.txt, bag-info.txt and the manifests, then renames.
-  Result<void> finish(const std::map<std::string, std::string>& info);
+  /// Writes bagit.txt, bag-info.txt and the manifests, lets `check` look at NAME.partial, then
+  /// renames.
+  Result<void> finish(const std::map<std::string, std::string>& info,
+                      const std::function<Result<void>(const std::filesystem::path&)>& check = {});
   const std::vector<BagFile>& files() const { return files_; }
   std::int64_t bytes() const { return bytes_; }
 

@@ -135,11 +135,13 @@ class Plan {
 };
 
 Result<std::vector<SherdRecord>> readAll(const Catalogue& catalogue, std::span<const SherdRow> rows,
-                                         Plan& plan) {
+                                         Plan& plan, const std::stop_token& stop) {
   Result<std::vector<SherdRecord>> sherds = catalogue.sherds(rows);
   if (!sherds) return sherds;
-  for (const SherdRecord& sherd : *sherds)
+  for (const SherdRecord& sherd : *sherds) {
+    if (stop.stop_requested()) return Error::cancelled();
     if (const Result<void> added = plan.add(sherd); !added) return added.error();
+  }
   return sherds;
 }
 
@@ -185,11 +187,16 @@ class Exporting {
     if (Result<void> written = records(sherds, rows); !written) return written.error();
     const Result<void> beside = writeMetadata(catalogue_, sherds, *project, options_.program, bag_);
     if (!beside) return beside.error();
+    const auto read_again = [this](const fs::path& written) -> Result<void> {
+      const auto whole = checkBag(written, progress_, stop_);
+      return whole ? Result<void>() : whole.error();
+    };
     const Result<void> finished = bag_.finish({{"Source-Organization", project->institution},
                                                {"External-Description", project->title},
                                                {"External-Identifier", project->code},
                                                {"Bagging-Date", utcDay(catalogue_.now())},
-                                               {"Bag-Software-Agent", options_.program}});
+                                               {"Bag-Software-Agent", options_.program}},
+                                              read_again);
     if (!finished) return finished.error();
     exported_.sherds = static_cast<int>(sherds.size());
     exported_.files = static_cast<int>(bag_.files().size());
@@ -314,7 +321,10 @@ class Exporting {
       if (!drawn) return drawn.error();
       std::vector<Page> pages = drawing::layOut({std::move(*drawn)}, scale, sheet);
       const Eigen::Vector2d wanted = paperSize(sheet.paper);
-      const bool fits = pages.front().width_mm * pages.front().height_mm <= wanted.prod() + 1;
+      const Eigen::Vector2d page(pages.front().width_mm, pages.front().height_mm);
+      // However the sheet is turned.
+      const bool fits =
+          page.minCoeff() <= wanted.minCoeff() + 0.1 && page.maxCoeff() <= wanted.maxCoeff() + 0.1;
       if (fits || scale == scales.back()) return pages;
     }
     return Error{ErrorCode::Failed, "There is no scale to draw it at.", sherd.number};
@@ -406,9 +416,10 @@ class Exporting {
 }  // namespace
 
 Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& project,
-                                std::span<const SherdRow> rows, const ExportOptions& options) {
+                                std::span<const SherdRow> rows, const ExportOptions& options,
+                                std::stop_token stop) {
   Plan plan(catalogue, project, options);
-  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan);
+  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
   if (!sherds) return sherds.error();
   ExportSize size;
   size.sherds = static_cast<int>(sherds->size());
@@ -424,6 +435,7 @@ Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& proj
   }
   std::set<SherdRow> lightened;
   for (const Wanted& file : plan.files()) {
+    if (stop.stop_requested()) return Error::cancelled();
     std::error_code code;
     auto bytes = static_cast<std::int64_t>(fs::file_size(file.from, code));
     if (code) continue;
@@ -444,7 +456,7 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
   if (rows.empty())
     return Error{ErrorCode::UnusableInput, "There is no sherd to export; choose some first.", {}};
   Plan plan(catalogue, project, options);
-  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan);
+  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
   if (!sherds) return sherds.error();
   Result<BagWriter> bag = BagWriter::begin(options.target);
   if (!bag) return bag.error();

@@ -48,11 +48,11 @@ struct ExportSize {
   int drawings = 0;   ///< sherds that will be drawn, two of the files each
   int lightened = 0;  ///< sherds whose models will get fewer triangles
 };
-/// What the export will take, before it starts.
+/// What the export will take, before it starts. Errors: those of the catalogue, Cancelled.
 Result<ExportSize> sizeOfExport(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& project,
                                 std::span<const catalogue::SherdRow> sherds,
-                                const ExportOptions& options);
+                                const ExportOptions& options, std::stop_token stop);
 
 struct Exported {
   int sherds = 0, files = 0;
@@ -60,8 +60,9 @@ struct Exported {
   std::vector<std::string>
       warnings;  ///< models or photographs that are not there, sherds not drawn
 };
-/// A folder after BagIt with a checksum for every file; nothing half-written, ever. Errors: the
-/// target is there, a file changed since it was entered, a full disk, Cancelled.
+/// A folder after BagIt with a checksum for every file; nothing half-written, ever: all is read
+/// again before it gets its name. Errors: the target is there, a file changed since it was entered
+/// or since it was written, a full disk, Cancelled.
 Result<Exported> exportFolder(const catalogue::Catalogue& catalogue,
                               const std::filesystem::path& project,
                               std::span<const catalogue::SherdRow> sherds,

@@ -7,7 +7,6 @@
 
 #include "catalogue/filter.h"
 #include "catalogue/project.h"
-#include "exchange/bagit.h"
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
@@ -49,6 +48,12 @@ void ExportModel::openProject(ProjectSession* session) {
     target_ = QDir::home().filePath(QString::fromStdString(session_->folder().filename().string()) +
                                     "-export");
   measureSize();
+}
+
+void ExportModel::setWatched(bool watched) {
+  watched_ = watched;
+  if (!watched_ && !size_) delete sizing_.data();
+  if (watched_ && session_ && !sizing_ && !size_ && problem_.isEmpty()) measureSize();
 }
 
 void ExportModel::setAll() {
@@ -108,15 +113,15 @@ void ExportModel::measureSize() {
   size_.reset();
   problem_.clear();
   if (state_ != State::Running) state_ = State::Choosing;
-  if (session_) {
+  if (session_ && watched_) {
     const auto work = [folder = session_->folder(), what = what_, line = filter_, chosen = chosen_,
                        options = options()](Progress&,
-                                            std::stop_token) -> Result<exchange::ExportSize> {
+                                            std::stop_token stop) -> Result<exchange::ExportSize> {
       const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
       if (!catalogue) return catalogue.error();
       const auto rows = rowsOf(*catalogue, what, line, chosen);
       if (!rows) return rows.error();
-      return exchange::sizeOfExport(*catalogue, folder, *rows, options);
+      return exchange::sizeOfExport(*catalogue, folder, *rows, options, stop);
     };
     sizing_ = session_->jobs().start(makeJob(tr("Size of the export"), work), this);
     connect(sizing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
@@ -193,13 +198,7 @@ void ExportModel::start() {
     if (!catalogue) return catalogue.error();
     const auto rows = rowsOf(*catalogue, what, line, chosen);
     if (!rows) return rows.error();
-    Result<exchange::Exported> done =
-        exchange::exportFolder(*catalogue, folder, *rows, options, progress, stop);
-    if (!done) return done;
-    // What was written is read again before anybody is told that it is there.
-    const auto checked = exchange::checkBag(options.target, progress, stop);
-    if (!checked) return checked.error();
-    return done;
+    return exchange::exportFolder(*catalogue, folder, *rows, options, progress, stop);
   };
   running_ = session_->jobs().start(makeJob(tr("Export"), work, JobPriority::Background), this);
   connect(running_, &JobHandle::progressed, this, [this](const JobProgress& progress) {

@@ -23,6 +23,9 @@ class ExportModel final : public QObject {
   explicit ExportModel(QObject* parent = nullptr);
   void openProject(ProjectSession* session);  ///< nullptr closes it
 
+  /// Whether anybody looks. The size is asked of each sherd and file, so only then.
+  void setWatched(bool watched);
+
   What what() const { return what_; }
   const QString& filter() const { return filter_; }
   const std::vector<catalogue::SherdRow>& chosen() const { return chosen_; }
@@ -66,6 +69,7 @@ class ExportModel final : public QObject {
   std::optional<double> drawing_scale_ = 1;
   double deviation_mm_ = 0;
   State state_ = State::Choosing;
+  bool watched_ = false;
   std::optional<exchange::ExportSize> size_;
   std::optional<exchange::Exported> done_;
   double fraction_ = 0, seconds_left_ = -1;

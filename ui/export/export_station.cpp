@@ -202,6 +202,16 @@ void ExportStation::closeProject() {
   setEnabled(false);
 }
 
+void ExportStation::showEvent(QShowEvent* event) {
+  Station::showEvent(event);
+  model_.setWatched(true);
+}
+
+void ExportStation::hideEvent(QHideEvent* event) {
+  Station::hideEvent(event);
+  model_.setWatched(false);
+}
+
 void ExportStation::showItem(const QString& what) {
   if (what.startsWith("rows:")) {
     std::vector<catalogue::SherdRow> rows;

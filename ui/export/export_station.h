@@ -25,6 +25,10 @@ class ExportStation final : public Station {
   void closeProject() override;
   ExportModel& model() { return model_; }
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
  public slots:
   /// "rows:1,2,3" or "filter:LINE", from the catalogue.
   void showItem(const QString& what) override;

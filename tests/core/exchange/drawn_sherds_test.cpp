@@ -72,7 +72,7 @@ TEST_F(DrawnSherds, TravelInTheExportWithTheirChecksums) {
   options.target = folder_.path() / "out";
   options.forms = {Form::Drawings, Form::Csv, Form::Json};
   const std::vector<catalogue::SherdRow> two = {rows[1], rows[2]};
-  const auto size = sizeOfExport(catalogue(), project_->folder(), two, options);
+  const auto size = sizeOfExport(catalogue(), project_->folder(), two, options, {});
   ASSERT_TRUE(size);
   EXPECT_EQ(size->drawings, 2);
   EXPECT_EQ(size->files, 4);
@@ -110,6 +110,13 @@ TEST_F(DrawnSherds, AreExportedAtTheScaleWantedOrAtTheOneThatFits) {
   const std::string fits = pageOf(std::nullopt, "fits");
   EXPECT_THAT(fits, testing::AnyOf(HasSubstr("1 : 2"), HasSubstr("1 : 3"), HasSubstr("1 : 4")));
   EXPECT_THAT(fits, testing::AnyOf(HasSubstr("width=\"297mm\""), HasSubstr("width=\"210mm\"")));
+  // A handle: its page at 1:1 has less area than an A4 and is longer than one.
+  TriangleMesh slender = closedShell();
+  for (Eigen::Vector3f& p : slender.vertices) p = {0.4F * p.x(), 10 * p.y(), p.z()};
+  model(1, slender);
+  const std::string handle = pageOf(std::nullopt, "handle");
+  EXPECT_THAT(handle, testing::AnyOf(HasSubstr("width=\"297mm\""), HasSubstr("width=\"210mm\"")))
+      << handle.substr(0, 400);
 }
 
 }  // namespace

@@ -32,12 +32,59 @@ TEST_F(Export, HoldsEverythingThatWasChosenWithItsChecksum) {
   EXPECT_EQ(*readFile(data / "photographs/B0001/front/cam0_pos00.jpg"), "JPEG");
 }
 
+// At the first report after the manifests are written.
+class AtTheCheck final : public Progress {
+ public:
+  AtTheCheck(fs::path target, std::function<void(const fs::path&)> act)
+      : target_(std::move(target)), act_(std::move(act)) {}
+  void report(std::int64_t, std::int64_t) override {
+    for (const fs::path& there : {target_, fs::path(target_.string() + ".partial")})
+      if (act_ && fs::exists(there / "tagmanifest-sha256.txt")) std::exchange(act_, {})(there);
+  }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  fs::path target_;
+  std::function<void(const fs::path&)> act_;
+};
+
+TEST_F(Export, HasItsNameOnlyWhenItWasReadAgain) {
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  std::stop_source stop;
+  AtTheCheck stopping(options.target, [&](const fs::path&) { stop.request_stop(); });
+  const Result<Exported> stopped =
+      exportFolder(catalogue(), project_->folder(), rows, options, stopping, stop.get_token());
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  EXPECT_FALSE(fs::exists(options.target));
+  EXPECT_FALSE(fs::exists(options.target.string() + ".partial"));
+
+  AtTheCheck spoiling(options.target,
+                      [](const fs::path& there) { put(there / "data/sherds.csv", "spoilt"); });
+  const Result<Exported> spoilt =
+      exportFolder(catalogue(), project_->folder(), rows, options, spoiling, {});
+  ASSERT_FALSE(spoilt);
+  EXPECT_THAT(spoilt.error().sentence(), testing::HasSubstr("sherds.csv"));
+  EXPECT_FALSE(fs::exists(options.target));
+  EXPECT_FALSE(fs::exists(options.target.string() + ".partial"));
+}
+
+TEST_F(Export, ItsSizeIsCountedUntilSomebodyStopsIt) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Result<ExportSize> size =
+      sizeOfExport(catalogue(), project_->folder(), rows, {}, stop.get_token());
+  ASSERT_FALSE(size);
+  EXPECT_EQ(size.error().code, ErrorCode::Cancelled);
+}
+
 TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
   ExportOptions options;
   options.target = folder_.path() / "light";
   options.forms = {Form::Ply, Form::Glb, Form::Obj};
   options.deviation_mm = 0.1;
-  const Result<ExportSize> size = sizeOfExport(catalogue(), project_->folder(), rows, options);
+  const Result<ExportSize> size = sizeOfExport(catalogue(), project_->folder(), rows, options, {});
   ASSERT_TRUE(size);
   EXPECT_EQ(size->lightened, 3);
   const Result<Exported> done =
@@ -180,7 +227,7 @@ TEST_F(Export, ADoubtfulScaleIsSaidInModelsRecordsAndTheReadMe) {
 TEST_F(Export, TheSizeIsKnownBefore) {
   ExportOptions options;
   options.forms = {Form::Ply, Form::Photographs};
-  const Result<ExportSize> size = sizeOfExport(catalogue(), project_->folder(), rows, options);
+  const Result<ExportSize> size = sizeOfExport(catalogue(), project_->folder(), rows, options, {});
   ASSERT_TRUE(size);
   EXPECT_EQ(size->sherds, 3);
   EXPECT_EQ(size->files, 4);

@@ -63,6 +63,20 @@ class ExportStationTest : public QObject {
     QVERIFY(child<QRadioButton>("chosen")->isChecked());
   }
 
+  void theSizeIsNotCountedWhileNobodyLooks() {
+    auto* size = child<QLabel>("size");
+    QTRY_VERIFY(size->text().startsWith("40 sherd(s)"));
+    station_->hide();
+    sample_->addDraft();
+    sample_->session().tellSherdsChanged();
+    QTest::qWait(0);
+    QVERIFY(!station_->model().canStart());
+    QCOMPARE(station_->model().sizeText(), QString("Counting …"));
+    QVERIFY(station_->model().findChildren<JobHandle*>().isEmpty());
+    station_->show();
+    QTRY_VERIFY(size->text().startsWith("41 sherd(s)"));
+  }
+
   void anExportEndsWithAClosingLineAndAFolder() {
     toFolder("out");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDateTime>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImageReader>
@@ -13,6 +14,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "catalogue/project.h"
 #include "ui/frame/look.h"
@@ -32,14 +34,16 @@ QImage photographAt(const fs::path& file) {
   return reader.read();
 }
 
-Result<MapPicture> readMap(const fs::path& output) {
+Result<MapPicture> readMap(const fs::path& output, const std::stop_token& stop) {
   const auto live = pipeline::LivePairs::open(output);
   if (!live) return live.error();
   const Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
   if (!decisions) return decisions.error();
+  if (stop.stop_requested()) return Error::cancelled();
   Result<pipeline::PlateMap> map = pipeline::plateMap(**live, pipeline::standing(*decisions));
   if (!map) return map.error();
   MapPicture picture{std::move(*map), {}, {}};
+  if (stop.stop_requested()) return Error::cancelled();
   picture.front = photographAt(picture.map.front.photograph);
   picture.back = photographAt(picture.map.back.photograph);
   return picture;
@@ -105,14 +109,14 @@ void MapStation::openProject(ProjectSession& session) {
   closeProject();
   session_ = &session;
   connect(&session, &ProjectSession::batchChanged, this, [this](const QString& batch) {
-    listBatches();
+    if (batches_->findText(batch) < 0) listBatches();
     if (batches_->findText(batch) < 0) return;
-    if (batch_.isEmpty() || batch == batch_) openBatch(batch);
+    if (batch_.isEmpty() || batch == batch_) showBatch(batch);
   });
   connect(&session, &ProjectSession::sherdsChanged, this, &MapStation::nameMarks);
   bags_->setEnabled(session.hasProject());
   listBatches();
-  if (batches_->count() > 0) openBatch(batches_->itemText(0));
+  if (batches_->count() > 0) showBatch(batches_->itemText(0));
 }
 
 void MapStation::closeProject() {
@@ -120,6 +124,7 @@ void MapStation::closeProject() {
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_.clear();
   batch_.clear();
+  stale_.clear();
   batches_->clear();
   message_->clear();
   view_->setPicture({});
@@ -147,6 +152,18 @@ void MapStation::listBatches() {
   if (names.isEmpty()) message_->setText(tr("No batch is computed yet; its map appears here."));
 }
 
+// Two photographs are read, and an outline for each sherd: not while nobody looks.
+void MapStation::showBatch(const QString& batch) {
+  if (isVisible()) return openBatch(batch);
+  batch_ = stale_ = batch;
+  batches_->setCurrentText(batch);
+}
+
+void MapStation::showEvent(QShowEvent* event) {
+  Station::showEvent(event);
+  if (!stale_.isEmpty()) openBatch(std::exchange(stale_, {}));
+}
+
 void MapStation::showItem(const QString& batch) {
   if (session_) openBatch(batch);
 }
@@ -155,13 +172,14 @@ void MapStation::openBatch(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   const QString lit = batch == batch_ ? view_->highlighted() : QString();
   batch_ = batch;
+  stale_.clear();
   batches_->setCurrentText(batch);
   message_->clear();
   if (opening_) opening_->drop();
   const fs::path output = session_->folder() / "results" / batch.toStdString();
   opening_ = session_->jobs().start(
       makeJob(tr("Map of %1").arg(batch),
-              [output](Progress&, std::stop_token) { return readMap(output); }),
+              [output](Progress&, std::stop_token stop) { return readMap(output, stop); }),
       this);
   connect(opening_, &JobHandle::finished, this, [this, lit](const JobOutcome& outcome) {
     const auto picture = outcomeAs<MapPicture>(outcome);
@@ -170,13 +188,22 @@ void MapStation::openBatch(const QString& batch) {
       view_->setPicture({});
       return say(QString::fromStdString(picture.error().sentence()));
     }
-    const QFileInfo file(QString::fromStdString(picture->map.front.photograph.string()));
-    date_ =
-        file.exists() ? QLocale::c().toString(file.lastModified().date(), "yyyy-MM-dd") : QString();
+    date_ = dayOf(*picture);
     view_->setPicture(*picture);
     nameMarks();
     view_->highlight(lit);
   });
+}
+
+// The day of the shooting; of a batch that no catalogue knows the file says it.
+QString MapStation::dayOf(const MapPicture& picture) const {
+  QDateTime shot;
+  if (session_->hasProject())
+    if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
+      if (batch->started_ms) shot = QDateTime::fromMSecsSinceEpoch(*batch->started_ms);
+  const QFileInfo file(QString::fromStdString(picture.map.front.photograph.string()));
+  if (!shot.isValid() && file.exists()) shot = file.lastModified();
+  return shot.isValid() ? QLocale::c().toString(shot.date(), "yyyy-MM-dd") : QString();
 }
 
 void MapStation::nameMarks() {

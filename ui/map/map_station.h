@@ -39,15 +39,21 @@ class MapStation final : public Station {
   void print();  ///< asks for the printer, or for a file where there is none
   void printBags();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void listBatches();
+  void showBatch(const QString& batch);
   void openBatch(const QString& batch);
   void nameMarks();
+  QString dayOf(const MapPicture& picture) const;
   void say(const QString& sentence);
   QString pageTitle() const;
 
   QPointer<ProjectSession> session_;
   QString batch_, date_;
+  QString stale_;  ///< the batch to be read when somebody looks
   QComboBox* batches_ = nullptr;
   QLabel* message_ = nullptr;
   MapView* view_ = nullptr;

@@ -251,7 +251,7 @@ Result<void> ReviewStation::tellQueue(const std::string& person) {
 
 // What another station did to this batch: new pairs are shown, a mere change of its state is not.
 void ReviewStation::follow(const QString& batch) {
-  listBatches();
+  if (batches_->findText(batch) < 0) listBatches();
   if (batches_->findText(batch) < 0) return;
   if (batch == batch_) showScale();
   // The first batch that is computed shows itself; one that was computed anew is read anew.

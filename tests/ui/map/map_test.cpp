@@ -1,10 +1,12 @@
 // The plate map without a screen: marks, keys, mouse, and the printed pages.
+#include <QDateTime>
 #include <QLabel>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "catalogue/project.h"
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
 #include "ui/map/map_station.h"
@@ -26,6 +28,8 @@ class MapTest : public QObject {
   void whatWasDecidedIsSeenAtOnce();
   void theQrCodeIsAsSmallAsTheStandardSays();
   void mapAndLabelsAreWrittenAsPdf();
+  void whatNobodyLooksAtIsNotRead();
+  void theLabelSaysTheDayOfTheShooting();
   void aMissingPhotographIsSaid();
   void theFirstBatchTakesTheMessageAway();
   void noNumberCoversAnother();
@@ -36,7 +40,17 @@ class MapTest : public QObject {
 
   QTemporaryDir folder_;
   pipeline::SyntheticOut out_;
-  InlineJobRunner runner_;
+  class CountingRunner final : public JobRunner {
+   public:
+    int started = 0;
+
+   private:
+    void run(JobPriority, std::function<void()> body, std::stop_source,
+             JobHandle* handle) override {
+      ++started;
+      QMetaObject::invokeMethod(handle, std::move(body), Qt::QueuedConnection);
+    }
+  } runner_;
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<MapStation> station_;
 };
@@ -111,6 +125,41 @@ void MapTest::whatWasDecidedIsSeenAtOnce() {
   QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
   session_->tellBatchChanged("B0007");
   QTRY_COMPARE(map().back.marks[0].number, std::string("01"));
+}
+
+void MapTest::whatNobodyLooksAtIsNotRead() {
+  pipeline::PairDecision decision;
+  decision.kind = pipeline::DecisionKind::Pair;
+  decision.by = "AP";
+  decision.scans = {out_.table.fronts[0], out_.table.backs[0]};
+  station_->hide();
+  const int before = runner_.started;
+  QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
+  for (int i = 0; i < 3; ++i) session_->tellBatchChanged("B0007");
+  QCOMPARE(runner_.started, before);
+  station_->show();
+  QCOMPARE(runner_.started, before + 1);
+  QTRY_COMPARE(map().back.marks[0].number, std::string("01"));
+}
+
+void MapTest::theLabelSaysTheDayOfTheShooting() {
+  catalogue::ProjectRecord record;
+  record.code = "ARM";
+  record.title = "Trial";
+  auto made =
+      catalogue::Project::create(std::filesystem::path(folder_.path().toStdString()) / "p", record);
+  QVERIFY(made.has_value());
+  const auto project = std::make_shared<catalogue::Project>(std::move(*made));
+  catalogue::BatchRecord batch;
+  batch.number = "B0007";
+  batch.state = catalogue::BatchState::Review;
+  batch.started_ms = QDateTime(QDate(2019, 7, 14), QTime(12, 0)).toMSecsSinceEpoch();
+  QVERIFY(project->catalogue().addBatch(batch, {}).has_value());
+  ProjectSession dated(project, folder_.path().toStdString(), runner_);
+  station_->openProject(dated);
+  QTRY_VERIFY(!station_->labels().isEmpty());
+  QCOMPARE(station_->labels()[2].date, QStringLiteral("2019-07-14"));
+  station_->closeProject();
 }
 
 void MapTest::theQrCodeIsAsSmallAsTheStandardSays() {

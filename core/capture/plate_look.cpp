@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/plate_order.h"
 #include "batch/photograph.h"
 #include "capture/shot_checks.h"
 #include "capture/silhouettes.h"
@@ -132,8 +133,9 @@ PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_pl
                     PlateLook& look) {
   PlateMap map = mapPlate(picture, pixel_from_plate, freeRadius_mm(plate));
   std::vector<MapPiece> pieces = piecesOf(map, options.smallest_sherd_mm);
-  std::sort(pieces.begin(), pieces.end(),
-            [](const MapPiece& a, const MapPiece& b) { return a.centre_mm.x() < b.centre_mm.x(); });
+  std::sort(pieces.begin(), pieces.end(), [](const MapPiece& a, const MapPiece& b) {
+    return comesBefore(a.centre_mm, b.centre_mm);
+  });
   cv::Mat1b sherds(picture.size(), uchar{0});
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     SeenSherd sherd{{}, pieces[i].centre_mm, pieces[i].cut_off};

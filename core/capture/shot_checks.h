@@ -51,7 +51,7 @@ struct PlateLook {
   int markers_seen = 0, markers_on_plate = 0;
   /// Those that are seen and, once the plate's place is known, those within the frame that are not.
   std::vector<PlateMark> marks;
-  std::vector<SeenSherd> sherds;  ///< from left to right
+  std::vector<SeenSherd> sherds;  ///< in the order of comesBefore(), as the results have them
   /// Indices into sherds: so close that one hides the other's foot. Twice the same: one outline
   /// that looks like two sherds.
   std::vector<std::pair<int, int>> too_close;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/plate_order.h"
 #include "cloud/nearest.h"
 #include "scan/footprint.h"
 #include "scan/rim.h"
@@ -15,7 +16,6 @@
 namespace ostraka::scan {
 namespace {
 
-constexpr double kRow_mm = 40;        // sherds of one row differ less in y than this
 constexpr std::size_t kFewest = 100;  // points; fewer are flying points, not even a crumb
 
 std::string millimetres(double value) {
@@ -194,9 +194,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                      " side; check its masks and photographs.",
                  {}};
   std::stable_sort(result.scans.begin(), result.scans.end(), [](const Scan& a, const Scan& b) {
-    const Eigen::Vector2d ma = extentOf(a.cloud).middle, mb = extentOf(b.cloud).middle;
-    const double ra = std::floor(-ma.y() / kRow_mm), rb = std::floor(-mb.y() / kRow_mm);
-    return ra != rb ? ra < rb : ma.x() < mb.x();
+    return comesBefore(extentOf(a.cloud).middle, extentOf(b.cloud).middle);
   });
   for (std::size_t i = 0; i < result.scans.size(); ++i) {
     char number[32];

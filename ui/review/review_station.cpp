@@ -1,7 +1,9 @@
 #include "ui/review/review_station.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -41,6 +43,7 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
   batches_->setObjectName("batch");
   batches_->setAccessibleName(tr("Batch"));
   batches_->setFocusPolicy(Qt::TabFocus);
+  batches_->view()->installEventFilter(this);
   auto* person_label = new QLabel(tr("Your &initials"), this);
   person_ = new QLineEdit(this);
   person_->setObjectName("initials");
@@ -75,6 +78,13 @@ ReviewStation::ReviewStation(QWidget* parent) : Station(parent) {
 }
 
 ReviewStation::~ReviewStation() = default;
+
+// Enter in the open list is the list's alone. Qt closes it before the shortcuts are asked, and then
+// the pair that one leaves would be accepted.
+bool ReviewStation::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == batches_->view() && event->type() == QEvent::ShortcutOverride) event->accept();
+  return Station::eventFilter(watched, event);
+}
 
 QWidget* ReviewStation::buildScale() {
   scale_ = new QFrame(this);

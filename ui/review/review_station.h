@@ -40,6 +40,9 @@ class ReviewStation final : public Station {
  public slots:
   void showItem(const QString& batch) override;
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void listBatches();
   /// decider: who took back or did again a decision on a batch that was not shown.

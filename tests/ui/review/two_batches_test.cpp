@@ -1,6 +1,7 @@
 // One batch after the other in the review: what is decided belongs to the batch whose pairs it is
 // about.
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QTest>
 #include <fstream>
@@ -19,6 +20,7 @@ class TwoBatchesTest : public ReviewWindow {
   void nothingIsDecidedWhileAnotherBatchOpens();
   void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
   void aDecisionOnAnotherBatchIsTakenBackThere();
+  void enterInTheListOfBatchesOnlyChooses();
 
  private:
   pipeline::SyntheticOut addBatch(const std::string& number);
@@ -105,6 +107,26 @@ void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {
   QVERIFY(standingOnDisk().empty());
   QCOMPARE(entered("B0001"), std::size_t{2});
   queue.setSession(nullptr);
+}
+
+// As keys come from a keyboard: to the window that has them, and past every shortcut.
+void TwoBatchesTest::enterInTheListOfBatchesOnlyChooses() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  auto* batches = station_->findChild<QComboBox*>("batch");
+  QCOMPARE(batches->count(), 2);
+  QTest::mouseClick(batches, Qt::LeftButton);
+  QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
+  QTest::keyClick(window_->windowHandle(), Qt::Key_Up);
+  QTest::keyClick(window_->windowHandle(), Qt::Key_Return);
+  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
+  QVERIFY(standingOnDisk().empty());
+  QVERIFY(pipeline::readDecisions(second.output)->empty());
+  auto* message = station_->findChild<QLabel*>("message");
+  QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
+  batches->setFocus(Qt::TabFocusReason);  // the list is closed: there is nothing to choose
+  QTest::keyClick(window_->windowHandle(), Qt::Key_Return);
+  QVERIFY(standingOnDisk().empty() && pipeline::readDecisions(second.output)->empty());
 }
 
 }  // namespace ostraka::ui

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "base/glyphs.h"
 #include "base/markup.h"
 #include "base/sheet_text.h"
 #include "base/text.h"
@@ -151,7 +152,17 @@ std::string winAnsi(const std::string& utf8) {
   return out;
 }
 
+bool isWinAnsi(const std::string& utf8) {
+  const auto asked = [](const std::string& text) {
+    return std::count(text.begin(), text.end(), '?');
+  };
+  return asked(winAnsi(utf8)) == asked(utf8);
+}
+
 double textWidth(const Text& text) {
+  if (!isWinAnsi(text.text))
+    if (const auto drawn = glyphPath(text.text, text.weight == Weight::Bold))
+      return drawn->width * text.size_mm;
   int sum = 0;
   for (const char c : winAnsi(text.text)) sum += widthOf(static_cast<unsigned char>(c));
   // Bold letters are wider by about a twentieth.

@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "base/glyphs.h"
 #include "base/sheet.h"
 #include "base/sheet_text.h"
 #include "base/text.h"
@@ -53,6 +54,13 @@ class Content {
   }
   void operator()(const Text& text) {
     const double shift = text.anchor == Anchor::Left ? 0 : text.anchor == Anchor::Middle ? 0.5 : 1;
+    if (!isWinAnsi(text.text))
+      if (const auto drawn = glyphPath(text.text, text.weight == Weight::Bold)) {
+        const double x = text.at.x() - shift * drawn->width * text.size_mm;
+        out_ += "q 0 g " + fixed(text.size_mm, 4) + " 0 0 " + fixed(-text.size_mm, 4) + " " +
+                fixed(x, 4) + " " + fixed(text.at.y(), 4) + " cm\n" + drawn->operators + "f Q\n";
+        return;
+      }
     out_ += std::string("0 g BT /") + (text.weight == Weight::Bold ? "B" : "R") + " " +
             fixed(text.size_mm, 4) + " Tf 1 0 0 -1 " +
             fixed(text.at.x() - shift * textWidth(text), 4) + " " + fixed(text.at.y(), 4) +

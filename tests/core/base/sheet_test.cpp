@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 namespace ostraka {
 namespace {
@@ -26,11 +28,53 @@ TEST(Sheet, KeepsMarkupOfTextsFromBecomingMarkup) {
   EXPECT_THAT(formatPdf({pageWith(sheet)}, ""), testing::HasSubstr("(a<b & \\(c\\)\\\\) Tj"));
 }
 
-TEST(Sheet, WritesLatinLettersAsOneByteAndOthersAsQuestionMarks) {
+TEST(Sheet, WritesLatinLettersAsOneByteAndWhatNoFontHasAsQuestionMarks) {
   Sheet sheet;
-  sheet.text({0, 0}, 3,
-             "\xC3\x98 5 \xC2\xB1 1 \xD5\x80");  // diameter sign, plus-minus, Armenian ho
-  EXPECT_THAT(formatPdf({pageWith(sheet)}, ""), testing::HasSubstr("(\xD8 5 \xB1 1 ?) Tj"));
+  sheet.text({0, 0}, 3, "\xC3\x98 5 \xC2\xB1 1?");  // diameter sign, plus-minus
+  sheet.text({0, 9}, 3, "a \xF3\xB0\x80\x80 b");    // U+F0000, for private use
+  const std::string pdf = formatPdf({pageWith(sheet)}, "");
+  EXPECT_THAT(pdf, testing::HasSubstr("(\xD8 5 \xB1 1?) Tj"));
+  EXPECT_THAT(pdf, testing::HasSubstr("(a ? b) Tj"));
+}
+
+// Rendered by Poppler: the letters differ from each other and stand where they were put.
+TEST(Sheet, DrawsTheLettersOfOtherScripts) {
+  const auto ink = [](const std::string& text, Anchor anchor) {
+    Sheet sheet;
+    sheet.text({40, 20}, 8, text, anchor);
+    const std::string pdf = testing::TempDir() + "sheet_letters.pdf";
+    std::ofstream(pdf, std::ios::binary) << formatPdf({pageWith(sheet)}, text);
+    const std::string png = testing::TempDir() + "sheet_letters";
+    EXPECT_EQ(std::system(("pdftoppm -r 127 -gray -singlefile " + pdf + " " + png).c_str()), 0);
+    std::ifstream in(png + ".pgm", std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto box = [](const std::string& pgm) {  // 5 pixels a mm
+    std::istringstream header(pgm);
+    std::string magic;
+    int width = 0, height = 0;
+    header >> magic >> width >> height;
+    const std::size_t begin = pgm.size() - static_cast<std::size_t>(width * height);
+    int low = width, high = -1;
+    for (std::size_t i = begin; i < pgm.size(); ++i)
+      if (static_cast<unsigned char>(pgm[i]) < 128) {
+        const int x = static_cast<int>(i - begin) % width;
+        low = std::min(low, x);
+        high = std::max(high, x);
+      }
+    return std::pair(low / 5.0 - 10, high / 5.0 - 10);  // the layer lies at 10 mm
+  };
+  const std::string garni = "\u0533\u0561\u057C\u0576\u056B",
+                    athena = "\u0391\u03B8\u03AE\u03BD\u03B1";
+  EXPECT_NE(ink(garni, Anchor::Left), ink(athena, Anchor::Left));
+  for (const std::string& word : {garni, athena, std::string("I\u011Fd\u0131r")}) {
+    const double width = textWidth({{0, 0}, 8, word, Anchor::Left, Weight::Plain});
+    EXPECT_GT(width, 10);
+    const auto [left, right] = box(ink(word, Anchor::Left));
+    EXPECT_NEAR(left, 40, 1) << word;
+    EXPECT_NEAR(right, 40 + width, 1) << word;
+    EXPECT_NEAR(box(ink(word, Anchor::Right)).second, 40, 1) << word;
+  }
 }
 
 TEST(Sheet, MeasuresTextsByTheirLetters) {

@@ -41,7 +41,7 @@ void NewProject::setSiteCode(const QString& code) {
 
 void NewProject::setFolder(const QString& folder) {
   folder_typed_ = !folder.trimmed().isEmpty();
-  folder_ = folder.trimmed();
+  folder_ = folder;  // as typed: a space at its end may be one within a name
   follow();
 }
 
@@ -83,9 +83,9 @@ QString NewProject::refusal() const {
   if (!siteForm().match(site_).hasMatch())
     return tr("The site's code has two to eight capital letters and digits, like ARM1.");
   if (!numbering_refusal_.isEmpty()) return numbering_refusal_;
-  if (folder_.isEmpty()) return tr("Choose a folder for the project.");
-  const QDir folder(folder_);
-  if (catalogue::Project::isProject(folder_.toStdString()))
+  if (place().isEmpty()) return tr("Choose a folder for the project.");
+  const QDir folder(place());
+  if (catalogue::Project::isProject(place().toStdString()))
     return tr("There is a project in this folder already: open it, or choose another folder.");
   if (folder.exists() && !folder.isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden))
     return tr("This folder holds other files: choose a new one.");
@@ -97,7 +97,7 @@ Result<std::shared_ptr<catalogue::Project>> NewProject::make() const {
   record.code = site_.toStdString();
   record.title = (name_.isEmpty() ? site_ : name_).toStdString();
   record.numbering = numbering_.toStdString();
-  Result<catalogue::Project> made = catalogue::Project::create(folder_.toStdString(), record);
+  Result<catalogue::Project> made = catalogue::Project::create(place().toStdString(), record);
   if (!made) return made.error();
   catalogue::SiteRecord site;
   site.code = record.code;

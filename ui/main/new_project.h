@@ -44,6 +44,8 @@ class NewProject final : public QObject {
  private:
   void follow();
 
+  QString place() const { return folder_.trimmed(); }
+
   QString name_, site_, folder_, numbering_, example_, numbering_refusal_;
   bool folder_typed_ = false;
 };

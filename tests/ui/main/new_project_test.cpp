@@ -30,6 +30,17 @@ class NewProjectTest : public QObject {
     QCOMPARE(fresh.folder(), QStringLiteral("elsewhere"));
   }
 
+  void aFolderWithASpaceIsTyped() {
+    const QTemporaryDir folder;
+    NewProject fresh;
+    fresh.setSiteCode("ARM1");
+    fresh.setFolder(folder.filePath("a "));
+    QCOMPARE(fresh.folder(), folder.filePath("a "));  // what the field shows is what was typed
+    fresh.setFolder(folder.filePath("a b "));
+    QVERIFY(fresh.make().has_value());
+    QVERIFY(QFileInfo::exists(folder.filePath("a b/catalogue.sqlite")));
+  }
+
   void saysWhyItCannotBeMade() {
     const QTemporaryDir folder;
     NewProject fresh;

@@ -250,6 +250,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fundort, Befund und Beutel werden gebraucht, damit die Scherben Nummern bekommen.</translation>
     </message>
+    <message>
+      <source>site %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fundort %1</translation>
+    </message>
+    <message>
+      <source>trench %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schnitt %1</translation>
+    </message>
+    <message>
+      <source>context %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Befund %1</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beutel %1</translation>
+    </message>
   </context>
   <context>
     <name>Rig</name>
@@ -1156,6 +1176,16 @@
       <source>The import is stopped; nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Einlesen ist angehalten; nichts ist liegen geblieben.</translation>
+    </message>
+    <message>
+      <source>Import them all the same</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Trotzdem importieren</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat diese Dateien schon; nichts wurde importiert.</translation>
     </message>
   </context>
   <context>
@@ -2925,6 +2955,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bitte Fundort-Schnitt-Befund-Beutel</translation>
     </message>
+    <message>
+      <source>New: %1 (Esc takes it back)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neu: %1 (Esc nimmt es zurück)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PlateView</name>
@@ -4305,6 +4340,19 @@
       <source>This folder cannot be read to its end: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner lässt sich nicht zu Ende lesen: %1.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdNumbers</name>
+    <message>
+      <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist keine Nummer einer Scherbe: Sie hat eine Ziffer, kein Leerzeichen und höchstens %2 Zeichen.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 of this plate has the number %2: take it from that one first, or type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1 auf diesem Teller hat die Nummer %2: Nehmen Sie sie ihr zuerst, oder geben Sie eine andere ein.</translation>
     </message>
   </context>
 </TS>

@@ -250,6 +250,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρειάζονται θέση, πλαίσιο και σακούλα για να αριθμηθούν τα όστρακα.</translation>
     </message>
+    <message>
+      <source>site %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>θέση %1</translation>
+    </message>
+    <message>
+      <source>trench %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τομή %1</translation>
+    </message>
+    <message>
+      <source>context %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πλαίσιο %1</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σακούλα %1</translation>
+    </message>
   </context>
   <context>
     <name>Rig</name>
@@ -1156,6 +1176,16 @@
       <source>The import is stopped; nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εισαγωγή διακόπηκε· δεν έμεινε τίποτα.</translation>
+    </message>
+    <message>
+      <source>Import them all the same</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή παρ’ όλα αυτά</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 έχει ήδη αυτά τα αρχεία· τίποτα δεν εισήχθη.</translation>
     </message>
   </context>
   <context>
@@ -2925,6 +2955,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>θέση-τομή-πλαίσιο-σακούλα, παρακαλώ</translation>
     </message>
+    <message>
+      <source>New: %1 (Esc takes it back)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέα: %1 (το Esc τα αναιρεί)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PlateView</name>
@@ -4305,6 +4340,19 @@
       <source>This folder cannot be read to its end: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος δεν διαβάζεται ως το τέλος: %1.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdNumbers</name>
+    <message>
+      <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 δεν είναι αριθμός οστράκου: έχει ένα ψηφίο, κανένα κενό και το πολύ %2 χαρακτήρες.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 of this plate has the number %2: take it from that one first, or type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο %1 αυτού του δίσκου έχει τον αριθμό %2: αφαιρέστε τον πρώτα από εκείνο ή γράψτε άλλον.</translation>
     </message>
   </context>
 </TS>

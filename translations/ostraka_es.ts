@@ -250,6 +250,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hacen falta yacimiento, contexto y bolsa para numerar los fragmentos.</translation>
     </message>
+    <message>
+      <source>site %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yacimiento %1</translation>
+    </message>
+    <message>
+      <source>trench %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>corte %1</translation>
+    </message>
+    <message>
+      <source>context %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contexto %1</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bolsa %1</translation>
+    </message>
   </context>
   <context>
     <name>Rig</name>
@@ -1156,6 +1176,16 @@
       <source>The import is stopped; nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La importación se ha detenido; no ha quedado nada.</translation>
+    </message>
+    <message>
+      <source>Import them all the same</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importarlos de todos modos</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ya tiene estos archivos; no se ha importado nada.</translation>
     </message>
   </context>
   <context>
@@ -2925,6 +2955,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>yacimiento-corte-contexto-bolsa, por favor</translation>
     </message>
+    <message>
+      <source>New: %1 (Esc takes it back)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nuevo: %1 (Esc lo deshace)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PlateView</name>
@@ -4305,6 +4340,19 @@
       <source>This folder cannot be read to its end: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta no se puede leer hasta el final: %1.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdNumbers</name>
+    <message>
+      <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 no es un número de fragmento: tiene una cifra, ningún espacio y como máximo %2 caracteres.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 of this plate has the number %2: take it from that one first, or type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El fragmento %1 de este plato tiene el número %2: quíteselo primero a ese o escriba otro.</translation>
     </message>
   </context>
 </TS>

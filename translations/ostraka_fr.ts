@@ -250,6 +250,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il faut un site, un contexte et un sac pour numéroter les tessons.</translation>
     </message>
+    <message>
+      <source>site %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>site %1</translation>
+    </message>
+    <message>
+      <source>trench %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tranchée %1</translation>
+    </message>
+    <message>
+      <source>context %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contexte %1</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sac %1</translation>
+    </message>
   </context>
   <context>
     <name>Rig</name>
@@ -1156,6 +1176,16 @@
       <source>The import is stopped; nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L'importation est arrêtée ; rien n'a été laissé.</translation>
+    </message>
+    <message>
+      <source>Import them all the same</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les importer quand même</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a déjà ces fichiers ; rien n’a été importé.</translation>
     </message>
   </context>
   <context>
@@ -2925,6 +2955,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>site-tranchée-contexte-sac, s’il vous plaît</translation>
     </message>
+    <message>
+      <source>New: %1 (Esc takes it back)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau : %1 (Échap l’annule)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PlateView</name>
@@ -4305,6 +4340,19 @@
       <source>This folder cannot be read to its end: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier ne peut pas être lu jusqu'au bout : %1.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdNumbers</name>
+    <message>
+      <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 n’est pas un numéro de tesson : il a un chiffre, aucune espace et au plus %2 caractères.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 of this plate has the number %2: take it from that one first, or type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tesson %1 de ce plateau a le numéro %2 : retirez-le-lui d’abord, ou tapez-en un autre.</translation>
     </message>
   </context>
 </TS>

@@ -250,6 +250,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորները համարակալելու համար պետք են հուշարձան, համատեքստ և տոպրակ։</translation>
     </message>
+    <message>
+      <source>site %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հնավայր %1</translation>
+    </message>
+    <message>
+      <source>trench %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>խրամատ %1</translation>
+    </message>
+    <message>
+      <source>context %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>համատեքստ %1</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տոպրակ %1</translation>
+    </message>
   </context>
   <context>
     <name>Rig</name>
@@ -1156,6 +1176,16 @@
       <source>The import is stopped; nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծումը կանգնեցված է. ոչինչ չի մնացել։</translation>
+    </message>
+    <message>
+      <source>Import them all the same</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել այնուամենայնիվ</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արդեն ունի այս ֆայլերը. ոչինչ չի ներմուծվել։</translation>
     </message>
   </context>
   <context>
@@ -2925,6 +2955,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>խնդրում ենք՝ հուշարձան-խրամատ-համատեքստ-տոպրակ</translation>
     </message>
+    <message>
+      <source>New: %1 (Esc takes it back)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր՝ %1 (Esc-ը հետ է վերցնում)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PlateView</name>
@@ -4305,6 +4340,19 @@
       <source>This folder cannot be read to its end: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակը հնարավոր չէ կարդալ մինչև վերջ՝ %1։</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdNumbers</name>
+    <message>
+      <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը բեկորի համար չէ. այն ունի թվանշան, չունի բացատ և առավելագույնը %2 նիշ է։</translation>
+    </message>
+    <message>
+      <source>Sherd %1 of this plate has the number %2: take it from that one first, or type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սկավառակի %1 բեկորն ունի %2 համարը. նախ հանեք այն նրանից կամ գրեք ուրիշը։</translation>
     </message>
   </context>
 </TS>

@@ -249,6 +249,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçaların numaralanması için alan, kontekst ve torba gerekir.</translation>
     </message>
+    <message>
+      <source>site %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>alan %1</translation>
+    </message>
+    <message>
+      <source>trench %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>açma %1</translation>
+    </message>
+    <message>
+      <source>context %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kontekst %1</translation>
+    </message>
+    <message>
+      <source>bag %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>torba %1</translation>
+    </message>
   </context>
   <context>
     <name>Rig</name>
@@ -1142,6 +1162,16 @@
       <source>The import is stopped; nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alma durduruldu; geride bir şey kalmadı.</translation>
+    </message>
+    <message>
+      <source>Import them all the same</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yine de içe aktar</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bu dosyaları zaten içeriyor; hiçbir şey içe aktarılmadı.</translation>
     </message>
   </context>
   <context>
@@ -2892,6 +2922,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>lütfen alan-açma-kontekst-torba</translation>
     </message>
+    <message>
+      <source>New: %1 (Esc takes it back)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni: %1 (Esc geri alır)</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::PlateView</name>
@@ -4266,6 +4301,19 @@
       <source>This folder cannot be read to its end: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör sonuna kadar okunamıyor: %1.</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::SherdNumbers</name>
+    <message>
+      <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bir parça numarası değil: numarada bir rakam bulunur, boşluk bulunmaz ve en çok %2 karakterdir.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 of this plate has the number %2: take it from that one first, or type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu tabladaki %1 numaralı sıradaki parçanın numarası %2: önce ondan alın ya da başka bir numara yazın.</translation>
     </message>
   </context>
 </TS>

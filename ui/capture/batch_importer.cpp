@@ -18,7 +18,17 @@ void BatchImporter::setSession(ProjectSession* session) {
 
 void BatchImporter::start(const QString& folder, ImportKind kind, const PlaceText& place) {
   if (session_ == nullptr || isBusy()) return;
-  const ImportOptions options{folder.toStdString(), session_->folder(), kind};
+  copy({folder.toStdString(), session_->folder(), kind}, place);
+}
+
+void BatchImporter::startAllTheSame() {
+  if (session_ == nullptr || isBusy() || asked_.project != session_->folder()) return;
+  asked_.twice = true;
+  copy(asked_, asked_place_);
+}
+
+void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
+  const QString folder = QString::fromStdString(options.from.string());
   job_ = session_->jobs().start(makeJob(
                                     tr("Import of %1").arg(folder),
                                     [options](Progress& progress, std::stop_token stop) {
@@ -28,11 +38,18 @@ void BatchImporter::start(const QString& folder, ImportKind kind, const PlaceTex
                                 this);
   connect(job_, &JobHandle::progressed, this,
           [this](const JobProgress& progress) { emit progressed(progress.fraction); });
-  connect(job_, &JobHandle::finished, this, [this, place](const JobOutcome& outcome) {
+  connect(job_, &JobHandle::finished, this, [this, options, place](const JobOutcome& outcome) {
     job_->deleteLater();
     job_ = nullptr;
     emit ended();
     const Result<Imported> copied = outcomeAs<Imported>(outcome);
+    if (copied && !copied->same_as.empty()) {
+      asked_ = options;
+      asked_place_ = place;
+      emit alreadyThere(QString::fromStdString(copied->same_as),
+                        QString::fromStdString(options.from.string()));
+      return;
+    }
     const Result<QString> number = copied ? enter(*copied, place) : copied.error();
     if (!number) {
       emit failed(number.error());

@@ -23,6 +23,7 @@ class BatchImporter final : public QObject {
  public slots:
   void start(const QString& folder, ostraka::ui::ImportKind kind,
              const ostraka::ui::PlaceText& place);
+  void startAllTheSame();  ///< what alreadyThere told of
   void cancel();
 
  signals:
@@ -30,13 +31,18 @@ class BatchImporter final : public QObject {
   void progressed(double fraction);
   void imported(const QString& number, int files);
   void failed(const ostraka::Error& error);
+  /// The project has these photographs or scans: nothing was imported.
+  void alreadyThere(const QString& number, const QString& folder);
   void ended();  ///< whatever became of it, also when the project is closed
 
  private:
+  void copy(const ImportOptions& options, const PlaceText& place);
   Result<QString> enter(const Imported& copied, const PlaceText& place);
 
   QPointer<ProjectSession> session_;
   QPointer<JobHandle> job_;
+  ImportOptions asked_;  ///< of alreadyThere
+  PlaceText asked_place_;
 };
 
 }  // namespace ostraka::ui

@@ -57,7 +57,9 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
     failure_->hide();
     setFocus();
   });
+  buildTwice();
   all->addWidget(new ImportLine(importer_, this));
+  all->addWidget(twice_);
   all->addWidget(failure_);
 
   connect(wizard_, &CaptureWizard::changed, this, &CaptureStation::follow);
@@ -81,6 +83,26 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
         tr("The rig is calibrated by %1; the calibration before is kept as %2.").arg(batch, kept));
   });
   follow();
+}
+
+// The same photographs once more are a slip more often than a wish.
+void CaptureStation::buildTwice() {
+  twice_ = new MessagePanel(this);
+  twice_->setObjectName(QStringLiteral("importTwice"));
+  twice_->setSecondAct(tr("Import them all the same"));
+  twice_->hide();
+  connect(importer_, &BatchImporter::alreadyThere, this,
+          [this](const QString& number, const QString& folder) {
+            twice_->showWords(folder,
+                              tr("%1 has these files already; nothing was imported.").arg(number),
+                              tr("All right"));
+          });
+  connect(importer_, &BatchImporter::started, twice_, &QWidget::hide);
+  connect(twice_, &MessagePanel::actedSecond, importer_, &BatchImporter::startAllTheSame);
+  connect(twice_, &MessagePanel::acted, this, [this] {
+    twice_->hide();
+    setFocus();
+  });
 }
 
 QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, const QString& text,
@@ -231,6 +253,8 @@ void CaptureStation::openProject(ProjectSession& session) {
   place_->setReader([&session](const QString& text) {
     return findPlaceText(session.project().catalogue(), text);
   });
+  place_->setNews(
+      [&session](const PlaceText& place) { return newOf(session.project().catalogue(), place); });
   const Result<std::string> place = rows.setting(kPlaceKey);
   place_->setText(place ? QString::fromStdString(*place) : QString());
   placeTyped();
@@ -246,10 +270,12 @@ void CaptureStation::closeProject() {
   importer_->setSession(nullptr);
   renewal_->forget();
   board_->setThumbnails(nullptr);
+  place_->setNews({});
   place_->setReader({});
   if (thumbnails_ != nullptr) thumbnails_->deleteLater();
   thumbnails_ = nullptr;
   failure_->hide();
+  twice_->hide();
   session_ = nullptr;
 }
 
@@ -322,6 +348,7 @@ void CaptureStation::follow() {
   instruction_->setText(wizard_->instruction());
   instruction_->setFont(scaledFont(*this, 1.2));
   foot_->follow();
+  place_->follow();
   next_->setEnabled(no_rig || wizard_->canGoOn());
   stop_->setEnabled(wizard_->isShooting());
   change_rig_->setEnabled(!wizard_->isShooting());

@@ -58,6 +58,7 @@ class CaptureStation final : public Station {
   void buildActions();
   QWidget* buildWorkPage();
   QWidget* buildFoot();
+  void buildTwice();
   QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
                   const QKeySequence& key);
   void goOn();
@@ -86,6 +87,7 @@ class CaptureStation final : public Station {
   SherdNumbers* numbers_;
   NumberEdit* number_edit_;
   MessagePanel *doubts_, *fault_;
+  MessagePanel* twice_ = nullptr;
   MessagePanel* failure_;  ///< of an import or a calibration: nothing to do with the wizard
   QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
       *change_rig_;

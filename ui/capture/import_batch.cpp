@@ -2,7 +2,11 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "base/files.h"
@@ -60,6 +64,53 @@ Result<std::vector<fs::path>> photographsIn(const fs::path& folder, Progress& pr
   return files;
 }
 
+// What was photographed or scanned, by size; the same picture has the same size.
+using BySize = std::multimap<std::uintmax_t, fs::path>;
+
+BySize takenIn(const fs::path& folder) {
+  BySize files;
+  for (const char* side : {"front", "back"}) {
+    std::error_code error;
+    for (fs::directory_iterator at(folder / side, error), end; !error && at != end;
+         at.increment(error))
+      if (at->is_regular_file(error)) files.emplace(at->file_size(error), at->path());
+  }
+  return files;
+}
+
+std::string hashOf(const fs::path& file) {
+  const Result<std::string> bytes = readFile(file);
+  return bytes ? sha256(*bytes) : std::string();
+}
+
+// Names may be others by now, and some files missing: most of them are enough. Only files of one
+// size are read.
+Result<std::string> batchWithTheSame(const ImportOptions& options, const std::stop_token& stop) {
+  const BySize fresh = takenIn(options.from);
+  std::map<fs::path, std::string> hashes;
+  std::error_code error;
+  for (fs::directory_iterator at(options.project / "batches", error), end; !error && at != end;
+       at.increment(error)) {
+    if (at->path().extension() == ".partial") continue;
+    std::size_t same = 0;
+    std::set<std::string> there;
+    for (const auto& [size, file] : takenIn(at->path()))
+      if (fresh.contains(size)) {
+        if (stop.stop_requested()) return Error::cancelled();
+        there.insert(hashOf(file));
+      }
+    if (there.size() * 2 <= fresh.size()) continue;
+    for (const auto& [size, file] : fresh) {
+      if (stop.stop_requested()) return Error::cancelled();
+      std::string& hash = hashes[file];
+      if (hash.empty()) hash = hashOf(file);
+      same += there.contains(hash) ? 1 : 0;
+    }
+    if (same * 2 > fresh.size()) return at->path().filename().string();
+  }
+  return std::string();
+}
+
 }  // namespace
 
 Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std::stop_token stop) {
@@ -69,6 +120,12 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
   if (!files) return files.error();
   std::sort(files->begin(), files->end());
   Imported imported;
+  if (!options.twice) {
+    Result<std::string> same = batchWithTheSame(options, stop);
+    if (!same) return same.error();
+    imported.same_as = std::move(*same);
+    if (!imported.same_as.empty()) return imported;
+  }
   imported.folder = options.project / "batches" / "import.partial";
   std::error_code ignored;
   fs::remove_all(imported.folder, ignored);  // of an import that was killed

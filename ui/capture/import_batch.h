@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <stop_token>
+#include <string>
 
 #include "base/progress.h"
 #include "base/result.h"
@@ -13,11 +14,13 @@ struct ImportOptions {
   std::filesystem::path from;  ///< a batch folder, or one with front/*.ply and back/*.ply
   std::filesystem::path project;
   ImportKind kind = ImportKind::Photographs;
+  bool twice = false;  ///< also when the project has the same files already
 };
 
 struct Imported {
   std::filesystem::path folder;  ///< a whole copy beside the project's batches, not yet one of them
   int files = 0;
+  std::string same_as;  ///< "B0031" has most of these photographs or scans; nothing was copied
 };
 
 /// Checks the folder and copies what belongs to the batch (never truth/) into PROJECT/batches under

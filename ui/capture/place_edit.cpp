@@ -1,6 +1,7 @@
 #include "ui/capture/place_edit.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 
@@ -16,6 +17,8 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   edit_->setPlaceholderText(tr("scan its label, or ARM1-T3-0012-4"));
   edit_->setAccessibleDescription(tr("Site, trench, context and bag"));
   edit_->setMinimumHeight(targetSize(*this));
+  edit_->installEventFilter(this);
+  note_->setObjectName(QStringLiteral("capturePlaceNote"));
   edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
   note_->setWordWrap(true);  // long words of another language would widen the window
   auto* row = new QHBoxLayout(this);
@@ -33,6 +36,24 @@ PlaceEdit::PlaceEdit(QWidget* parent)
 
 void PlaceEdit::setReader(std::function<std::optional<PlaceText>(const QString&)> reader) {
   reader_ = reader ? std::move(reader) : readPlaceText;
+}
+
+void PlaceEdit::setNews(std::function<QString(const PlaceText&)> news) {
+  news_ = std::move(news);
+  known_.clear();
+  follow();
+}
+
+bool PlaceEdit::eventFilter(QObject* watched, QEvent* event) {
+  const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (watched != edit_ || !key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape ||
+      text() == known_)
+    return QWidget::eventFilter(watched, event);
+  event->accept();
+  if (event->type() == QEvent::ShortcutOverride) return true;
+  setText(known_);
+  emit edited();
+  return true;
 }
 
 void PlaceEdit::setText(const QString& text) {
@@ -53,9 +74,14 @@ bool PlaceEdit::isUsable() const {
 }
 
 void PlaceEdit::follow() {
-  note_->setText(text().isEmpty() ? tr("no bag: no numbers yet")
-                 : isUsable()     ? QString()
-                                  : tr("site-trench-context-bag, please"));
+  if (text().isEmpty()) {
+    known_.clear();
+    return note_->setText(tr("no bag: no numbers yet"));
+  }
+  if (!isUsable()) return note_->setText(tr("site-trench-context-bag, please"));
+  const QString news = news_ ? news_(place()) : QString();
+  if (news.isEmpty()) known_ = text();
+  note_->setText(news.isEmpty() ? QString() : tr("New: %1 (Esc takes it back)").arg(news));
 }
 
 }  // namespace ostraka::ui

@@ -17,19 +17,25 @@ class PlaceEdit final : public QWidget {
   explicit PlaceEdit(QWidget* parent = nullptr);
   /// How texts are understood; without one as readPlaceText does.
   void setReader(std::function<std::optional<PlaceText>(const QString&)> reader);
+  /// What of a place is new and would be made: it is said beside the field, and Esc takes it back.
+  void setNews(std::function<QString(const PlaceText&)> news);
   void setText(const QString& text);
   QString text() const;
   PlaceText place() const;  ///< empty when nothing or nonsense is typed
   bool isUsable() const;    ///< a place, or nothing at all
+  void follow();            ///< what is known has changed
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  signals:
   void edited();
   void entered();  ///< Return: the person is done
 
  private:
-  void follow();
-
   std::function<std::optional<PlaceText>(const QString&)> reader_ = readPlaceText;
+  std::function<QString(const PlaceText&)> news_;
+  QString known_;  ///< the text before anything new was typed
   QLineEdit* edit_;
   QLabel* note_;
 };

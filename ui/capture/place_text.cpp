@@ -127,6 +127,40 @@ std::optional<PlaceText> findPlaceText(const Catalogue& rows, const QString& tex
   return readPlaceText(plain);
 }
 
+QString newOf(const Catalogue& rows, const PlaceText& place) {
+  if (place.isEmpty()) return {};
+  const auto words = [](const char* form, const QString& value) {
+    return QCoreApplication::translate("PlaceText", form).arg(value);
+  };
+  const auto is = [](const std::string& known, const QString& typed) {
+    return isSame(QString::fromStdString(known), typed);
+  };
+  bool site = false, trench = place.trench.isEmpty(), context = false, bag = false;
+  if (const auto sites = rows.sites())
+    for (const catalogue::SiteRecord& known : *sites) {
+      if (!is(known.code, place.site)) continue;
+      site = true;
+      if (const auto trenches = rows.trenches())
+        for (const catalogue::TrenchRecord& one : *trenches)
+          trench = trench || (one.site == known.row && is(one.code, place.trench));
+    }
+  if (const auto contexts = rows.contexts())
+    for (const catalogue::ContextRecord& known : *contexts) {
+      if (!is(known.site_code, place.site) || !is(known.trench_code, place.trench) ||
+          !is(known.number, place.context))
+        continue;
+      context = true;
+      if (const auto bags = rows.bags(known.row))
+        for (const catalogue::BagRecord& one : *bags) bag = bag || is(one.number, place.bag);
+    }
+  QStringList fresh;
+  if (!site) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "site %1"), place.site);
+  if (!trench) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "trench %1"), place.trench);
+  if (!context) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "context %1"), place.context);
+  if (!bag) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "bag %1"), place.bag);
+  return fresh.join(QStringLiteral(", "));
+}
+
 Result<std::int64_t> bagRowOf(Catalogue& rows, const PlaceText& place, const catalogue::Act& act) {
   if (place.isEmpty()) return std::int64_t{0};
   if (place.site.isEmpty() || place.context.isEmpty() || place.bag.isEmpty())

@@ -31,6 +31,10 @@ std::optional<PlaceText> readPlaceText(const QString& text);
 /// are by now, and codes that have marks themselves (AR-TS) are recognised, in any capitals.
 std::optional<PlaceText> findPlaceText(const catalogue::Catalogue& catalogue, const QString& text);
 
+/// What of a place the project does not know yet and would make: "site XX, trench 9, context 12,
+/// bag 4". Empty when it knows all.
+QString newOf(const catalogue::Catalogue& catalogue, const PlaceText& place);
+
 /// The row of the bag, made with its context, trench and site where they are new; 0 and no error
 /// when nothing was given.
 Result<std::int64_t> bagRowOf(catalogue::Catalogue& catalogue, const PlaceText& place,

@@ -1,9 +1,25 @@
 #include "ui/capture/sherd_numbers.h"
 
+#include <algorithm>
+
+#include "catalogue/names.h"
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr int kLongestNumber = 40;  // a label has room for no more
+
+// What nobody writes on a sherd, or in a list that it comes from.
+bool isPlausible(const QString& typed) {
+  const auto isNone = [](QChar c) { return c.isSpace() || !c.isPrint(); };
+  return typed.size() <= kLongestNumber &&
+         std::any_of(typed.begin(), typed.end(), [](QChar c) { return c.isDigit(); }) &&
+         std::none_of(typed.begin(), typed.end(), isNone);
+}
+
+}  // namespace
 
 void SherdNumbers::follow(ProjectSession* session, const QString& batch,
                           const capture::PlateLook* look) {
@@ -36,12 +52,26 @@ void SherdNumbers::assign() {
 QString SherdNumbers::give(int sherd, const QString& typed) {
   if (session_ == nullptr || !row_ || sherd < 0 || sherd >= count()) return {};
   catalogue::Catalogue& rows = session_->project().catalogue();
+  const QString plain = typed.trimmed();
+  if (!plain.isEmpty() && !plain.startsWith(QLatin1String("OST1:"), Qt::CaseInsensitive) &&
+      !isPlausible(plain))
+    return tr("%1 is no sherd's number: it has a digit, no space and at most %2 characters.")
+        .arg(plain)
+        .arg(kLongestNumber);
   const auto number = catalogue::wholeNumber(rows, row_, typed.toStdString());
   if (!number) return QString::fromStdString(number.error().sentence());
   std::vector<catalogue::TypedNumber> all;
   const std::vector<int> place = catalogue::placesOf(typed_, places_mm_);
-  for (std::size_t i = 0; i < typed_.size(); ++i)
-    if (place[i] != sherd) all.push_back(typed_[i]);
+  for (std::size_t i = 0; i < typed_.size(); ++i) {
+    const bool same = catalogue::uniqueKey(typed_[i].number) == catalogue::uniqueKey(*number);
+    if (same && place[i] >= 0 && place[i] != sherd)
+      return tr("Sherd %1 of this plate has the number %2: take it from that one first, or type "
+                "another.")
+          .arg(place[i] + 1)
+          .arg(QString::fromStdString(*number));
+    // Of a place where none lies now it comes along.
+    if (place[i] != sherd && !same) all.push_back(typed_[i]);
+  }
   if (!number->empty()) all.push_back({places_mm_[static_cast<std::size_t>(sherd)], *number});
   if (const auto kept = catalogue::setTypedNumbers(rows, row_, all); !kept)
     return QString::fromStdString(kept.error().what);

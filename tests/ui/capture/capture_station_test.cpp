@@ -107,6 +107,28 @@ class CaptureStationTest : public QObject {
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
   }
 
+  void aNewPlaceIsMarkedAndEscTakesItBack() {
+    QVERIFY(bagRowOf(session_->project().catalogue(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
+    station_->closeProject();
+    station_->openProject(*session_);
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    auto* place = child<QLineEdit>("capturePlace");
+    auto* note = child<QLabel>("capturePlaceNote");
+    place->setFocus();
+    QTest::keyClicks(place, "ARM1-T3-0012-4");
+    QCOMPARE(note->text(), QString());
+    place->selectAll();
+    QTest::keyClicks(place, "XX-9-foo-77");
+    QVERIFY2(note->text().contains("site XX, trench 9, context foo, bag 77"),
+             qPrintable(note->text()));
+    QTest::keyClick(place, Qt::Key_Escape);
+    QCOMPARE(place->text(), QStringLiteral("ARM1-T3-0012-4"));
+    QCOMPARE(note->text(), QString());
+    QCOMPARE(wizard_->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(session_->project().catalogue().sites()->size(), std::size_t{1});
+  }
+
   void theSherdsAreCountedByKeysAndSpaceIsStillTheNextThing() {
     rig_->front = 11;
     wizard_->setRig(sourceOf(*rig_));
@@ -315,7 +337,7 @@ class CaptureStationTest : public QObject {
     QTest::keyClicks(line, "7");
     QTest::keyClick(line, Qt::Key_Return);
     QCOMPARE(edit.sherd(), 1);
-    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().contains("two sherds"));
+    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().startsWith("Sherd 1 of this plate"));
     QTest::keyClick(line, Qt::Key_Down);
     QCOMPARE(edit.sherd(), 1);  // what is refused is not thrown away
     line->clear();
@@ -334,7 +356,7 @@ class CaptureStationTest : public QObject {
     edit.choose(2);             // by a click on the plate
     QCOMPARE(edit.sherd(), 0);  // two sherds of one number: it stays and says so
     QCOMPARE(line->text(), QStringLiteral("8"));
-    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().contains("two sherds"));
+    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().startsWith("Sherd 2 of this plate"));
     QTest::keyClick(line, Qt::Key_Escape);
     QCOMPARE(numbers.of(0), QStringLiteral("ARM1-T3-0012-0007"));
     edit.choose(1);
@@ -349,6 +371,11 @@ class CaptureStationTest : public QObject {
     QCOMPARE(numbers.all(), (QStringList{"OLD-9", {}, "ARM1-T3-0012-0007"}));
     QCOMPARE(numbers.give(0, {}), QString());
     QCOMPARE(numbers.of(0), QString());
+    // What no sherd has is refused, with the reason.
+    for (const char* typed : {"x y/z", "no number", "12 a"})
+      QVERIFY2(numbers.give(0, typed).contains("no sherd's number"), typed);
+    QVERIFY(numbers.give(0, QString(60, QLatin1Char('7'))).contains("at most"));
+    QCOMPARE(numbers.give(0, "AR/12:7b"), QString());
   }
 
  private:

@@ -46,6 +46,38 @@ class ImportTest : public QObject {
     QVERIFY(!std::filesystem::exists(path("project") / "batches" / "import.partial"));
   }
 
+  void whatWasImportedBeforeIsToldAndComesOnlyWhenItIsWanted() {
+    for (const char* file : {"front/a.ply", "front/b.ply", "back/c.ply"})
+      QVERIFY(writeFileAtomically(path("scans") / file, file).has_value());
+    for (const char* file : {"front/a.ply", "front/b.ply", "back/c.ply"})
+      QVERIFY(writeFileAtomically(path("others") / file, std::string("x") + file).has_value());
+    for (const char* file : {"front/x.ply", "front/y.ply", "back/z.ply"})  // by other names
+      QVERIFY(writeFileAtomically(path("copy") / file,
+                                  std::string(file).substr(0, file[0] == 'f' ? 6 : 5) +
+                                      char(file[file[0] == 'f' ? 6 : 5] - 23) + ".ply")
+                  .has_value());
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    QSignalSpy imported(&importer, &BatchImporter::imported);
+    QSignalSpy there(&importer, &BatchImporter::alreadyThere);
+    const auto take = [&](const char* name) {
+      importer.start(QString::fromStdString(path(name).string()), ImportKind::Scans, {});
+    };
+    take("scans");
+    QTRY_COMPARE(imported.count(), 1);
+    take("others");
+    QTRY_COMPARE(imported.count(), 2);
+    take("copy");
+    QTRY_COMPARE(there.count(), 1);
+    QCOMPARE(there.front().front().toString(), QStringLiteral("B0001"));
+    QCOMPARE(session_->project().catalogue().batches()->size(), std::size_t{2});
+    QVERIFY(!std::filesystem::exists(path("project") / "batches" / "import.partial"));
+    importer.startAllTheSame();
+    QTRY_COMPARE(imported.count(), 3);
+    QCOMPARE(session_->project().catalogue().batches()->size(), std::size_t{3});
+    QCOMPARE(there.count(), 1);
+  }
+
   void aFolderWithoutBacksIsRefusedWithASentenceAndLeavesNothing() {
     QVERIFY(writeFileAtomically(path("half") / "front" / "a.ply", "x").has_value());
     BatchImporter importer;

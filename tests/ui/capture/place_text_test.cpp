@@ -62,6 +62,24 @@ class PlaceTextTest : public QObject {
     QCOMPARE(read("AR-TS-4"), std::optional(PlaceText{"AR", "", "TS", "4"}));
   }
 
+  void whatIsNewIsSaidBeforeItIsMade() {
+    QTemporaryDir folder;
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    auto project = catalogue::Project::create(folder.filePath("p").toStdString(), record);
+    QVERIFY(project.has_value());
+    catalogue::Catalogue& rows = project->catalogue();
+    QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {}).has_value());
+    QCOMPARE(newOf(rows, {"arm1", "T3", "0012", "4"}), QString());
+    QCOMPARE(newOf(rows, {}), QString());
+    QCOMPARE(newOf(rows, {"ARM1", "T3", "0012", "5"}), QStringLiteral("bag 5"));
+    QCOMPARE(newOf(rows, {"ARM1", "", "0012", "4"}), QStringLiteral("context 0012, bag 4"));
+    QCOMPARE(newOf(rows, {"ARM1", "T9", "1", "5"}), QStringLiteral("trench T9, context 1, bag 5"));
+    QCOMPARE(newOf(rows, {"XX", "9", "foo", "77"}),
+             QStringLiteral("site XX, trench 9, context foo, bag 77"));
+    QCOMPARE(rows.sites()->size(), std::size_t{1});
+  }
+
   void theSamePlaceIsMadeOnce() {
     QTemporaryDir folder;
     catalogue::ProjectRecord record;

@@ -672,6 +672,121 @@
         <numerusform>%n Scherben</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Its back %1 was given to %2: is %3 the right one now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihre Rückseite %1 wurde %2 gegeben: Ist %3 jetzt die richtige?</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2. Choose another one, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihre Rückseite %1 wurde %2 gegeben. Wählen Sie eine andere, oder legen Sie die Scherbe beiseite.</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2; next best %3, %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihre Rückseite %1 wurde %2 gegeben; die nächstbeste ist %3, %4.</translation>
+    </message>
+    <message>
+      <source>Decided by %1 on %2, turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entschieden von %1 am %2, von Hand gedreht.</translation>
+    </message>
+    <message>
+      <source>The rims hardly meet: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ränder treffen sich kaum: %1 davon.</translation>
+    </message>
+    <message>
+      <source>by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>von Hand</translation>
+    </message>
+    <message>
+      <source>start point</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anfangspunkt</translation>
+    </message>
+    <message>
+      <source>settled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eingerastet</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Hand gedreht: %1 der Ränder treffen sich.</translation>
+    </message>
+    <message>
+      <source>Turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Hand gedreht.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Anfangspunkt wird probiert: %1 der Ränder treffen sich.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Anfangspunkt wird probiert.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims: %1 of them meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durch die Ränder eingerastet: %1 davon treffen sich.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durch die Ränder eingerastet.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird probiert: %2.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2, rims %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird probiert: %2, Ränder %3 auseinander.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2; its rims do not meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird probiert: %2; die Ränder treffen sich nicht.</translation>
+    </message>
+    <message>
+      <source>%1 decided for %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat sich für %2 entschieden.</translation>
+    </message>
+    <message>
+      <source>The program says %1, %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm meint %1, %2.</translation>
+    </message>
+    <message>
+      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mit %1 verbunden von %2; sobald die Ladung berechnet ist, ist es ein Stück.</translation>
+    </message>
+    <message>
+      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In zwei geteilt von %1; die Stücke kommen, wenn die Ladung berechnet wird.</translation>
+    </message>
+    <message>
+      <source>joined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>verbunden</translation>
+    </message>
+    <message>
+      <source>cut</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geteilt</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -990,11 +1105,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Andere Rückseite …</translation>
-    </message>
-    <message>
-      <source>under 1 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>unter 1 %</translation>
     </message>
     <message>
       <source>rim %1</source>
@@ -2878,6 +2988,11 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was nur ausprobiert wurde, gibt es nicht mehr: Seine Paare wurden seither geschlossen.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert, mit Ihrem Namen; aber die Ränder von %1 und %2 treffen sich kaum: %3 davon.</translation>
     </message>
   </context>
   <context>

@@ -672,6 +672,121 @@
         <numerusform>%n όστρακα</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Its back %1 was given to %2: is %3 the right one now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη του %1 δόθηκε στο %2: είναι τώρα το %3 το σωστό;</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2. Choose another one, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη του %1 δόθηκε στο %2. Επιλέξτε άλλη, ή βάλτε το στην άκρη.</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2; next best %3, %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη του %1 δόθηκε στο %2· επόμενη καλύτερη %3, %4.</translation>
+    </message>
+    <message>
+      <source>Decided by %1 on %2, turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποφασίστηκε από %1 στις %2, στράφηκε με το χέρι.</translation>
+    </message>
+    <message>
+      <source>The rims hardly meet: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι ακμές μόλις συναντιούνται: το %1.</translation>
+    </message>
+    <message>
+      <source>by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>με το χέρι</translation>
+    </message>
+    <message>
+      <source>start point</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχικό σημείο</translation>
+    </message>
+    <message>
+      <source>settled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ρυθμισμένο</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στράφηκε με το χέρι: συναντιέται το %1 των ακμών.</translation>
+    </message>
+    <message>
+      <source>Turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στράφηκε με το χέρι.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται άλλο αρχικό σημείο: συναντιέται το %1 των ακμών.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται άλλο αρχικό σημείο.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims: %1 of them meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρυθμίστηκε από τις ακμές: συναντιέται το %1.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρυθμίστηκε από τις ακμές.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται το %1: %2.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2, rims %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται το %1: %2, ακμές σε απόσταση %3.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2; its rims do not meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δοκιμάζεται το %1: %2· οι ακμές δεν συναντιούνται.</translation>
+    </message>
+    <message>
+      <source>%1 decided for %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το άτομο %1 αποφάσισε για το %2.</translation>
+    </message>
+    <message>
+      <source>The program says %1, %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα λέει %1, %2.</translation>
+    </message>
+    <message>
+      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ενώθηκε με το %1 από %2· γίνεται ένα κομμάτι όταν υπολογιστεί η παρτίδα.</translation>
+    </message>
+    <message>
+      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κόπηκε στα δύο από %1· τα κομμάτια έρχονται όταν υπολογιστεί η παρτίδα.</translation>
+    </message>
+    <message>
+      <source>joined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ενώθηκε</translation>
+    </message>
+    <message>
+      <source>cut</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κόπηκε</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -990,11 +1105,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άλλη πίσω όψη …</translation>
-    </message>
-    <message>
-      <source>under 1 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κάτω από 1 %</translation>
     </message>
     <message>
       <source>rim %1</source>
@@ -2878,6 +2988,11 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό,τι ήταν μόνο δοκιμή δεν υπάρχει πια· τα ζεύγη του έκλεισαν στο μεταξύ.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι ακμές του %1 και του %2 μόλις συναντιούνται: το %3.</translation>
     </message>
   </context>
   <context>

@@ -672,6 +672,121 @@
         <numerusform>%n fragmentos</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Its back %1 was given to %2: is %3 the right one now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Su reverso %1 se dio a %2: ¿es %3 el correcto ahora?</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2. Choose another one, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Su reverso %1 se dio a %2. Elija otro, o aparte el fragmento.</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2; next best %3, %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Su reverso %1 se dio a %2; el siguiente mejor es %3, %4.</translation>
+    </message>
+    <message>
+      <source>Decided by %1 on %2, turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Decidido por %1 el %2, girado a mano.</translation>
+    </message>
+    <message>
+      <source>The rims hardly meet: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los bordes apenas se encuentran: el %1.</translation>
+    </message>
+    <message>
+      <source>by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>a mano</translation>
+    </message>
+    <message>
+      <source>start point</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>punto inicial</translation>
+    </message>
+    <message>
+      <source>settled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajustado</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Girado a mano: se encuentra el %1 de los bordes.</translation>
+    </message>
+    <message>
+      <source>Turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Girado a mano.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba otro punto inicial: se encuentra el %1 de los bordes.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba otro punto inicial.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims: %1 of them meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajustado por los bordes: se encuentra el %1.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajustado por los bordes.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba %1: %2.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2, rims %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba %1: %2, bordes separados %3.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2; its rims do not meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se prueba %1: %2; los bordes no se encuentran.</translation>
+    </message>
+    <message>
+      <source>%1 decided for %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se decidió por %2.</translation>
+    </message>
+    <message>
+      <source>The program says %1, %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El programa dice %1, %2.</translation>
+    </message>
+    <message>
+      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unido con %1 por %2; será una sola pieza cuando se calcule la tanda.</translation>
+    </message>
+    <message>
+      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cortado en dos por %1; sus piezas llegan cuando se calcule la tanda.</translation>
+    </message>
+    <message>
+      <source>joined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unido</translation>
+    </message>
+    <message>
+      <source>cut</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cortado</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -990,11 +1105,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro reverso …</translation>
-    </message>
-    <message>
-      <source>under 1 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>menos del 1 %</translation>
     </message>
     <message>
       <source>rim %1</source>
@@ -2878,6 +2988,11 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que solo se probó ya no existe: sus parejas se cerraron desde entonces.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado, con su nombre; pero los bordes de %1 y %2 apenas se encuentran: el %3.</translation>
     </message>
   </context>
   <context>

@@ -672,6 +672,121 @@
         <numerusform>%n tessons</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Its back %1 was given to %2: is %3 the right one now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sa face arrière %1 a été donnée à %2 : %3 est-elle la bonne maintenant ?</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2. Choose another one, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sa face arrière %1 a été donnée à %2. Choisissez-en une autre, ou mettez le tesson de côté.</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2; next best %3, %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sa face arrière %1 a été donnée à %2 ; la meilleure suivante est %3, %4.</translation>
+    </message>
+    <message>
+      <source>Decided by %1 on %2, turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Décidé par %1 le %2, tourné à la main.</translation>
+    </message>
+    <message>
+      <source>The rims hardly meet: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les bords se rencontrent à peine : %1 d’entre eux.</translation>
+    </message>
+    <message>
+      <source>by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>à la main</translation>
+    </message>
+    <message>
+      <source>start point</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>point de départ</translation>
+    </message>
+    <message>
+      <source>settled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ajusté</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tourné à la main : %1 des bords se rencontrent.</translation>
+    </message>
+    <message>
+      <source>Turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tourné à la main.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre point de départ est essayé : %1 des bords se rencontrent.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre point de départ est essayé.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims: %1 of them meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajusté par les bords : %1 d’entre eux se rencontrent.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajusté par les bords.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est essayée : %2.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2, rims %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est essayée : %2, bords à %3.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2; its rims do not meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est essayée : %2 ; les bords ne se rencontrent pas.</translation>
+    </message>
+    <message>
+      <source>%1 decided for %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a choisi %2.</translation>
+    </message>
+    <message>
+      <source>The program says %1, %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme dit %1, %2.</translation>
+    </message>
+    <message>
+      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Joint à %1 par %2 ; ce sera une seule pièce une fois le lot calculé.</translation>
+    </message>
+    <message>
+      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Coupé en deux par %1 ; ses pièces viennent quand le lot est calculé.</translation>
+    </message>
+    <message>
+      <source>joined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>joint</translation>
+    </message>
+    <message>
+      <source>cut</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>coupé</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -990,11 +1105,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Autre face arrière …</translation>
-    </message>
-    <message>
-      <source>under 1 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>moins de 1 %</translation>
     </message>
     <message>
       <source>rim %1</source>
@@ -2878,6 +2988,11 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui n’était qu’un essai n’existe plus : ses paires ont été fermées depuis.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré, avec votre nom ; mais les bords de %1 et %2 se rencontrent à peine : %3 d’entre eux.</translation>
     </message>
   </context>
   <context>

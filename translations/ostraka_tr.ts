@@ -666,6 +666,121 @@
         <numerusform>%n parça</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Its back %1 was given to %2: is %3 the right one now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzü %1, %2 ön yüzüne verildi: şimdi doğrusu %3 mi?</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2. Choose another one, or set it aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzü %1, %2 ön yüzüne verildi. Başkasını seçin ya da parçayı kenara ayırın.</translation>
+    </message>
+    <message>
+      <source>Its back %1 was given to %2; next best %3, %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzü %1, %2 ön yüzüne verildi; sıradaki en iyisi %3, %4.</translation>
+    </message>
+    <message>
+      <source>Decided by %1 on %2, turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kararı veren %1, %2, elle döndürüldü.</translation>
+    </message>
+    <message>
+      <source>The rims hardly meet: %1 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlar pek buluşmuyor: buluşan pay %1.</translation>
+    </message>
+    <message>
+      <source>by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>elle</translation>
+    </message>
+    <message>
+      <source>start point</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>başlangıç noktası</translation>
+    </message>
+    <message>
+      <source>settled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>oturtuldu</translation>
+    </message>
+    <message>
+      <source>Turned by hand: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle döndürüldü: kenarların buluşan payı %1.</translation>
+    </message>
+    <message>
+      <source>Turned by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle döndürüldü.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried: %1 of the rims meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir başlangıç noktası deneniyor: kenarların buluşan payı %1.</translation>
+    </message>
+    <message>
+      <source>Another start point is tried.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir başlangıç noktası deneniyor.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims: %1 of them meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlarla oturtuldu: buluşan pay %1.</translation>
+    </message>
+    <message>
+      <source>Settled by the rims.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenarlarla oturtuldu.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 deneniyor: %2.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2, rims %3 apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 deneniyor: %2, kenar aralığı %3.</translation>
+    </message>
+    <message>
+      <source>%1 is tried: %2; its rims do not meet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 deneniyor: %2; kenarlar buluşmuyor.</translation>
+    </message>
+    <message>
+      <source>%1 decided for %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2 için karar verdi.</translation>
+    </message>
+    <message>
+      <source>The program says %1, %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Program %1 diyor, %2.</translation>
+    </message>
+    <message>
+      <source>Joined with %1 by %2; it is one piece once the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2, %1 ile birleştirdi; parti hesaplanınca tek parça olur.</translation>
+    </message>
+    <message>
+      <source>Cut in two by %1; its pieces come when the batch is computed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ikiye kesti; parçaları parti hesaplanınca gelir.</translation>
+    </message>
+    <message>
+      <source>joined</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>birleştirildi</translation>
+    </message>
+    <message>
+      <source>cut</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kesildi</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -977,11 +1092,6 @@
       <source>Another back …</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka arka yüz …</translation>
-    </message>
-    <message>
-      <source>under 1 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>1 % altında</translation>
     </message>
     <message>
       <source>rim %1</source>
@@ -2845,6 +2955,11 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnızca denenen artık yok: çiftleri o zamandan beri kapatıldı.</translation>
+    </message>
+    <message>
+      <source>Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Adınızla kaydedildi; ama %1 ile %2 kenarları pek buluşmuyor: buluşan pay %3.</translation>
     </message>
   </context>
   <context>

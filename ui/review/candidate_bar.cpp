@@ -7,6 +7,7 @@
 #include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
+#include "ui/review/free_words.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_words.h"
 
@@ -29,6 +30,7 @@ CandidateBar::CandidateBar(PairReviewModel& model, QWidget* parent)
   row_->addWidget(others_);
   connect(&model_, &PairReviewModel::candidatesChanged, this, &CandidateBar::rebuild);
   connect(&model_, &PairReviewModel::trialChanged, this, &CandidateBar::mark);
+  connect(&model_, &PairReviewModel::sceneChanged, this, &CandidateBar::mark);
   connect(&model_, &PairReviewModel::waitingChanged, this, &CandidateBar::rebuild);
   rebuild();
 }
@@ -40,23 +42,9 @@ void CandidateBar::rebuild() {
   // Nine keys; the rest is in the menu.
   const int shown = std::min<int>(5, static_cast<int>(candidates.size()));
   for (int i = 0; i < shown; ++i) {
-    const pipeline::ReviewCandidate& c = candidates[static_cast<std::size_t>(i)];
-    const QString back =
-        QString::fromStdString(model_.live()->table().backs[static_cast<std::size_t>(c.back)].id);
-    const QString score = c.score > 0 ? percent(c.score) : tr("under 1 %");
-    QString second = c.rim_rms_mm > 0 ? tr("rim %1").arg(mm(c.rim_rms_mm)) : tr("no rim");
-    const int holder = model_.holderOf(c.back);
-    if (holder >= 0 && holder != model_.front())
-      second =
-          tr("%1, with %2")
-              .arg(second, QString::fromStdString(
-                               model_.live()->table().fronts[static_cast<std::size_t>(holder)].id));
     auto* button = new QToolButton(this);
     button->setObjectName(QStringLiteral("candidate%1").arg(i + 1));
     button->setCheckable(true);
-    button->setText(tr("%1   %2   %3\n%4").arg(QString::number(i + 1), back, score, second));
-    button->setAccessibleName(
-        tr("Candidate %1: %2, %3, %4").arg(QString::number(i + 1), back, score, second));
     button->setMinimumHeight(targetSize(*this));
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -68,10 +56,29 @@ void CandidateBar::rebuild() {
   mark();
 }
 
+// Of the one in hand what is shown, of the others what the program found.
+void CandidateBar::write(int i) {
+  const pipeline::ReviewCandidate& c = model_.candidates()[static_cast<std::size_t>(i)];
+  const pipeline::CandidateTable& table = model_.live()->table();
+  const bool tried = i == model_.chosen() && model_.trial().made != Made::Program;
+  const double rim = !tried ? c.rim_rms_mm : model_.isMeasured() ? model_.fit().rim_rms_mm : 0;
+  const QString back = idOf(table.backs, c.back);
+  const QString score = tried ? madeWord(model_.trial().made) : scoreWords(c.score);
+  QString second = rim > 0 ? tr("rim %1").arg(mm(rim)) : tr("no rim");
+  const int holder = model_.holderOf(c.back);
+  if (holder >= 0 && holder != model_.front())
+    second = tr("%1, with %2").arg(second, idOf(table.fronts, holder));
+  QToolButton* button = buttons_[i];
+  button->setText(tr("%1   %2   %3\n%4").arg(QString::number(i + 1), back, score, second));
+  button->setAccessibleName(
+      tr("Candidate %1: %2, %3, %4").arg(QString::number(i + 1), back, score, second));
+}
+
 void CandidateBar::mark() {
   const StateColours colours(palette());
   for (int i = 0; i < buttons_.size(); ++i) {
     const bool chosen = i == model_.chosen();
+    write(i);
     QFont font = this->font();
     font.setBold(chosen);
     QPalette look;

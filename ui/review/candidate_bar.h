@@ -21,6 +21,7 @@ class CandidateBar final : public QWidget {
  private:
   void rebuild();
   void mark();
+  void write(int i);
   void fillOthers();
 
   PairReviewModel& model_;

@@ -6,7 +6,7 @@
 
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
-#include "ui/review/pair_review_model.h"
+#include "ui/review/card_role.h"
 #include "ui/review/review_words.h"
 
 namespace ostraka::ui {
@@ -59,9 +59,9 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setRenderHint(QPainter::Antialiasing);
   const QFontMetrics metrics(option.font);
   const StateColours colours(option.palette);
-  const auto state =
-      static_cast<pipeline::CardState>(index.data(PairReviewModel::StateRole).toInt());
-  const State colour = stateColour(state);
+  const auto state = static_cast<pipeline::CardState>(index.data(CardRole::State).toInt());
+  const bool waits = index.data(CardRole::Waits).toBool();
+  const State colour = waits ? State::Waiting : stateColour(state);
   const bool chosen = option.state.testFlag(QStyle::State_Selected);
   const bool target = option.state.testFlag(QStyle::State_MouseOver) && option.widget != nullptr &&
                       option.widget->property("dragging").toBool();
@@ -80,9 +80,9 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QRect back = backPicture(card, metrics);
   const QRect front = back.translated(-back.width() - metrics.height() / 3, 0);
   drawPicture(*painter, front.adjusted(4, 0, 4, 0),
-              index.data(PairReviewModel::FrontPictureRole).value<QImage>(), false);
+              index.data(CardRole::FrontPicture).value<QImage>(), false);
   drawPicture(*painter, back.adjusted(4, 0, 4, 0),
-              index.data(PairReviewModel::BackPictureRole).value<QImage>(), false);
+              index.data(CardRole::BackPicture).value<QImage>(), false);
 
   const int left = back.right() + metrics.height() / 2;
   const QRect words(left, card.top() + metrics.height() / 3, card.right() - left,
@@ -93,8 +93,9 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setFont(bold);
   const QString mark = colour == State::Sure  ? QStringLiteral("✓ ")
                        : colour == State::Ask ? QStringLiteral("? ")
+                       : waits                ? QStringLiteral("… ")
                                               : QString();
-  const QString state_words = mark + index.data(PairReviewModel::StateWordRole).toString();
+  const QString state_words = mark + index.data(CardRole::StateWord).toString();
   const QString name = index.data(Qt::DisplayRole).toString();
   QRect reason(card.left() + 10, back.bottom() + 2, card.width() - 14,
                kReasonLines * metrics.height());
@@ -112,7 +113,7 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   }
   painter->setFont(option.font);
   painter->setPen(option.palette.color(QPalette::Text));
-  drawReason(*painter, reason, metrics, index.data(PairReviewModel::WordsRole).toString());
+  drawReason(*painter, reason, metrics, index.data(CardRole::Words).toString());
   painter->restore();
 }
 

@@ -6,7 +6,7 @@
 #include <QPixmap>
 
 #include "ui/review/card_delegate.h"
-#include "ui/review/pair_review_model.h"
+#include "ui/review/card_role.h"
 
 namespace ostraka::ui {
 
@@ -32,8 +32,8 @@ void CardList::mousePressEvent(QMouseEvent* event) {
   const QModelIndex card = pressed;  // the cards may have moved
   if (event->button() != Qt::LeftButton || !on_back_ || !card.isValid()) return;
   pressed_ = event->pos();
-  dragged_back_ = card.data(PairReviewModel::BackRole).toInt();
-  const QImage image = card.data(PairReviewModel::BackPictureRole).value<QImage>();
+  dragged_back_ = card.data(CardRole::Back).toInt();
+  const QImage image = card.data(CardRole::BackPicture).value<QImage>();
   if (!image.isNull())
     ghost_->setPixmap(QPixmap::fromImage(
         image.scaled(picture.size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
@@ -61,9 +61,8 @@ void CardList::mouseReleaseEvent(QMouseEvent* event) {
   QListView::mouseReleaseEvent(event);
   if (!dropped || back < 0) return;
   const QModelIndex card = indexAt(event->pos());
-  const int front = card.isValid() ? card.data(PairReviewModel::FrontRole).toInt() : -1;
-  if (front >= 0 && card.data(PairReviewModel::BackRole).toInt() != back)
-    emit backDropped(front, back);
+  const int front = card.isValid() ? card.data(CardRole::Front).toInt() : -1;
+  if (front >= 0 && card.data(CardRole::Back).toInt() != back) emit backDropped(front, back);
 }
 
 void CardList::endDrag() {

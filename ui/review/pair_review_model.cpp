@@ -32,14 +32,16 @@ void PairReviewModel::open(OpenedBatch batch) {
   more_.clear();
   asked_.clear();
   trial_ = {};
-  review_ = {};
+  review_ = program_ = {};
   rows_.clear();
+  if (const auto alone = pipeline::reviewOf(live_->table(), {})) program_ = *alone;
   if (const Result<pipeline::Review> review =
           pipeline::reviewOf(live_->table(), pipeline::standing(decisions_)))
     review_ = *review;
   else
     emit failed(sentenceOf(review.error()));
   rows_ = rowsOf(review_);
+  markPieces(rows_, live_->table(), decisions_, followed_);
   endResetModel();
   emit waitingChanged();
   thumbnails_job_ = runner_.start(
@@ -67,7 +69,7 @@ void PairReviewModel::close() {
   beginResetModel();
   dropJobs();
   live_.reset();
-  review_ = {};
+  review_ = program_ = {};
   rows_.clear();
   decisions_.clear();
   followed_.clear();
@@ -97,8 +99,9 @@ QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount() || !live_) return {};
   const ReviewRow& row = at(index.row());
   const auto words = [&] {
-    const pipeline::ReviewCard* of_front = review_.ofFront(row.front);
-    return of_front == nullptr ? loneBackSentence(row) : doubtSentence(*of_front, live_->table());
+    if (const QString change = pieceSentence(row); !change.isEmpty()) return change;
+    const pipeline::ReviewCard* of = review_.ofFront(row.front);
+    return of == nullptr ? loneBackSentence(row) : doubtSentence(*of, live_->table(), storyOf(*of));
   };
   const auto picture = [this](Side side, int scan) {
     const auto found = thumbnails_.find({side, scan});
@@ -108,21 +111,23 @@ QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return rowName(row, live_->table());
     case Qt::ToolTipRole:
-    case WordsRole:
+    case CardRole::Words:
       return words();
     case Qt::AccessibleTextRole:
       return tr("%1, %2. %3").arg(rowName(row, live_->table()), rowWord(row), words());
-    case FrontRole:
+    case CardRole::Front:
       return row.front;
-    case BackRole:
+    case CardRole::Back:
       return row.back;
-    case StateRole:
+    case CardRole::State:
       return static_cast<int>(row.state);
-    case StateWordRole:
+    case CardRole::Waits:
+      return row.change != PieceChange::None;
+    case CardRole::StateWord:
       return rowWord(row);
-    case FrontPictureRole:
+    case CardRole::FrontPicture:
       return picture(Side::Front, row.front);
-    case BackPictureRole:
+    case CardRole::BackPicture:
       return picture(Side::Back, row.back);
     default:
       return {};
@@ -157,7 +162,22 @@ int PairReviewModel::chosen() const {
 
 QString PairReviewModel::reason() const {
   const int row = rowInHand();
-  return row < 0 ? QString() : index(row).data(WordsRole).toString();
+  if (row < 0) return {};
+  const QString words = index(row).data(CardRole::Words).toString();
+  if (card() == nullptr || at(row).change != PieceChange::None) return words;
+  const Trial stands = standing(*card());
+  const bool tried = trial_.back != stands.back || trial_.made != stands.made ||
+                     trial_.front_from_back.matrix() != stands.front_from_back.matrix();
+  if (tried && trial_.back >= 0) {
+    const double score = chosen() < 0 ? 0 : candidates_[static_cast<std::size_t>(chosen())].score;
+    return triedSentence(trial_, score, isMeasured() ? &fit_ : nullptr, *card(), live_->table());
+  }
+  const bool poor = card()->state == CardState::Decided && isMeasured() && hardlyMeet(fit_);
+  return poor ? words + QLatin1Char(' ') + hardlyMeetSentence(fit_) : words;
+}
+
+bool PairReviewModel::isMeasured() const {
+  return fit_.front_from_back.matrix() == trial_.front_from_back.matrix();
 }
 
 QString PairReviewModel::figuresText() const {
@@ -215,28 +235,23 @@ void PairReviewModel::previous() {
 void PairReviewModel::select(int front) {
   const pipeline::ReviewCard* chosen_card = review_.ofFront(front);
   if (chosen_card == nullptr) return;
-  Trial trial;
-  trial.front = front;
-  if (chosen_card->back >= 0) {
-    trial.back = chosen_card->back;
-    trial.front_from_back = chosen_card->front_from_back;
-  } else if (!chosen_card->candidates.empty() && chosen_card->state == CardState::Alone) {
-    trial.back = chosen_card->candidates.front().back;
-    trial.front_from_back = chosen_card->candidates.front().front_from_back;
-  }
-  hold(trial);
+  hold(standing(*chosen_card));
 }
 
-void PairReviewModel::show(const pipeline::ScanRef& scan) {
+void PairReviewModel::show(const pipeline::ScanRef& scan, const Trial& tried) {
   const bool front = scan.side == Side::Front;
   const int at = pipeline::resolved(scan, front ? live_->table().fronts : live_->table().backs);
-  selectRow(front ? rowOf(at) : std::max(rowOfLoneBack(at), rowOf(holderOf(at))));
+  const int row = front ? rowOf(at) : std::max(rowOfLoneBack(at), rowOf(holderOf(at)));
+  if (row >= 0 && tried.back >= 0 && this->at(row).isAbout(tried.front, tried.back))
+    return hold(tried);
+  selectRow(row);
 }
 
 void PairReviewModel::hold(const Trial& trial) {
   trial_ = trial;
   takeCandidates();
-  if (chosen() >= 0) trial_.shift = candidates_[static_cast<std::size_t>(chosen())].shift;
+  if (chosen() >= 0 && trial_.shift < 0)
+    trial_.shift = candidates_[static_cast<std::size_t>(chosen())].shift;
   emit cardChanged();
   emit trialChanged();
   fetchScene(Clouds::Fetch);
@@ -265,7 +280,8 @@ void PairReviewModel::choose(int candidate) {
   const ReviewCandidate& c = candidates_[static_cast<std::size_t>(candidate)];
   Trial trial{trial_.front, c.back, c.front_from_back, Made::Program, c.shift};
   // What was decided for this very pair is shown as it was decided.
-  if (card() != nullptr && card()->back == c.back) trial.front_from_back = card()->front_from_back;
+  if (card() != nullptr && card()->back == c.back) trial = standing(*card());
+  trial.shift = c.shift;
   tryOut(trial, tr("choice of %1").arg(QString::fromStdString(backRef(c.back).id)));
 }
 
@@ -342,9 +358,13 @@ void PairReviewModel::accept() {
   decision.front_from_back = trial_.front_from_back;
   decision.settle =
       trial_.made == Made::ByHand ? pipeline::Settle::AsGiven : pipeline::Settle::ByRims;
-  decide(decision, tr("pair %1 – %2")
-                       .arg(QString::fromStdString(frontRef(trial_.front).id),
-                            QString::fromStdString(backRef(trial_.back).id)));
+  const QString front = inHand(), back = QString::fromStdString(backRef(trial_.back).id);
+  const pipeline::LiveFit fit = isMeasured() ? fit_ : pipeline::LiveFit{.rim_overlap = 1};
+  const std::size_t before = decisions_.size();
+  decide(decision, tr("pair %1 – %2").arg(front, back));
+  if (decisions_.size() > before && hardlyMeet(fit))
+    emit failed(tr("Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.")
+                    .arg(front, back, percent(fit.rim_overlap)));
 }
 
 void PairReviewModel::setAside() {
@@ -436,6 +456,7 @@ void PairReviewModel::redoReview() {
       pipeline::reviewOf(live_->table(), pipeline::standing(decisions_));
   if (!review) return emit failed(sentenceOf(review.error()));
   std::vector<ReviewRow> rows = rowsOf(*review);
+  markPieces(rows, live_->table(), decisions_, followed_);
   if (rows.size() != rows_.size()) {  // a back became somebody's, or nobody's
     beginResetModel();
     review_ = *review;

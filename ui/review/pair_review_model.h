@@ -7,7 +7,9 @@
 #include <set>
 
 #include "ui/jobs/job.h"
+#include "ui/review/card_role.h"
 #include "ui/review/review_rows.h"
+#include "ui/review/review_words.h"
 #include "ui/review/review_work.h"
 #include "ui/review/trial.h"
 
@@ -21,16 +23,6 @@ class PairReviewModel final : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role {
-    FrontRole = Qt::UserRole,
-    BackRole,
-    StateRole,
-    StateWordRole,
-    FrontPictureRole,
-    BackPictureRole,
-    WordsRole
-  };
-
   /// Both outlive the model.
   PairReviewModel(JobRunner& runner, QUndoStack& undo, QObject* parent = nullptr);
 
@@ -57,9 +49,10 @@ class PairReviewModel final : public QAbstractListModel {
   int chosen() const;  ///< index among the candidates; -1: none of them
   const Trial& trial() const { return trial_; }
   const pipeline::LiveFit& fit() const { return fit_; }
+  bool isMeasured() const;  ///< fit() is of the pose on trial
   bool isSettling() const { return busy_; }
   const std::vector<double>& settlingRims() const { return settling_rims_; }  ///< RMS so far, mm
-  QString reason() const;       ///< one sentence: why the card is doubtful
+  QString reason() const;       ///< why the card is doubtful, or what is tried on it
   QString figuresText() const;  ///< rim RMS and overlap of the trial, in words
   bool canAccept() const;
   QString whyNotAccept() const;  ///< empty when it can
@@ -114,12 +107,14 @@ class PairReviewModel final : public QAbstractListModel {
   void redoReview();
   void dropJobs();
   void takeCandidates();
-  void hold(const Trial& trial);  ///< another card
-  void show(const pipeline::ScanRef& scan);
+  void hold(const Trial& trial);                                 ///< another card
+  void show(const pipeline::ScanRef& scan, const Trial& tried);  ///< as tried, if it is of its row
   const ReviewRow& at(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
   void fetchScene(Clouds clouds);
   void fetchMore();
   bool wantsMore(int front) const;
+  Trial standing(const pipeline::ReviewCard& card) const;  ///< what is shown of it at first
+  CardStory storyOf(const pipeline::ReviewCard& card) const;
   std::vector<pipeline::ReviewCandidate> candidatesOf(int front) const;
   void fitAt(std::function<Result<pipeline::LiveFit>(Progress&, std::stop_token)> work, Made made,
              const QString& text);
@@ -134,7 +129,7 @@ class PairReviewModel final : public QAbstractListModel {
   QString person_;
   LivePairsPtr live_;
   pipeline::Decisions decisions_, followed_;  ///< all, and those that the results follow
-  pipeline::Review review_;
+  pipeline::Review review_, program_;         ///< as things stand, and without any decision
   std::vector<ReviewRow> rows_;
   ScanPictures thumbnails_;
   std::map<int, std::vector<pipeline::ReviewCandidate>> more_;  ///< by front, compared on demand

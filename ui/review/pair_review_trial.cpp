@@ -194,9 +194,46 @@ void PairReviewModel::fetchMore() {
       more_[front].push_back(**found);
     else
       asked_.insert(front);  // there is none; what is there stays
-    if (front == trial_.front && found && *found) takeCandidates();
+    if (front == trial_.front && found && *found) {
+      takeCandidates();
+      if (trial_.back < 0 && !busy_) select(front);  // its next best, now that there is one
+    }
     fetchMore();
   });
+}
+
+Trial PairReviewModel::standing(const pipeline::ReviewCard& card) const {
+  Trial trial;
+  trial.front = card.front;
+  const CardStory story = storyOf(card);
+  if (card.back >= 0) {
+    trial.back = card.back;
+    trial.front_from_back = card.front_from_back;
+    if (story.by_hand) trial.made = Made::ByHand;
+  } else if (story.next && card.state == pipeline::CardState::Alone) {
+    trial.back = story.next->back;
+    trial.front_from_back = story.next->front_from_back;
+  }
+  return trial;
+}
+
+CardStory PairReviewModel::storyOf(const pipeline::ReviewCard& card) const {
+  CardStory story;
+  for (const pipeline::PairDecision& d : decisions_)
+    if (d.number == card.decision && d.kind == pipeline::DecisionKind::Pair)
+      story.by_hand = d.settle == pipeline::Settle::AsGiven;
+  const pipeline::ReviewCard* own = program_.ofFront(card.front);
+  const int lost = own == nullptr ? -1 : own->back;
+  const pipeline::ReviewCard* holder = review_.ofBack(lost);
+  if (holder != nullptr && holder->front != card.front &&
+      holder->state == pipeline::CardState::Decided) {
+    story.lost_back = lost;
+    story.lost_to = holder->front;
+  }
+  const auto& free = review_.lone_backs;
+  for (const ReviewCandidate& c : candidatesOf(card.front))
+    if (!story.next && std::find(free.begin(), free.end(), c.back) != free.end()) story.next = c;
+  return story;
 }
 
 bool PairReviewModel::wantsMore(int front) const {

@@ -7,7 +7,9 @@ DecideCommand::DecideCommand(PairReviewModel& model, pipeline::PairDecision deci
     : QUndoCommand(text),
       model_(&model),
       decision_(std::move(decision)),
-      output_(model.live()->output()) {}
+      output_(model.live()->output()),
+      before_(model.trial()),
+      live_(model.live()) {}
 
 void DecideCommand::redo() {
   if (!model_ || number_ != 0) return;
@@ -28,7 +30,9 @@ void DecideCommand::undo() {
   const Result<void> written = model_->write(output_, withdrawal);
   if (written) {
     number_ = 0;
-    if (model_->shows(output_) && !decision_.scans.empty()) model_->show(decision_.scans.front());
+    const bool same = live_.lock() == model_->live();
+    if (model_->shows(output_) && !decision_.scans.empty())
+      model_->show(decision_.scans.front(), same ? before_ : Trial{});
   } else if (written.error().code == ErrorCode::CannotWrite) {
     // It holds still, and is what can be taken back once there is room again.
     QMetaObject::invokeMethod(

@@ -18,6 +18,8 @@ class DecideCommand final : public QUndoCommand {
   QPointer<PairReviewModel> model_;
   pipeline::PairDecision decision_;
   std::filesystem::path output_;
+  Trial before_;  ///< what was in hand
+  std::weak_ptr<const pipeline::LivePairs> live_;
   int number_ = 0;  ///< as it stands in the file; 0: withdrawn
 };
 

@@ -277,7 +277,6 @@ void ReviewPane::buildLayout() {
 void ReviewPane::showCard() {
   const int row = model_.rowInHand();
   if (row >= 0 && cards_->currentIndex().row() != row) cards_->setCurrentIndex(model_.index(row));
-  reason_->setText(joining_->isOn() ? joining_->words() : model_.reason());
   if (!model_.isOpen()) {
     view_->clear();
     plot_->clear();
@@ -316,6 +315,7 @@ void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
 }
 
 void ReviewPane::showFigures() {
+  reason_->setText(joining_->isOn() ? joining_->words() : model_.reason());
   figures_->setText(model_.isSettling() ? tr("The rims are compared … Esc stops.")
                                         : model_.figuresText());
   // A missing name is said by the click, not by a dead button.

@@ -1,5 +1,6 @@
 #include "ui/review/review_rows.h"
 
+#include <QStringList>
 #include <algorithm>
 
 #include "ui/review/free_words.h"
@@ -43,7 +44,48 @@ QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table) {
   return row.back < 0 ? front : tr("%1 – %2").arg(front, back);
 }
 
+void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& table,
+                const pipeline::Decisions& all, const pipeline::Decisions& followed) {
+  for (const pipeline::PairDecision& d : pipeline::standing(all)) {
+    const bool join = d.kind == pipeline::DecisionKind::Join;
+    if (!join && d.kind != pipeline::DecisionKind::Split) continue;
+    const auto is_this = [&](const pipeline::PairDecision& o) { return o.number == d.number; };
+    if (std::any_of(followed.begin(), followed.end(), is_this)) continue;
+    for (ReviewRow& row : rows) {
+      bool here = false;
+      QStringList others;
+      for (const pipeline::ScanRef& ref : d.scans) {
+        const bool front = ref.side == batch::Side::Front;
+        const int scan = pipeline::resolved(ref, front ? table.fronts : table.backs);
+        const bool mine = scan >= 0 && scan == (front ? row.front : row.back);
+        here = here || mine;
+        if (!mine) others << QString::fromStdString(ref.id);
+      }
+      if (!here) continue;
+      row.change = join ? PieceChange::Joined : PieceChange::Cut;
+      row.changed_by = QString::fromStdString(d.by);
+      row.joined_with = others.join(QStringLiteral(", "));
+    }
+  }
+}
+
+QString pieceSentence(const ReviewRow& row) {
+  switch (row.change) {
+    case PieceChange::Joined:
+      return tr("Joined with %1 by %2; it is one piece once the batch is computed.")
+          .arg(row.joined_with, row.changed_by);
+    case PieceChange::Cut:
+      return tr("Cut in two by %1; its pieces come when the batch is computed.")
+          .arg(row.changed_by);
+    case PieceChange::None:
+      break;
+  }
+  return {};
+}
+
 QString rowWord(const ReviewRow& row) {
+  if (row.change == PieceChange::Joined) return tr("joined");
+  if (row.change == PieceChange::Cut) return tr("cut");
   return row.isLoneBack() && row.state == CardState::Alone ? tr("no front") : stateWord(row.state);
 }
 

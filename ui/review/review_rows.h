@@ -6,10 +6,15 @@
 
 namespace ostraka::ui {
 
+/// What becomes of a row's pieces when the batch is computed.
+enum class PieceChange { None, Joined, Cut };
+
 /// One row of the review's list: a front's card, or a back that no front holds.
 struct ReviewRow {
   int front = -1, back = -1;  ///< back: the front's partner, -1 when it has none
   pipeline::CardState state = pipeline::CardState::Sure;
+  PieceChange change = PieceChange::None;
+  QString changed_by = {}, joined_with = {};  ///< a person; IDs of the other pieces
 
   bool isLoneBack() const { return front < 0; }
   bool wantsPerson() const {
@@ -24,6 +29,10 @@ struct ReviewRow {
 /// What wants a person first: doubtful fronts, then backs that are nobody's, then the rest.
 std::vector<ReviewRow> rowsOf(const pipeline::Review& review);
 
+/// Names the rows whose pieces were joined or cut since the pairs were computed.
+void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& table,
+                const pipeline::Decisions& all, const pipeline::Decisions& followed);
+
 /// How a batch stands in the review.
 struct ReviewFigures {
   int sherds = 0, sure = 0, decided = 0, ask = 0;
@@ -34,5 +43,7 @@ QString rowName(const ReviewRow& row, const pipeline::CandidateTable& table);
 QString rowWord(const ReviewRow& row);
 /// Whole sentence: why a lone back wants a person, or what was decided about it.
 QString loneBackSentence(const ReviewRow& row);
+/// Whole sentence: what was done to its pieces. Empty: nothing.
+QString pieceSentence(const ReviewRow& row);
 
 }  // namespace ostraka::ui

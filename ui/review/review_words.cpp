@@ -14,6 +14,8 @@ using pipeline::CardState;
 using pipeline::ReviewCard;
 using registration::Slip;
 
+constexpr double kHardlyMeet = 0.05;  // sides that were seen well meet along 0.15 and more
+
 QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
   const double apart = std::abs(card.rim_rms_mm - card.rival_rim_rms_mm);
   const bool rims = card.rim_rms_mm > 0 && card.rival_rim_rms_mm > 0;
@@ -28,9 +30,13 @@ QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
   return tr("Another partner fits nearly as well.");
 }
 
-QString askSentence(const ReviewCard& card, const CandidateTable& table) {
+QString askSentence(const ReviewCard& card, const CandidateTable& table, const CardStory& story) {
   switch (card.doubt) {
     case Doubt::Displaced:
+      if (story.lost_back >= 0)
+        return tr("Its back %1 was given to %2: is %3 the right one now?")
+            .arg(idOf(table.backs, story.lost_back), idOf(table.fronts, story.lost_to),
+                 idOf(table.backs, card.back));
       return tr("Its back was given to another front: is %1 the right one now?")
           .arg(idOf(table.backs, card.back));
     case Doubt::OtherPartner:
@@ -47,7 +53,20 @@ QString askSentence(const ReviewCard& card, const CandidateTable& table) {
   return {};
 }
 
+QString aloneSentence(const CandidateTable& table, const CardStory& story) {
+  if (story.lost_back < 0) return tr("No back was found for it. Choose one, or set it aside.");
+  const QString lost = idOf(table.backs, story.lost_back), to = idOf(table.fronts, story.lost_to);
+  if (!story.next)
+    return tr("Its back %1 was given to %2. Choose another one, or set it aside.").arg(lost, to);
+  return tr("Its back %1 was given to %2; next best %3, %4.")
+      .arg(lost, to, idOf(table.backs, story.next->back), scoreWords(story.next->score));
+}
+
 }  // namespace
+
+QString scoreWords(double score) {
+  return score > 0 ? percent(score) : tr("under 1 %");
+}
 
 QString mm(double value, int digits) {
   return tr("%1 mm").arg(QLocale().toString(value, 'f', digits));
@@ -113,18 +132,69 @@ State stateColour(CardState state) {
   }
 }
 
-QString doubtSentence(const ReviewCard& card, const CandidateTable& table) {
+bool hardlyMeet(const pipeline::LiveFit& fit) {
+  return !(fit.rim_overlap >= kHardlyMeet);
+}
+
+QString hardlyMeetSentence(const pipeline::LiveFit& fit) {
+  return tr("The rims hardly meet: %1 of them.").arg(percent(fit.rim_overlap));
+}
+
+QString madeWord(Made made) {
+  switch (made) {
+    case Made::ByHand:
+      return tr("by hand");
+    case Made::StartPoint:
+      return tr("start point");
+    case Made::Settled:
+      return tr("settled");
+    case Made::Program:
+      break;
+  }
+  return {};
+}
+
+QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit* fit,
+                      const ReviewCard& card, const CandidateTable& table) {
+  const QString back = idOf(table.backs, trial.back);
+  const QString chance = scoreWords(score), meets = percent(fit ? fit->rim_overlap : 0);
+  QString text;
+  if (trial.made == Made::ByHand)
+    text = fit ? tr("Turned by hand: %1 of the rims meet.").arg(meets) : tr("Turned by hand.");
+  else if (trial.made == Made::StartPoint)
+    text = fit ? tr("Another start point is tried: %1 of the rims meet.").arg(meets)
+               : tr("Another start point is tried.");
+  else if (trial.made == Made::Settled)
+    text =
+        fit ? tr("Settled by the rims: %1 of them meet.").arg(meets) : tr("Settled by the rims.");
+  else if (!fit)
+    text = tr("%1 is tried: %2.").arg(back, chance);
+  else if (fit->rim_rms_mm > 0)
+    text = tr("%1 is tried: %2, rims %3 apart.").arg(back, chance, mm(fit->rim_rms_mm));
+  else
+    text = tr("%1 is tried: %2; its rims do not meet.").arg(back, chance);
+  if (card.back < 0 || card.back == trial.back) return text;
+  const QString instead = idOf(table.backs, card.back);
+  return text + QLatin1Char(' ') +
+         (card.state == CardState::Decided
+              ? tr("%1 decided for %2.").arg(QString::fromStdString(card.decided_by), instead)
+              : tr("The program says %1, %2.").arg(instead, scoreWords(card.score)));
+}
+
+QString doubtSentence(const ReviewCard& card, const CandidateTable& table, const CardStory& story) {
   const QString by = QString::fromStdString(card.decided_by);
   const QString on = QString::fromStdString(card.decided_at.substr(0, 10));
   switch (card.state) {
     case CardState::Ask:
-      return askSentence(card, table);
+      return askSentence(card, table, story);
     case CardState::Alone:
-      return tr("No back was found for it. Choose one, or set it aside.");
+      return aloneSentence(table, story);
     case CardState::Sure:
       return tr("The program is sure: %1.").arg(percent(card.score));
     case CardState::Decided:
-      return tr("Decided by %1 on %2.").arg(by, on);
+      return (story.by_hand ? tr("Decided by %1 on %2, turned by hand.")
+                            : tr("Decided by %1 on %2."))
+          .arg(by, on);
     case CardState::Aside:
       return tr("Set aside by %1 on %2.").arg(by, on);
     case CardState::Reshoot:

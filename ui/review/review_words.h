@@ -1,18 +1,38 @@
 #pragma once
 #include <QString>
+#include <optional>
 
+#include "pipeline/live_pairs.h"
 #include "pipeline/review.h"
 #include "ui/frame/state_colours.h"
+#include "ui/review/trial.h"
 
 /// The review's codes and values in words.
 namespace ostraka::ui {
 
+/// What a card's sentence tells besides the card.
+struct CardStory {
+  bool by_hand = false;  ///< the pose that was decided was given by hand
+  int lost_back = -1,
+      lost_to = -1;  ///< the program's own back, and the front that a person gave it
+  std::optional<pipeline::ReviewCandidate> next = {};  ///< the best back that is nobody's
+};
 /// Whole sentence: why this card wants a person, or what was decided.
-QString doubtSentence(const pipeline::ReviewCard& card, const pipeline::CandidateTable& table);
+QString doubtSentence(const pipeline::ReviewCard& card, const pipeline::CandidateTable& table,
+                      const CardStory& story);
+/// The same about what is tried instead of that. score: the program's for these two. fit: of this
+/// pose, or null while it is measured.
+QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit* fit,
+                      const pipeline::ReviewCard& card, const pipeline::CandidateTable& table);
+QString madeWord(Made made);  ///< two or three words
+/// So little of the rims lies together that nothing is shown by it.
+bool hardlyMeet(const pipeline::LiveFit& fit);
+QString hardlyMeetSentence(const pipeline::LiveFit& fit);
 /// One or two words for the state; goes along with the colour.
 QString stateWord(pipeline::CardState state);
 State stateColour(pipeline::CardState state);
-QString percent(double share);  ///< "71 %", "under 1 %"
+QString percent(double share);     ///< "71 %", "under 1 %"
+QString scoreWords(double score);  ///< of a candidate; 0: the program gave it none
 QString mm(double value, int digits = 2);
 /// What the registration's own check says of a pose; empty when nothing.
 QString slipSentence(registration::Slip slip, double value);

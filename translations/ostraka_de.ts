@@ -4470,4 +4470,117 @@
       <translation>Scherbe %1 auf diesem Teller hat die Nummer %2: Nehmen Sie sie ihr zuerst, oder geben Sie eine andere ein.</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::ui::Doubts</name>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Datei ist abgeschnitten oder kein Bild</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Marken zeigen einen anderen Winkel als den dieses Halts</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>das Bild hat eine andere Größe als die übrigen dieser Kamera</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zu wenige Marken sind zu sehen, um den Halt zu erkennen: liegt etwas davor, ist es unscharf?</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Kamera hat ein früheres Foto noch einmal geliefert</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zu wenige Marken des Tellers sind zu sehen: liegt etwas davor?</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>es ist unscharf: bewegte sich der Tisch noch, hat sich der Fokus geändert?</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Scherben sind zu dunkel: mehr Licht geben oder länger belichten</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Scherben sind überbelichtet: kürzer belichten</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>der Bildrand schneidet eine Scherbe ab: sie oder die Kamera verschieben</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Einstellungen der Kamera sind andere als zuvor: zurückstellen</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: zurückstellen</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherben konnten nicht gezählt werden: zu wenige Marken des Tellers sind zu sehen.</translation>
+    </message>
+    <message>
+      <source>No sherd is seen on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf dem Teller ist keine Scherbe zu sehen.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte des Tellers: auseinanderrücken und noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was bei %1 von der Mitte des Tellers liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Rückseite sieht aus wie die Vorderseite: die Scherben umdrehen und noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor der Teller abgeräumt wird.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder selbst vergleichen, bevor der Teller abgeräumt wird.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorn waren %1 Scherben zu sehen, hinten %2: die fehlende suchen, bevor der Teller abgeräumt wird.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorn waren %1 Scherben zu sehen, hinten %2: kam eine hinzu, oder zerbrach eine?</translation>
+    </message>
+  </context>
 </TS>

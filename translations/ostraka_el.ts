@@ -4470,4 +4470,117 @@
       <translation>Το όστρακο %1 αυτού του δίσκου έχει τον αριθμό %2: αφαιρέστε τον πρώτα από εκείνο ή γράψτε άλλον.</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::ui::Doubts</name>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το αρχείο είναι κομμένο ή δεν είναι εικόνα</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>οι δείκτες δείχνουν άλλη γωνία από αυτήν της στάσης</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η εικόνα έχει άλλο μέγεθος από τις άλλες της κάμερας</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φαίνονται πολύ λίγοι δείκτες για να βρεθεί η στάση: υπάρχει κάτι μπροστά τους, είναι θολή;</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η κάμερα παρέδωσε ξανά μια παλιότερη φωτογραφία</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φαίνονται πολύ λίγοι δείκτες του δίσκου: υπάρχει κάτι μπροστά τους;</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>είναι θολή: κουνιόταν ακόμη το τραπέζι, άλλαξε η εστίαση;</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τα όστρακα είναι πολύ σκοτεινά: δώστε περισσότερο φως ή μεγαλύτερη έκθεση</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τα όστρακα είναι υπερεκτεθειμένα: μικρότερη έκθεση</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το άκρο της εικόνας κόβει ένα όστρακο: μετακινήστε το ή την κάμερα</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>οι ρυθμίσεις της κάμερας άλλαξαν: επαναφέρετέ τες</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: επαναφέρετέ το</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακα δεν μετρήθηκαν: φαίνονται πολύ λίγοι δείκτες του δίσκου.</translation>
+    </message>
+    <message>
+      <source>No sherd is seen on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν φαίνεται κανένα όστρακο στον δίσκο.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα αγγίζονται ή σχεδόν αγγίζονται στο %1 από το μέσο του δίσκου: απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό,τι βρίσκεται στο %1 από το μέσο του δίσκου μετρήθηκε ως ένα, ίσως όμως είναι δύο όστρακα που αγγίζονται: κοιτάξτε εκεί· αν είναι έτσι, απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη μοιάζει με την μπροστινή: γυρίστε τα όστρακα και φωτογραφίστε τα ξανά.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακα της πίσω όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακα της μπροστινής όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: αναζητήστε αυτό που λείπει πριν αδειάσετε τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: προστέθηκε κάποιο ή έσπασε κάποιο;</translation>
+    </message>
+  </context>
 </TS>

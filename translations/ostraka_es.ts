@@ -4470,4 +4470,117 @@
       <translation>El fragmento %1 de este plato tiene el número %2: quíteselo primero a ese o escriba otro.</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::ui::Doubts</name>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>el archivo está cortado o no es una imagen</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>las marcas muestran otro ángulo que el de esta parada</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la imagen tiene otro tamaño que las demás de la cámara</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>se ven muy pocas marcas para saber la parada: ¿hay algo delante, está borrosa?</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la cámara entregó otra vez una foto anterior</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>se ven muy pocas marcas del plato: ¿hay algo delante?</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>está borrosa: ¿se movía aún la mesa, cambió el enfoque?</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>los fragmentos están muy oscuros: dé más luz o exponga más tiempo</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>los fragmentos están sobreexpuestos: exponga menos tiempo</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>el borde de la imagen corta un fragmento: muévalo, o mueva la cámara</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>los ajustes de la cámara no son los de antes: restablézcalos</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: restablézcalo</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudieron contar los fragmentos: se ven muy pocas marcas del plato.</translation>
+    </message>
+    <message>
+      <source>No sherd is seen on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se ve ningún fragmento en el plato.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay fragmentos que se tocan o casi se tocan en %1 desde el centro del plato: sepárelos y fotografíe otra vez.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que está en %1 desde el centro del plato se contó como uno, pero pueden ser dos fragmentos que se tocan: mire ahí; si es así, sepárelos y fotografíe otra vez.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El dorso parece el anverso: dé la vuelta a los fragmentos y fotografíelos otra vez.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudieron contar los fragmentos del dorso: compare usted mismo las imágenes antes de vaciar el plato.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudieron contar los fragmentos del anverso: compare usted mismo las imágenes antes de vaciar el plato.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El anverso mostró %1 fragmentos, el dorso %2: busque el que falta antes de vaciar el plato.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El anverso mostró %1 fragmentos, el dorso %2: ¿se añadió uno, o se rompió uno?</translation>
+    </message>
+  </context>
 </TS>

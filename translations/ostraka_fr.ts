@@ -4470,4 +4470,117 @@
       <translation>Le tesson %1 de ce plateau a le numéro %2 : retirez-le-lui d’abord, ou tapez-en un autre.</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::ui::Doubts</name>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>le fichier est tronqué ou n’est pas une image</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les marques montrent un autre angle que celui de cet arrêt</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l’image a une autre taille que les autres de cet appareil</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>trop peu de marques sont visibles pour reconnaître l’arrêt : quelque chose est-il devant, est-ce flou ?</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l’appareil a livré une photo précédente une seconde fois</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>trop peu de marques du plateau sont visibles : quelque chose est-il devant ?</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>elle est floue : la table bougeait-elle encore, la mise au point a-t-elle changé ?</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les tessons sont trop sombres : donnez plus de lumière ou posez plus longtemps</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les tessons sont surexposés : posez moins longtemps</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>le bord de l’image coupe un tesson : déplacez-le, ou l’appareil</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les réglages de l’appareil ne sont plus les mêmes : rétablissez-les</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : rétablissez-le</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons n’ont pas pu être comptés : trop peu de marques du plateau sont visibles.</translation>
+    </message>
+    <message>
+      <source>No sherd is seen on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson n’est visible sur le plateau.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des tessons se touchent ou presque à %1 du milieu du plateau : écartez-les et photographiez à nouveau.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui se trouve à %1 du milieu du plateau a été compté comme un seul, mais il peut s’agir de deux tessons qui se touchent : regardez ; si oui, écartez-les et photographiez à nouveau.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le verso ressemble au recto : retournez les tessons et photographiez-les à nouveau.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons du verso n’ont pas pu être comptés : comparez vous-même les images avant de vider le plateau.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons du recto n’ont pas pu être comptés : comparez vous-même les images avant de vider le plateau.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le recto montrait %1 tessons, le verso %2 : cherchez celui qui manque avant de vider le plateau.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le recto montrait %1 tessons, le verso %2 : un tesson a-t-il été ajouté, ou s’est-il cassé ?</translation>
+    </message>
+  </context>
 </TS>

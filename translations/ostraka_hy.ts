@@ -4470,4 +4470,117 @@
       <translation>Այս սկավառակի %1 բեկորն ունի %2 համարը. նախ հանեք այն նրանից կամ գրեք ուրիշը։</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::ui::Doubts</name>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ֆայլը կտրված է կամ պատկեր չէ</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նշիչները ցույց են տալիս այս կանգառի անկյունից տարբեր անկյուն</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատկերի չափը տարբերվում է այս տեսախցիկի մյուսներից</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կանգառը որոշելու համար շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա, կամ պատկերը մշո՞ւշոտ է</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեսախցիկը կրկին տվեց նախորդ լուսանկարներից մեկը</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկավառակի շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մշուշոտ է. սեղանը դեռ շարժվո՞ւմ էր, ֆոկուսը փոխվե՞լ է</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկորները չափազանց մութ են. ավելացրեք լույսը կամ երկարացրեք լուսակայումը</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկորները գերլուսավորված են. կարճացրեք լուսակայումը</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատկերի եզրը կտրում է բեկորը. տեղաշարժեք այն կամ տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեսախցիկի կարգավորումները փոխվել են. վերականգնեք դրանք</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) մմ</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. վերականգնեք</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորները հնարավոր չեղավ հաշվել. սկավառակի շատ քիչ նշիչ է երևում։</translation>
+    </message>
+    <message>
+      <source>No sherd is seen on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի վրա ոչ մի բեկոր չի երևում։</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորները դիպչում են կամ գրեթե դիպչում են %1 սկավառակի կենտրոնից. հեռացրեք դրանք իրարից և նորից լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն, ինչ ընկած է %1 սկավառակի կենտրոնից, հաշվվել է որպես մեկ, բայց կարող է լինել իրար դիպչող երկու բեկոր. նայեք այնտեղ. եթե այդպես է, հեռացրեք դրանք իրարից և նորից լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հակառակ կողմը նման է առջևի կողմին. շրջեք բեկորները և նորից լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հակառակ կողմի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ ինքներդ համեմատեք պատկերները։</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի կողմի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ ինքներդ համեմատեք պատկերները։</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. սկավառակը դատարկելուց առաջ փնտրեք պակասողը։</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. մեկը ավելացվե՞լ է, թե՞ կոտրվել։</translation>
+    </message>
+  </context>
 </TS>

@@ -4431,4 +4431,117 @@
       <translation>Bu tabladaki %1 numaralı sıradaki parçanın numarası %2: önce ondan alın ya da başka bir numara yazın.</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::ui::Doubts</name>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dosya yarım kalmış ya da resim değil</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>işaretler bu durağın açısından başka bir açı gösteriyor</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>resmin boyutu bu kameranın ötekilerinden farklı</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>durağı bulmak için çok az işaret görünüyor: önlerinde bir şey mi var, bulanık mı?</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kamera önceki bir fotoğrafı yeniden verdi</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tablanın çok az işareti görünüyor: önlerinde bir şey mi var?</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bulanık: tabla hâlâ hareket mi ediyordu, odak mı değişti?</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>parçalar çok karanlık: daha çok ışık verin ya da daha uzun pozlayın</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>parçalar patlamış: daha kısa pozlayın</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>resmin kenarı bir parçayı kesiyor: onu ya da kamerayı oynatın</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kameranın ayarları öncekilerden farklı: geri alın</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: geri alın</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate's markers are seen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar sayılamadı: tablanın çok az işareti görünüyor.</translation>
+    </message>
+    <message>
+      <source>No sherd is seen on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablada hiç parça görünmüyor.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate's middle: move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar tablanın ortasından %1 uzakta birbirine değiyor ya da neredeyse değiyor: ayırın ve yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate's middle was counted as one but may be two sherds that touch: look there; if so, move them apart and shoot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın ortasından %1 uzakta duran bir parça sayıldı, ama birbirine değen iki parça olabilir: oraya bakın; öyleyse ayırın ve yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and photograph them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz ön yüze benziyor: parçaları çevirin ve yeniden fotoğraflayın.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures yourself before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: look for the missing one before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önde %1 parça göründü, arkada %2: tablayı boşaltmadan önce eksik olanı arayın.</translation>
+    </message>
+    <message>
+      <source>The front showed %1 sherds, the back %2: was one added, or did one break?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önde %1 parça göründü, arkada %2: biri mi eklendi, yoksa biri mi kırıldı?</translation>
+    </message>
+  </context>
 </TS>

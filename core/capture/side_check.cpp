@@ -64,16 +64,15 @@ int steepestCamera(const Photographs& photographs, const batch::Plate& plate,
   return best;
 }
 
-std::string places(const std::vector<std::string>& list) {
+std::string places(const std::vector<Eigen::Vector2d>& list) {
   std::string text;
   for (std::size_t i = 0; i < list.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == list.size() ? " and " : ", ") + list[i];
+    text += std::string(i == 0                 ? ""
+                        : i + 1 == list.size() ? " and "
+                                               : ", ") +
+            "(" + std::to_string(std::lround(list[i].x())) + ", " +
+            std::to_string(std::lround(list[i].y())) + ") mm";
   return text;
-}
-
-std::string placeOf(const Eigen::Vector2d& p) {
-  return "(" + std::to_string(std::lround(p.x())) + ", " + std::to_string(std::lround(p.y())) +
-         ") mm";
 }
 
 // The votes of all looks round the notches off; each look shows them. A look from aside shifts a
@@ -139,16 +138,6 @@ SideCheck uncounted() {
   return side;
 }
 
-// Turning sherds over by hand shifts them by millimetres: the same places twice are the same side.
-bool sameSide(const SideCheck& front, const SideCheck& back) {
-  std::size_t same = 0;
-  for (const Eigen::Vector3d& f : front.places)
-    same += std::any_of(back.places.begin(), back.places.end(), [&](const Eigen::Vector3d& b) {
-      return (f - b).head<2>().norm() < 0.7 && std::abs(f.z() - b.z()) < 0.04 * f.z();
-    });
-  return !front.places.empty() && 5 * same >= 4 * front.places.size();
-}
-
 }  // namespace
 
 SideCheck checkSide(const std::vector<std::vector<fs::path>>& files, const batch::Plate& plate,
@@ -169,33 +158,42 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
   if (!looks) return side;
   if (looks->sherd.empty()) return uncounted();
   const std::vector<MapPiece> pieces = piecesOf(together(*looks), options.smallest_sherd_mm);
-  std::vector<std::string> close, doubtful;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const int within = sherdsInPiece(pieces[i]);
     side.sherds += within;
     side.places.emplace_back(pieces[i].centre_mm.x(), pieces[i].centre_mm.y(), pieces[i].area_mm2);
     side.touching += within - 1;
     if (within > 1)
-      close.push_back(placeOf(pieces[i].centre_mm));
+      side.touching_mm.push_back(pieces[i].centre_mm);
     else if (mayBeSeveral(pieces[i]) || 2 * looksAt(pieces[i], looks->notched) >= looks->count)
-      doubtful.push_back(placeOf(pieces[i].centre_mm));
+      side.doubtful_mm.push_back(pieces[i].centre_mm);
     for (std::size_t k = 0; k < i; ++k)
       if (gapBetween_mm(pieces[k], pieces[i]) < options.touching_mm) {
         ++side.touching;
-        close.push_back(placeOf((pieces[i].centre_mm + pieces[k].centre_mm) / 2));
+        side.touching_mm.push_back((pieces[i].centre_mm + pieces[k].centre_mm) / 2);
       }
   }
   side.counted = true;
   if (pieces.empty()) side.sentences.push_back("No sherd is seen on the plate.");
-  if (!close.empty())
-    side.sentences.push_back("Sherds touch or nearly touch at " + places(close) +
+  if (!side.touching_mm.empty())
+    side.sentences.push_back("Sherds touch or nearly touch at " + places(side.touching_mm) +
                              " from the plate's middle: move them apart and shoot again.");
-  side.doubtful = static_cast<int>(doubtful.size());
-  if (!doubtful.empty())
-    side.sentences.push_back("What lies at " + places(doubtful) +
+  side.doubtful = static_cast<int>(side.doubtful_mm.size());
+  if (!side.doubtful_mm.empty())
+    side.sentences.push_back("What lies at " + places(side.doubtful_mm) +
                              " from the plate's middle was counted as one but may be two sherds "
                              "that touch: look there; if so, move them apart and shoot again.");
   return side;
+}
+
+// Turning sherds over by hand shifts them by millimetres: the same places twice are the same side.
+bool sameSide(const SideCheck& front, const SideCheck& back) {
+  std::size_t same = 0;
+  for (const Eigen::Vector3d& f : front.places)
+    same += std::any_of(back.places.begin(), back.places.end(), [&](const Eigen::Vector3d& b) {
+      return (f - b).head<2>().norm() < 0.7 && std::abs(f.z() - b.z()) < 0.04 * f.z();
+    });
+  return !front.places.empty() && 5 * same >= 4 * front.places.size();
 }
 
 std::vector<std::string> compareSides(const SideCheck& front, const SideCheck& back) {

@@ -5,6 +5,7 @@
 
 #include "batch/batch.h"
 #include "catalogue/project.h"
+#include "ui/capture/doubt_words.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/sentence.h"
 
@@ -274,11 +275,12 @@ void CaptureWizard::hear(const capture::CaptureEvent& event) {
   if (event.stop >= 0) stop_ = event.stop;
   if (event.kind == Kind::StopDone) stops_done_ = std::max(stops_done_, event.stop + 1);
   if (event.kind == Kind::ShotKept || event.kind == Kind::ShotRefused) {
-    TakenShot shot{event.stop, event.camera,
-                   event.take, QString::fromStdString(event.file.string()),
-                   {},         event.kind == Kind::ShotRefused};
-    for (const std::string& sentence : event.check.sentences())
-      shot.problems << QString::fromStdString(sentence);
+    TakenShot shot{event.stop,
+                   event.camera,
+                   event.take,
+                   QString::fromStdString(event.file.string()),
+                   doubtsOf(event.check),
+                   event.kind == Kind::ShotRefused};
     if (shot.refused && !event.trouble.empty())
       shot.problems << QString::fromStdString(event.trouble);
     std::erase_if(shots_, [&](const TakenShot& old) {
@@ -314,13 +316,9 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
                    .arg(shot.stop + 1)
                    .arg(why);
   }
-  for (const std::string& sentence : summary->check.sentences)
-    doubts_ << QString::fromStdString(sentence);
+  doubts_ << doubtsOf(summary->check);
   doubtCount(summary->check);
-  if (back && summary_[0])
-    for (const std::string& sentence :
-         capture::compareSides(summary_[0]->check, summary_[1]->check))
-      doubts_ << QString::fromStdString(sentence);
+  if (back && summary_[0]) doubts_ << doubtsBetween(summary_[0]->check, summary_[1]->check);
   if (back && doubts_.isEmpty()) return queueBatch();
   emit changed();
 }

@@ -2189,6 +2189,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>leichter, auf %1 mm</translation>
     </message>
+    <message>
+      <source>Stop the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ausgabe anhalten</translation>
+    </message>
+    <message>
+      <source>Export: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ausgabe: %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2538,12 +2548,12 @@
     <message>
       <source>Undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Rückgängig:</translation>
+      <translation>Rückgängig</translation>
     </message>
     <message>
       <source>Do again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wiederholen:</translation>
+      <translation>Wiederholen</translation>
     </message>
     <message>
       <source>Manual</source>
@@ -2619,6 +2629,26 @@
       <source>Queue: mending masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Warteschlange: Masken ausbessern</translation>
+    </message>
+    <message>
+      <source>Undo: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+      <source>Do again: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+      <source>Copy of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kopie des Katalogs</translation>
+    </message>
+    <message>
+      <source>The catalogue could not be copied: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Katalog konnte nicht kopiert werden: %1</translation>
     </message>
   </context>
   <context>
@@ -4022,6 +4052,18 @@
       <source>Projects</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projekte</translation>
+    </message>
+    <message>
+      <source>%1
+%2 is not there: find it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2 ist nicht da: suchen …</translation>
+    </message>
+    <message>
+      <source>Where is %1 now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wo ist %1 jetzt?</translation>
     </message>
   </context>
   <context>

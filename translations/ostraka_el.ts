@@ -2189,6 +2189,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ελαφρύτερα, έως %1 mm</translation>
     </message>
+    <message>
+      <source>Stop the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή της εξαγωγής</translation>
+    </message>
+    <message>
+      <source>Export: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εξαγωγή: %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2619,6 +2629,26 @@
       <source>Queue: mending masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ουρά: διόρθωση μασκών</translation>
+    </message>
+    <message>
+      <source>Undo: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναίρεση: %1</translation>
+    </message>
+    <message>
+      <source>Do again: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επανάληψη: %1</translation>
+    </message>
+    <message>
+      <source>Copy of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αντίγραφο του καταλόγου</translation>
+    </message>
+    <message>
+      <source>The catalogue could not be copied: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος δεν αντιγράφηκε: %1</translation>
     </message>
   </context>
   <context>
@@ -4022,6 +4052,18 @@
       <source>Projects</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έργα</translation>
+    </message>
+    <message>
+      <source>%1
+%2 is not there: find it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+Το %2 δεν υπάρχει: βρείτε το …</translation>
+    </message>
+    <message>
+      <source>Where is %1 now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πού είναι τώρα το %1;</translation>
     </message>
   </context>
   <context>

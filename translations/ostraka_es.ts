@@ -2189,6 +2189,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>más ligeros, hasta %1 mm</translation>
     </message>
+    <message>
+      <source>Stop the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detener la exportación</translation>
+    </message>
+    <message>
+      <source>Export: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Exportación: %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2619,6 +2629,26 @@
       <source>Queue: mending masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cola: corregir las máscaras</translation>
+    </message>
+    <message>
+      <source>Undo: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deshacer: %1</translation>
+    </message>
+    <message>
+      <source>Do again: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rehacer: %1</translation>
+    </message>
+    <message>
+      <source>Copy of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Copia del catálogo</translation>
+    </message>
+    <message>
+      <source>The catalogue could not be copied: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudo copiar el catálogo: %1</translation>
     </message>
   </context>
   <context>
@@ -4022,6 +4052,18 @@
       <source>Projects</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Proyectos</translation>
+    </message>
+    <message>
+      <source>%1
+%2 is not there: find it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2 no está: búsquelo …</translation>
+    </message>
+    <message>
+      <source>Where is %1 now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Dónde está %1 ahora?</translation>
     </message>
   </context>
   <context>

@@ -2189,6 +2189,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>թեթև, մինչև %1 մմ</translation>
     </message>
+    <message>
+      <source>Stop the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել արտահանումը</translation>
+    </message>
+    <message>
+      <source>Export: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանում՝ %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2619,6 +2629,26 @@
       <source>Queue: mending masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հերթ. դիմակների ուղղում</translation>
+    </message>
+    <message>
+      <source>Undo: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետարկել՝ %1</translation>
+    </message>
+    <message>
+      <source>Do again: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կրկնել՝ %1</translation>
+    </message>
+    <message>
+      <source>Copy of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգի պատճեն</translation>
+    </message>
+    <message>
+      <source>The catalogue could not be copied: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգը չհաջողվեց պատճենել. %1</translation>
     </message>
   </context>
   <context>
@@ -4022,6 +4052,18 @@
       <source>Projects</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծեր</translation>
+    </message>
+    <message>
+      <source>%1
+%2 is not there: find it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2-ը տեղում չէ. գտեք այն …</translation>
+    </message>
+    <message>
+      <source>Where is %1 now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որտե՞ղ է հիմա %1-ը</translation>
     </message>
   </context>
   <context>

@@ -2161,6 +2161,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>daha hafif, %1 mm’ye kadar</translation>
     </message>
+    <message>
+      <source>Stop the export</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarmayı durdur</translation>
+    </message>
+    <message>
+      <source>Export: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarma: %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2587,6 +2597,26 @@
       <source>Queue: mending masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kuyruk: maskeleri düzeltme</translation>
+    </message>
+    <message>
+      <source>Undo: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri al: %1</translation>
+    </message>
+    <message>
+      <source>Do again: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yinele: %1</translation>
+    </message>
+    <message>
+      <source>Copy of the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kataloğun kopyası</translation>
+    </message>
+    <message>
+      <source>The catalogue could not be copied: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalog kopyalanamadı: %1</translation>
     </message>
   </context>
   <context>
@@ -3985,6 +4015,18 @@
       <source>Projects</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projeler</translation>
+    </message>
+    <message>
+      <source>%1
+%2 is not there: find it …</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1
+%2 yerinde yok: bulun …</translation>
+    </message>
+    <message>
+      <source>Where is %1 now?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 şimdi nerede?</translation>
     </message>
   </context>
   <context>

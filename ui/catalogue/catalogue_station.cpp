@@ -89,10 +89,8 @@ QWidget* CatalogueStation::buildFilterLine() {
   auto* to_export = new QPushButton(icon("export"), tr("Export these"), this);
   to_export->setObjectName("exportThese");
   connect(to_export, &QPushButton::clicked, this, [this] {
-    QStringList rows;
-    for (const catalogue::SherdRow row : selected()) rows << QString::number(row.value);
-    emit wantsStation("export",
-                      rows.size() > 1 ? "rows:" + rows.join(',') : "filter:" + filter_->text());
+    const QString rows = chosen();
+    emit wantsStation("export", rows.isEmpty() ? "filter:" + filter_->text() : rows);
   });
   filter_->addButton(to_import);
   filter_->addButton(to_export);
@@ -366,6 +364,13 @@ std::vector<catalogue::SherdRow> CatalogueStation::selected() const {
     for (int row = range.top(); row <= range.bottom(); ++row)
       sherds.push_back(model_->sherdAt(row));
   return sherds;
+}
+
+// One alone is the one that is looked at.
+QString CatalogueStation::chosen() const {
+  QStringList rows;
+  for (const catalogue::SherdRow row : selected()) rows << QString::number(row.value);
+  return rows.size() > 1 ? "rows:" + rows.join(',') : QString();
 }
 
 void CatalogueStation::showSelection() {

@@ -36,6 +36,7 @@ class CatalogueStation final : public Station {
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   void setInFront(bool in_front) override;
+  QString chosen() const override;
 
  public slots:
   /// A sherd's number, a batch's number, or a filter line.

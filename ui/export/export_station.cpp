@@ -1,5 +1,6 @@
 #include "ui/export/export_station.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
@@ -172,6 +173,12 @@ void ExportStation::buildLayout() {
   for (QPushButton* button : {start_, cancel_, open_}) button->setMinimumHeight(targetSize(*this));
   connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
   connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
+  stop_ = new QAction(icon("cancel"), tr("Stop the export"), this);
+  stop_->setObjectName("exportStop");
+  stop_->setShortcut(Qt::Key_Escape);
+  stop_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(stop_, &QAction::triggered, &model_, &ExportModel::cancel);
+  addAction(stop_);
   connect(open_, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(model_.target())); });
   auto* upper = new SideBySide(this);
@@ -225,6 +232,10 @@ void ExportStation::showItem(const QString& what) {
   }
 }
 
+void ExportStation::takeChosen(const QString& what) {
+  if (!what.isEmpty() && model_.state() != ExportModel::State::Running) showItem(what);
+}
+
 void ExportStation::browse() {
   const QString parent = QFileDialog::getExistingDirectory(this, tr("Where shall the folder be?"));
   if (parent.isEmpty()) return;
@@ -258,7 +269,12 @@ void ExportStation::refresh() {
   bar_->setValue(qRound(1000 * model_.fraction()));
   bar_->setFormat(model_.progressText());
   start_->setEnabled(model_.canStart());
+  stop_->setEnabled(running);
+  const bool begun = running && cancel_->isHidden();
   cancel_->setVisible(running);
+  if (begun && isVisible()) cancel_->setFocus();  // else Esc would find nobody
+  emit working(running ? tr("Export: %1").arg(model_.progressText()) : QString(),
+               running ? model_.fraction() : -1);
   open_->setVisible(model_.state() == ExportModel::State::Done);
   for (QWidget* box : findChildren<QGroupBox*>()) box->setEnabled(!running);
 }

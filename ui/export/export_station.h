@@ -23,6 +23,7 @@ class ExportStation final : public Station {
   QString manualPage() const override { return "export"; }
   void openProject(ProjectSession& session) override;
   void closeProject() override;
+  void takeChosen(const QString& what) override;
   ExportModel& model() { return model_; }
 
  protected:
@@ -56,6 +57,7 @@ class ExportStation final : public Station {
   QProgressBar* bar_ = nullptr;
   QPushButton* start_ = nullptr;
   QPushButton* cancel_ = nullptr;
+  QAction* stop_ = nullptr;
   QPushButton* open_ = nullptr;
 };
 

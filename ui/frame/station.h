@@ -31,8 +31,15 @@ class Station : public QWidget {
   /// The station comes to the front (true) or leaves it: a live picture may rest.
   virtual void setInFront(bool /*in_front*/) {}
 
+  /// What is chosen here, for the station that comes next, as its showItem takes it.
+  virtual QString chosen() const { return {}; }
+  /// What was chosen on the station that the person comes from.
+  virtual void takeChosen(const QString& /*what*/) {}
+
  signals:
   void waitingChanged();
+  /// It does something long of its own: for the line at the foot. fraction < 0: no more.
+  void working(const QString& words, double fraction);
   /// One sentence for the line at the foot, e.g. what was just done.
   void said(const QString& sentence);
   /// Another station should show this: "review", batch number. The frame switches and passes it on.

@@ -63,6 +63,30 @@ class ExportStationTest : public QObject {
     QVERIFY(child<QRadioButton>("chosen")->isChecked());
   }
 
+  void whatWasChosenInTheCatalogueComesAlong() {
+    station_->takeChosen({});
+    QVERIFY(!child<QRadioButton>("chosen")->isEnabled());
+    QVERIFY(child<QRadioButton>("all")->isChecked());
+    station_->takeChosen(
+        QString("rows:%1,%2").arg(sample_->sherds()[0].value).arg(sample_->sherds()[1].value));
+    QVERIFY(child<QRadioButton>("chosen")->isChecked());
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("2 sherd(s)"));
+  }
+
+  void escStopsAnExportAndTheFootTellsOfIt() {
+    toFolder("stopped");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&station_->model(), &ExportModel::finished);
+    const QSignalSpy working(station_.get(), &Station::working);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QVERIFY(station_->model().state() == ExportModel::State::Running);
+    QVERIFY(working.count() > 0 && working.back().front().toString().startsWith("Export: "));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    QVERIFY(station_->model().state() == ExportModel::State::Failed);
+    QVERIFY(working.back().front().toString().isEmpty());
+  }
+
   void theSizeIsNotCountedWhileNobodyLooks() {
     auto* size = child<QLabel>("size");
     QTRY_VERIFY(size->text().startsWith("40 sherd(s)"));

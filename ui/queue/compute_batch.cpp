@@ -22,6 +22,8 @@ using catalogue::BatchState;
 // Before a batch of this project was computed: 54 photographs of 8 MB and as much again for masks,
 // depth and models.
 constexpr double kUsualBatch_bytes = 1.0e9;
+// Of large photographs as much again, of small ones up to five times as much.
+constexpr double kResultsPerPhotographs = 2;
 // Below this the next stage would fail half-way on any camera; the queue waits for space instead.
 constexpr double kLeastFree_bytes = 300.0e6;
 constexpr int kWantedCandidates = 3;  // that the review shows for a doubtful front
@@ -172,13 +174,18 @@ double bytesPerBatch(const fs::path& project) {
   double bytes = 0;
   int batches = 0;
   std::error_code error;
-  for (fs::directory_iterator at(project / "results", error), end; !error && at != end;
+  for (fs::directory_iterator at(project / "batches", error), end; !error && at != end;
        at.increment(error)) {
-    if (!fs::exists(at->path() / "report.json")) continue;
-    bytes += sizeOf(at->path()) + sizeOf(project / "batches" / at->path().filename());
+    const fs::path results = project / "results" / at->path().filename();
+    if (!fs::exists(at->path() / "back")) continue;  // not whole
+    const double photographs = sizeOf(at->path());
+    bytes +=
+        photographs + (fs::exists(results / "report.json") ? sizeOf(results)
+                                                           : kResultsPerPhotographs * photographs);
     if (++batches == 10) break;
   }
-  return batches == 0 ? kUsualBatch_bytes : bytes / batches;
+  // As if one of the usual size had been there: a first small one does not make many of few.
+  return (bytes + kUsualBatch_bytes) / (batches + 1);
 }
 
 int roomForBatches(const fs::path& project) {

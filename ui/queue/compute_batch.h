@@ -37,7 +37,8 @@ struct BatchFigures {
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
                                   std::stop_token stop);
 
-/// Bytes that a batch and its results take, as those on the disk do on average.
+/// Bytes that a batch and its results will take, by those on the disk; of one that is photographed
+/// and not computed yet by its photographs.
 double bytesPerBatch(const std::filesystem::path& project);
 /// How many more batches fit; -1 when the disk does not say.
 int roomForBatches(const std::filesystem::path& project);

@@ -83,6 +83,11 @@ QueueStation::QueueStation(BatchQueue* queue, QWidget* parent)
     queue_->retry(batch);
   });
   connect(log_action_, &QAction::toggled, log_, &QWidget::setVisible);
+  connect(log_action_, &QAction::triggered, this, [this] {
+    if (isVisible()) return;  // by the window's foot, from another page
+    log_action_->setChecked(true);
+    emit wantsStation(QStringLiteral("queue"), {});
+  });
   connect(drafts_, &QAction::toggled, queue_, &BatchQueue::setMakesDrafts);
   connect(queue_, &BatchQueue::logged, log_, &QPlainTextEdit::appendPlainText);
   connect(queue_, &BatchQueue::workChanged, this, &QueueStation::follow);

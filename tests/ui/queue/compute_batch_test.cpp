@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "base/files.h"
 #include "catalogue/project.h"
 #include "synthetic_out.h"
 
@@ -54,6 +55,24 @@ class ComputeBatchTest : public QObject {
     }
     const catalogue::BatchState state = rows.batch(*batch)->state;
     QCOMPARE(state, figures->ask > 0 ? catalogue::BatchState::Review : catalogue::BatchState::Done);
+  }
+
+  // 48 batches must not become 529 when a first, small one has been computed.
+  void theRoomOfABatchIsPredictedFromItsPhotographs() {
+    const QTemporaryDir folder;
+    const std::filesystem::path place = folder.path().toStdString();
+    const double before = bytesPerBatch(place);
+    const auto photograph = [&](const char* batch, std::size_t bytes) {
+      for (const char* side : {"front", "back"})
+        QVERIFY(writeFileAtomically(place / "batches" / batch / side / "cam0_pos00.jpg",
+                                    std::string(bytes, 'x'))
+                    .has_value());
+    };
+    photograph("B0001", 1000);
+    const double after = bytesPerBatch(place);
+    QVERIFY(after < before && after > before / 3);
+    photograph("B0002", 20'000'000);
+    QVERIFY(bytesPerBatch(place) > after * 2 / 3 + 30e6);  // and its results are expected, too
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "catalogue/values.h"
 #include "ui/frame/free_tr.h"
+#include "ui/frame/lines.h"
 
 namespace ostraka::ui {
 
@@ -107,7 +108,7 @@ QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field)
 }
 
 QString when(std::int64_t ms) {
-  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(ms), QLocale::ShortFormat);
+  return momentWords(QDateTime::fromMSecsSinceEpoch(ms));
 }
 
 }  // namespace ostraka::ui

@@ -1,8 +1,10 @@
 #include "ui/frame/lines.h"
 
 #include <QAction>
+#include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QTimer>
 #include <QToolButton>
@@ -44,6 +46,10 @@ QToolButton* button(QWidget* parent, QAction* action) {
 }
 
 }  // namespace
+
+QString momentWords(const QDateTime& moment) {
+  return QLocale::c().toString(moment, QStringLiteral("yyyy-MM-dd HH:mm"));
+}
 
 QString timeLeftWords(double seconds) {
   if (seconds < 0 || !std::isfinite(seconds)) return {};

@@ -5,6 +5,7 @@ class QLabel;
 class QProgressBar;
 class QToolButton;
 class QAction;
+class QDateTime;
 
 namespace ostraka::ui {
 
@@ -41,6 +42,9 @@ class FooterLine final : public QFrame {
   QProgressBar* bar_;
   QLabel* said_;
 };
+
+/// "2026-11-23 14:05": in every language the same, and never a day for a month.
+QString momentWords(const QDateTime& moment);
 
 /// "2 min left", "40 s left", "1 h 10 min left"; empty when not known.
 QString timeLeftWords(double seconds);

@@ -33,6 +33,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kRoomEvery_ms = 60000;
+constexpr int kBackUpEvery_ms = 30 * 60000;
 constexpr int kFrame = 4;  // pixels that a desktop draws around a window, about
 
 }  // namespace
@@ -54,7 +55,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   buildActions();
   applySettings(settings_);
   settings_page_->setSettings(settings_);
-  start_->setRecent(settings_.recent);
+  start_->setRecent(settings_.recent, settings_.titles);
   connect(queue_, &BatchQueue::workChanged, this, &MainWindow::followLines);
   connect(queue_, &BatchQueue::left, this, [this] { leaving_lock_.reset(); });
   connect(capture_station_, &CaptureStation::lineChanged, this, &MainWindow::followLines);
@@ -62,6 +63,9 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(room_timer_, &QTimer::timeout, this, &MainWindow::measureRoom);
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
+  auto* back_up = new QTimer(this);
+  connect(back_up, &QTimer::timeout, this, &MainWindow::backUp);
+  back_up->start(kBackUpEvery_ms);
   if (!restoreGeometry(settings_.geometry)) {
     const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 2 * kFrame;
     resize(QSize(1280, 760).boundedTo(screen()->availableSize() - QSize(2 * kFrame, frame)));
@@ -91,6 +95,11 @@ void MainWindow::buildLayout() {
     pages_->addWidget(new PageArea(station, pages_));
     addAction(rail_->addStation(station));  // its key works on the side pages too
     connect(station, &Station::said, footer_, &FooterLine::say);
+    connect(station, &Station::working, this, [this](const QString& words, double fraction) {
+      other_work_ = words;
+      other_fraction_ = fraction;
+      followLines();
+    });
     connect(station, &Station::wantsStation, this, &MainWindow::showStationNamed);
   }
   auto* right = new QVBoxLayout;
@@ -111,6 +120,7 @@ void MainWindow::buildLayout() {
   setCentralWidget(all_);
   connect(rail_, &Rail::selectedChanged, this, &MainWindow::showStation);
   connect(start_, &StartScreen::opened, this, &MainWindow::openProject);
+  connect(start_, &StartScreen::found, this, &MainWindow::findProject);
   connect(start_, &StartScreen::made, this, &MainWindow::takeProject);
   connect(start_, &StartScreen::virtualRigWanted, this, &MainWindow::tryVirtualRig);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
@@ -135,15 +145,22 @@ QAction* MainWindow::addAct(const QString& name, const QString& icon_name, const
 }
 
 void MainWindow::buildActions() {
-  QAction* undo = undo_->createUndoAction(this, tr("Undo"));
-  undo->setObjectName(QStringLiteral("undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  undo->setIcon(icon(QStringLiteral("undo")));
-  QAction* redo = undo_->createRedoAction(this, tr("Do again"));
-  redo->setObjectName(QStringLiteral("redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  redo->setIcon(icon(QStringLiteral("redo")));
-  addActions({undo, redo});
+  QAction* undo =
+      addAct(QStringLiteral("undo"), QStringLiteral("undo"), tr("Undo"), QKeySequence::Undo);
+  QAction* redo =
+      addAct(QStringLiteral("redo"), QStringLiteral("redo"), tr("Do again"), QKeySequence::Redo);
+  undo->setEnabled(false);
+  redo->setEnabled(false);
+  connect(undo, &QAction::triggered, undo_, &QUndoGroup::undo);
+  connect(redo, &QAction::triggered, undo_, &QUndoGroup::redo);
+  connect(undo_, &QUndoGroup::canUndoChanged, undo, &QAction::setEnabled);
+  connect(undo_, &QUndoGroup::canRedoChanged, redo, &QAction::setEnabled);
+  connect(undo_, &QUndoGroup::undoTextChanged, undo, [undo](const QString& what) {
+    undo->setText(what.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(what));
+  });
+  connect(undo_, &QUndoGroup::redoTextChanged, redo, [redo](const QString& what) {
+    redo->setText(what.isEmpty() ? tr("Do again") : tr("Do again: %1").arg(what));
+  });
   for (QAction* action : {undo, redo}) {
     auto* button = new QToolButton(header_);
     button->setDefaultAction(action);
@@ -191,6 +208,11 @@ void MainWindow::openProject(const QString& path) {
   showStation(qMax(0, stationNamed(settings_.station)));
 }
 
+void MainWindow::findProject(const QString& lost, const QString& found) {
+  if (catalogue::Project::isProject(found.toStdString())) settings_.moved(lost, found);
+  openProject(found);
+}
+
 // Two windows would compute the same batch twice. A window that died leaves no lock behind: its
 // process is gone.
 bool MainWindow::lockProject(const QString& folder) {
@@ -224,14 +246,17 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   const std::filesystem::path folder = project->folder();
   const QString path = QString::fromStdString(folder.string());
   session_ = std::make_unique<ProjectSession>(std::move(project), folder, runner_);
+  const auto project_row = session_->project().catalogue().project();
+  title_ = project_row ? QString::fromStdString(project_row->title) : QString();
+  if (title_.isEmpty()) title_ = QDir(path).dirName();
   session_->setInitials(settings_.initials);
   undo_->addStack(&session_->undo());
   undo_->setActiveStack(&session_->undo());
   for (Station* station : stations_) station->openProject(*session_);
   settings_page_->setSession(session_.get());
-  settings_.remember(path);
+  settings_.remember(path, title_);
   writeSettings(settings_);
-  setWindowTitle(tr("%1 - Ostraka").arg(QDir(path).dirName()));
+  setWindowTitle(tr("%1 - Ostraka").arg(title_));
   all_->setCurrentIndex(1);
   connect(session_.get(), &ProjectSession::batchChanged, this, &MainWindow::followLines);
   connect(session_.get(), &ProjectSession::initialsChanged, this, [this](const QString& who) {
@@ -240,6 +265,7 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   });
   connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
   measureRoom();
+  backUp();
 }
 
 void MainWindow::closeProject() {
@@ -254,7 +280,7 @@ void MainWindow::closeProject() {
   if (queue_->isLeaving()) leaving_lock_ = std::move(lock_);
   lock_.reset();
   setWindowTitle(tr("Ostraka"));
-  start_->setRecent(settings_.recent);
+  start_->setRecent(settings_.recent, settings_.titles);
   all_->setCurrentWidget(start_area_);
 }
 
@@ -269,6 +295,9 @@ void MainWindow::tryVirtualRig() {
 
 void MainWindow::showStation(int index) {
   if (index < 0 || index >= static_cast<int>(stations_.size()) || session_ == nullptr) return;
+  const auto before = static_cast<std::size_t>(pages_->currentIndex());
+  const auto now = static_cast<std::size_t>(index);
+  if (before != now) stations_[now]->takeChosen(stations_[before]->chosen());
   all_->setCurrentIndex(1);
   pages_->setCurrentIndex(index);
   rail_->select(index);
@@ -338,11 +367,11 @@ void MainWindow::applySettings(const WindowSettings& settings) {
 }
 
 void MainWindow::followLines() {
-  footer_->setWork(queue_->workWords(), queue_->workFraction());
+  const QString queued = queue_->workWords();
+  const bool other = !other_work_.isEmpty() && !queue_->isBusy();
+  footer_->setWork(other ? other_work_ : queued, other ? other_fraction_ : queue_->workFraction());
   const QString where = capture_station_->placeWords();
-  header_->setWhere(where.isEmpty() && session_ != nullptr
-                        ? QString::fromStdString(session_->folder().filename().string())
-                        : where);
+  header_->setWhere(where.isEmpty() && session_ != nullptr ? title_ : where);
   header_->setRig(capture_station_->rigWords(), capture_station_->isRigReady());
 }
 
@@ -357,6 +386,24 @@ void MainWindow::measureRoom() {
   connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
     job->deleteLater();
     if (const Result<int> room = outcomeAs<int>(outcome)) header_->setRoom(*room);
+  });
+}
+
+// What is described by hand has copies, too, not only what is computed.
+void MainWindow::backUp() {
+  if (session_ == nullptr) return;
+  JobHandle* job =
+      runner_.start(makeJob(tr("Copy of the catalogue"),
+                            [folder = session_->folder()](Progress&, std::stop_token) {
+                              const auto project = catalogue::Project::open(folder);
+                              return project ? project->backUpIfChanged() : project.error();
+                            }),
+                    this);
+  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
+    job->deleteLater();
+    if (const Result<bool> done = outcomeAs<bool>(outcome);
+        !done && done.error().code != ErrorCode::Cancelled)
+      footer_->say(tr("The catalogue could not be copied: %1").arg(sentenceOf(done.error())));
   });
 }
 

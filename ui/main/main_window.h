@@ -1,6 +1,7 @@
 #pragma once
 #include <QLockFile>
 #include <QMainWindow>
+#include <QString>
 #include <memory>
 #include <vector>
 
@@ -73,6 +74,8 @@ class MainWindow final : public QMainWindow {
   void leaveSidePage();
   void followLines();
   void measureRoom();
+  void backUp();
+  void findProject(const QString& lost, const QString& found);
   QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
                   const QKeySequence& key);
 
@@ -91,6 +94,9 @@ class MainWindow final : public QMainWindow {
   QStackedWidget *all_ = nullptr, *pages_ = nullptr;
   PageArea *start_area_ = nullptr, *settings_area_ = nullptr;
   StartScreen* start_ = nullptr;
+  QString other_work_;  ///< than the queue's
+  double other_fraction_ = -1;
+  QString title_;  ///< of the project
   SettingsPage* settings_page_ = nullptr;
   HelpPage* help_ = nullptr;
   Rail* rail_ = nullptr;

@@ -16,6 +16,7 @@
 
 #include "ui/frame/big_button.h"
 #include "ui/frame/form_rows.h"
+#include "ui/frame/lines.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/thumbnails.h"
@@ -38,6 +39,10 @@ QString pictureOf(const QString& folder) {
     if (QFileInfo::exists(first)) return first;
   }
   return {};
+}
+
+bool isThere(const QString& folder) {
+  return QFileInfo::exists(folder + QStringLiteral("/catalogue.sqlite"));
 }
 
 // As people write it: ~ for their own home.
@@ -99,7 +104,8 @@ QWidget* StartScreen::buildRecent() {
   try_->setObjectName(QStringLiteral("tryVirtualRig"));
   open->setMinimumHeight(targetSize(*this));
   connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-    emit opened(item->data(Qt::UserRole).toString());
+    const QString folder = item->data(Qt::UserRole).toString();
+    isThere(folder) ? emit opened(folder) : findLost(folder);
   });
   connect(open, &QPushButton::clicked, this, &StartScreen::chooseProject);
   connect(try_, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
@@ -178,16 +184,19 @@ QWidget* StartScreen::buildNew() {
   return box;
 }
 
-void StartScreen::setRecent(const QStringList& folders) {
+void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QString>& titles) {
   recent_->clear();
   for (const QString& folder : folders) {
     const QFileInfo catalogue(folder + QStringLiteral("/catalogue.sqlite"));
-    if (!catalogue.exists()) continue;  // an unplugged disk: it comes back with it
+    const QString title = titles.value(folder, QDir(folder).dirName());
     auto* item = new QListWidgetItem(
-        tr("%1\n%2, %3")
-            .arg(QDir(folder).dirName(), shortPath(folder),
-                 QLocale().toString(catalogue.lastModified(), QLocale::ShortFormat)),
+        isThere(folder)
+            ? tr("%1\n%2, %3").arg(title, shortPath(folder), momentWords(catalogue.lastModified()))
+            : tr("%1\n%2 is not there: find it …").arg(title, shortPath(folder)),
         recent_);
+    // Moved, or on a disk that is unplugged: it comes back with it.
+    if (!isThere(folder))
+      item->setForeground(palette().color(QPalette::Disabled, QPalette::WindowText));
     const QString picture = pictureOf(folder);
     item->setSizeHint(QSize(0, targetSize(*this) + fontMetrics().height()));
     item->setData(Qt::UserRole, folder);
@@ -227,6 +236,17 @@ void StartScreen::chooseProject() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, &StartScreen::opened);
+  dialog->open();
+}
+
+void StartScreen::findLost(const QString& folder) {
+  auto* dialog = new QFileDialog(this, tr("Where is %1 now?").arg(shortPath(folder)),
+                                 QFileInfo(folder).absolutePath());
+  dialog->setObjectName(QStringLiteral("findProject"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, folder](const QString& now) { emit found(folder, now); });
   dialog->open();
 }
 

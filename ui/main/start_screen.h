@@ -19,12 +19,14 @@ class StartScreen final : public QWidget {
 
  public:
   explicit StartScreen(Thumbnails* thumbnails, QWidget* parent = nullptr);
-  void setRecent(const QStringList& folders);
+  /// titles: of the projects, by folder. One whose folder is gone stays, to be found again.
+  void setRecent(const QStringList& folders, const QMap<QString, QString>& titles);
   void showError(const Error& error);
   NewProject* fresh() const { return fresh_; }
 
  signals:
-  void opened(const QString& folder);  ///< to be opened
+  void opened(const QString& folder);                      ///< to be opened
+  void found(const QString& lost, const QString& folder);  ///< of a project that was moved
   void virtualRigWanted();
   void made(const std::shared_ptr<ostraka::catalogue::Project>& project);
 
@@ -34,6 +36,7 @@ class StartScreen final : public QWidget {
   void follow();
   void chooseFolder();
   void chooseProject();
+  void findLost(const QString& folder);
   void make();
 
   Thumbnails* thumbnails_;

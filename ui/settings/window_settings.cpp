@@ -17,10 +17,19 @@ int inRange(int value, int least, int most, int otherwise) {
 
 }  // namespace
 
-void WindowSettings::remember(const QString& project) {
+void WindowSettings::remember(const QString& project, const QString& title) {
   recent.removeAll(project);
   recent.prepend(project);
-  while (recent.size() > kMostRecentProjects) recent.removeLast();
+  titles[project] = title;
+  while (recent.size() > kMostRecentProjects) titles.remove(recent.takeLast());
+}
+
+void WindowSettings::moved(const QString& from, const QString& to) {
+  const qsizetype at = recent.indexOf(from);
+  if (at < 0 || from == to) return;
+  recent.removeAll(to);
+  recent.replace(recent.indexOf(from), to);
+  titles[to] = titles.take(from);
 }
 
 WindowSettings readSettings() {
@@ -34,6 +43,9 @@ WindowSettings readSettings() {
   settings.threads = inRange(kept.value(QStringLiteral("threads")).toInt(), 0,
                              QThread::idealThreadCount(), settings.threads);
   settings.recent = kept.value(QStringLiteral("recent")).toStringList();
+  const QVariantMap titles = kept.value(QStringLiteral("titles")).toMap();
+  for (const QString& project : settings.recent)
+    if (titles.contains(project)) settings.titles[project] = titles[project].toString();
   settings.geometry = kept.value(QStringLiteral("geometry")).toByteArray();
   settings.station = kept.value(QStringLiteral("station")).toString();
   return settings;
@@ -47,6 +59,10 @@ void writeSettings(const WindowSettings& settings) {
   kept.setValue(QStringLiteral("initials"), settings.initials);
   kept.setValue(QStringLiteral("threads"), settings.threads);
   kept.setValue(QStringLiteral("recent"), settings.recent);
+  QVariantMap titles;
+  for (auto title = settings.titles.begin(); title != settings.titles.end(); ++title)
+    titles[title.key()] = title.value();
+  kept.setValue(QStringLiteral("titles"), titles);
   kept.setValue(QStringLiteral("geometry"), settings.geometry);
   kept.setValue(QStringLiteral("station"), settings.station);
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <QByteArray>
+#include <QMap>
 #include <QString>
 #include <QStringList>
 
@@ -10,15 +11,17 @@ namespace ostraka::ui {
 /// What the program remembers about a person and a computer, not about a project.
 struct WindowSettings {
   Theme theme = Theme::System;
-  int text_percent = 100;  ///< 90..200
-  QString language;        ///< "de"; empty: as the desktop
-  QString initials;        ///< who decides and edits: goes into the history of each change
-  int threads = 0;         ///< that a computation may use; 0: all
-  QStringList recent;      ///< folders of projects, the last one first
-  QByteArray geometry;     ///< of the window
-  QString station;         ///< that was in front
+  int text_percent = 100;         ///< 90..200
+  QString language;               ///< "de"; empty: as the desktop
+  QString initials;               ///< who decides and edits: goes into the history of each change
+  int threads = 0;                ///< that a computation may use; 0: all
+  QStringList recent;             ///< folders of projects, the last one first
+  QMap<QString, QString> titles;  ///< of those, by folder
+  QByteArray geometry;            ///< of the window
+  QString station;                ///< that was in front
 
-  void remember(const QString& project);
+  void remember(const QString& project, const QString& title);
+  void moved(const QString& from, const QString& to);  ///< a project's folder
 };
 
 inline constexpr int kMostRecentProjects = 8;

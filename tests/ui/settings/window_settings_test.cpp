@@ -30,6 +30,17 @@ class WindowSettingsTest : public QObject {
     QCOMPARE(back.geometry, settings.geometry);
   }
 
+  void aProjectKeepsItsTitleAndItsPlaceWhenItIsMoved() {
+    WindowSettings settings;
+    settings.remember("/a", "Aragats");
+    settings.remember("/b", "Other");
+    settings.moved("/a", "/new/a");
+    writeSettings(settings);
+    const WindowSettings back = readSettings();
+    QCOMPARE(back.recent, (QStringList{"/b", "/new/a"}));
+    QCOMPARE(back.titles, (QMap<QString, QString>{{"/b", "Other"}, {"/new/a", "Aragats"}}));
+  }
+
   void valuesOutOfRangeBecomeTheDefault() {
     QSettings raw(QSettings::IniFormat, QSettings::UserScope, "ostraka", "window");
     raw.setValue("text_percent", 5000);
@@ -44,8 +55,8 @@ class WindowSettingsTest : public QObject {
 
   void theLastProjectComesFirstAndOnceOnly() {
     WindowSettings settings;
-    for (int i = 0; i < 12; ++i) settings.remember(QString::number(i));
-    settings.remember(QStringLiteral("8"));
+    for (int i = 0; i < 12; ++i) settings.remember(QString::number(i), {});
+    settings.remember(QStringLiteral("8"), {});
     QCOMPARE(settings.recent.size(), kMostRecentProjects);
     QCOMPARE(settings.recent.first(), QStringLiteral("8"));
     QCOMPARE(settings.recent.count(QStringLiteral("8")), 1);

@@ -1,0 +1,108 @@
+// What the frame around the stations does, without a rig and without computing.
+#include <QAction>
+#include <QLabel>
+#include <QListWidget>
+#include <QUndoStack>
+
+#include "catalogue/project.h"
+#include "person.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/station.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/main/start_screen.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    home_ = std::make_unique<Home>();
+    folder_ = home_->path(QStringLiteral("Ostraka/p1"));
+    catalogue::ProjectRecord record;
+    record.code = "ARM1";
+    record.title = "Aragats 2026";
+    const auto made = catalogue::Project::create(folder_.toStdString(), record);
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+  }
+
+  void aProjectIsCalledByItsName() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    QVERIFY(window.windowTitle().startsWith("Aragats 2026"));
+    QCOMPARE(named<QLabel>(window, "headerWhere")->text(), QStringLiteral("Aragats 2026"));
+    window.closeProject();
+    QVERIFY(recent(window)->item(0)->text().startsWith("Aragats 2026"));
+  }
+
+  void aProjectThatIsGoneIsListedAndFoundAgain() {
+    {
+      MainWindow window(jobs_);
+      activate(window);
+      window.openProject(folder_);
+      window.close();
+    }
+    const QString elsewhere = home_->path(QStringLiteral("moved"));
+    QVERIFY(QDir().rename(folder_, elsewhere));
+    MainWindow window(jobs_);
+    activate(window);
+    QCOMPARE(recent(window)->count(), 1);
+    QVERIFY2(recent(window)->item(0)->text().contains("find it"),
+             qPrintable(recent(window)->item(0)->text()));
+    emit named<StartScreen>(window, "start")->found(folder_, elsewhere);
+    QVERIFY(window.session() != nullptr);
+    window.closeProject();
+    QCOMPARE(recent(window)->count(), 1);
+    QVERIFY(!recent(window)->item(0)->text().contains("find it"));
+  }
+
+  void whatIsInTheCatalogueHasACopyOnceItIsOpen() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    QVERIFY(window.session() != nullptr);
+    QTRY_VERIFY(!window.session()->project().backups().empty());
+  }
+
+  void theLogIsShownFromEveryPage() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    window.showStation(0);
+    auto* text = named<QWidget>(window, "queueLogText");
+    QVERIFY(!text->isVisible());
+    named<QAction>(window, "queueLog")->trigger();
+    QVERIFY(named<QWidget>(window, "queue")->isVisible());
+    QVERIFY(!text->isHidden());
+  }
+
+  void undoNamesWhatItUndoesAndNothingElse() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    auto* undo = named<QAction>(window, "undo");
+    QVERIFY(!undo->isEnabled());
+    QCOMPARE(undo->text(), QStringLiteral("Undo"));
+    window.session()->undo().push(new QUndoCommand(QStringLiteral("name it")));
+    QVERIFY(undo->isEnabled());
+    QCOMPARE(undo->text(), QStringLiteral("Undo: name it"));
+    undo->trigger();
+    QVERIFY(named<QAction>(window, "redo")->isEnabled());
+    QCOMPARE(undo->text(), QStringLiteral("Undo"));
+  }
+
+ private:
+  static QListWidget* recent(QWidget& window) {
+    return named<QListWidget>(window, "recentProjects");
+  }
+  std::unique_ptr<Home> home_;
+  QString folder_;
+  ThreadedJobRunner jobs_;
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1585,6 +1585,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ihre Scherben stehen in der Durchsicht (Strg+3): Sehen Sie nach, solange sie noch hier liegen</translation>
     </message>
+    <message>
+      <source>The table stands still. What is safe is not photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Tisch steht still. Was sicher ist, wird nicht noch einmal fotografiert.</translation>
+    </message>
+    <message>
+      <source>Go on at stop %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bei Halt %1 weitermachen</translation>
+    </message>
+    <message>
+      <source>%1 was interrupted in the middle of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wurde mitten in dieser Seite unterbrochen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

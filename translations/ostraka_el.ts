@@ -1585,6 +1585,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα όστρακά της είναι στον έλεγχο (Ctrl+3): δείτε τα όσο είναι ακόμη εδώ</translation>
     </message>
+    <message>
+      <source>The table stands still. What is safe is not photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι είναι ακίνητο. Ό,τι είναι ασφαλές δεν φωτογραφίζεται ξανά.</translation>
+    </message>
+    <message>
+      <source>Go on at stop %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συνέχεια στη στάση %1</translation>
+    </message>
+    <message>
+      <source>%1 was interrupted in the middle of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 διακόπηκε στη μέση αυτής της πλευράς.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

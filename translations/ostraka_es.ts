@@ -1585,6 +1585,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sus fragmentos están en la revisión (Ctrl+3): mire mientras aún están aquí</translation>
     </message>
+    <message>
+      <source>The table stands still. What is safe is not photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa está parada. Lo que está a salvo no se fotografía otra vez.</translation>
+    </message>
+    <message>
+      <source>Go on at stop %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seguir en la parada %1</translation>
+    </message>
+    <message>
+      <source>%1 was interrupted in the middle of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se interrumpió en mitad de esta cara.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1585,6 +1585,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ses tessons sont dans la vérification (Ctrl+3) : regardez tant qu'ils sont encore là</translation>
     </message>
+    <message>
+      <source>The table stands still. What is safe is not photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le plateau est arrêté. Ce qui est sauvé n’est pas photographié de nouveau.</translation>
+    </message>
+    <message>
+      <source>Go on at stop %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Continuer à l’arrêt %1</translation>
+    </message>
+    <message>
+      <source>%1 was interrupted in the middle of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a été interrompue au milieu de cette face.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

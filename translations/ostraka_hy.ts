@@ -1585,6 +1585,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրա բեկորները ստուգման մեջ են (Ctrl+3). նայեք, քանի դեռ այստեղ են</translation>
     </message>
+    <message>
+      <source>The table stands still. What is safe is not photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը կանգնած է։ Ինչ պահպանված է, նորից չի լուսանկարվում։</translation>
+    </message>
+    <message>
+      <source>Go on at stop %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շարունակել %1 կանգառից</translation>
+    </message>
+    <message>
+      <source>%1 was interrupted in the middle of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն ընդհատվել է այս կողմի կեսին։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1566,6 +1566,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçaları incelemede (Ctrl+3): hâlâ buradayken bakın</translation>
     </message>
+    <message>
+      <source>The table stands still. What is safe is not photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabla duruyor. Güvende olanlar yeniden fotoğraflanmaz.</translation>
+    </message>
+    <message>
+      <source>Go on at stop %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. duraktan devam et</translation>
+    </message>
+    <message>
+      <source>%1 was interrupted in the middle of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bu yüzün ortasında kesildi.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

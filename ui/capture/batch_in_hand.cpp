@@ -1,5 +1,7 @@
 #include "ui/capture/batch_in_hand.h"
 
+#include <QDir>
+#include <QRegularExpression>
 #include <algorithm>
 
 #include "catalogue/project.h"
@@ -45,6 +47,21 @@ int BatchInHand::index() const {
 
 std::filesystem::path BatchInHand::folder() const {
   return session_->project().batchFolder(number_.toStdString());
+}
+
+std::vector<TakenShot> BatchInHand::photographs(batch::Side side) const {
+  static const QRegularExpression form(QStringLiteral("^cam(\\d)_pos(\\d+)\\.(jpg|png|tif)$"));
+  std::vector<TakenShot> shots;
+  const QDir place(QString::fromStdString((folder() / batch::name(side)).string()));
+  for (const QString& file : place.entryList(QDir::Files, QDir::Name))
+    if (const auto match = form.match(file); match.hasMatch())
+      shots.push_back({match.captured(2).toInt(),
+                       match.captured(1).toInt(),
+                       0,
+                       place.filePath(file),
+                       {},
+                       false});
+  return shots;
 }
 
 catalogue::BatchState BatchInHand::state() const {

@@ -3,9 +3,12 @@
 #include <QString>
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "base/result.h"
+#include "batch/batch.h"
 #include "catalogue/records.h"
+#include "ui/capture/capture_facts.h"
 
 namespace ostraka::ui {
 
@@ -26,6 +29,8 @@ class BatchInHand {
   const QString& number() const { return number_; }  ///< empty: it has not begun
   int index() const;  ///< 31 of B0031; of the next one before it has begun
   std::filesystem::path folder() const;
+  /// Those of a side that its folder holds, by stop and camera.
+  std::vector<TakenShot> photographs(batch::Side side) const;
   catalogue::BatchState state() const;
   bool isComputed() const;  ///< and be it as a draft
   /// Sherds that a person has counted; 0: not counted.

@@ -1,4 +1,6 @@
 // What the wizard does when a device fails, and how it helps.
+#include <algorithm>
+
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
 
@@ -13,6 +15,30 @@ void CaptureWizard::fail(const Error& error, const QString& safe) {
   stop_ = -1;
   emit changed();
   if (error.code == ErrorCode::Missing) askWhoHolds();
+}
+
+// The window was closed in the middle of this side: it looks as if Esc had just stopped it.
+void CaptureWizard::goOnWithin(batch::Side side) {
+  shots_ = batch_.photographs(side);
+  if (shots_.empty()) return;
+  phase_ = side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
+  for (stops_done_ = 0; stops_done_ < stops(); ++stops_done_)
+    if (std::count_if(shots_.begin(), shots_.end(), [this](const TakenShot& shot) {
+          return shot.stop == stops_done_;
+        }) < cameras())
+      break;
+  fail(
+      Error{ErrorCode::Cancelled,
+            tr("%1 was interrupted in the middle of this side.").arg(batch_.number()).toStdString(),
+            {}},
+      safeWords());
+  emit shotsChanged();
+}
+
+QString CaptureWizard::safeWords() const {
+  const auto safe = static_cast<int>(std::count_if(
+      shots_.begin(), shots_.end(), [](const TakenShot& shot) { return !shot.refused; }));
+  return tr("The %n photograph(s) of this side so far are safe.", nullptr, safe);
 }
 
 // Desktops open cameras as soon as they are plugged in; then the one button is to release them.

@@ -80,7 +80,7 @@ void CaptureFoot::follow() {
   const CapturePhase phase = wizard_->phase();
   const bool placing = phase == CapturePhase::Place || phase == CapturePhase::Opening;
   place_->setEnabled(placing);
-  count_->setEnabled(placing);
+  count_->setEnabled(wizard_->canCount());
   count_->setCount(wizard_->counted());
   button_->setText(wizard_->buttonText());
   button_->setEnabled(wizard_->canGoOn());

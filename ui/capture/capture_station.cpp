@@ -354,7 +354,7 @@ void CaptureStation::follow() {
   change_rig_->setEnabled(!wizard_->isShooting());
   again_->setEnabled(!wizard_->isBusy() &&
                      (phase == CapturePhase::Flip || phase == CapturePhase::Done));
-  count_sherds_->setEnabled(phase == CapturePhase::Place || phase == CapturePhase::Opening);
+  count_sherds_->setEnabled(wizard_->canCount());
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
     cameras_[i]->setEnabled(static_cast<int>(i) < wizard_->cameras());
     cameras_[i]->setChecked(static_cast<int>(i) == wizard_->camera());

@@ -110,6 +110,8 @@ void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices
   if (state == BatchState::Back)
     return doubts_.isEmpty() ? queueBatch() : enter(CapturePhase::Done);
   enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
+  if (state == BatchState::Placed || state == BatchState::Flipped)
+    goOnWithin(state == BatchState::Placed ? batch::Side::Front : batch::Side::Back);
   emit said(tr("%1 goes on where it was.").arg(batch_.number()));
 }
 
@@ -141,8 +143,18 @@ void CaptureWizard::setPlace(const PlaceText& place) {
 
 void CaptureWizard::setCounted(int sherds) {
   if (sherds == batch_.counted() || sherds < 0) return;
+  // A slip in the count is mended while the plate still lies there.
+  const auto& seen = summary_[phase_ == CapturePhase::Done ? 1 : 0];
+  const bool told = seen && (phase_ == CapturePhase::Flip || phase_ == CapturePhase::Done);
+  if (told) doubts_.removeAll(countDoubt(seen->check));
   batch_.setCounted(sherds);
+  if (told) doubtCount(seen->check);
   emit changed();
+}
+
+bool CaptureWizard::canCount() const {
+  return phase_ == CapturePhase::Place || phase_ == CapturePhase::Opening ||
+         phase_ == CapturePhase::Flip || (phase_ == CapturePhase::Done && !queued_);
 }
 
 void CaptureWizard::forgetPlate() {
@@ -228,13 +240,20 @@ void CaptureWizard::setState(catalogue::BatchState state) {
 
 void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retake) {
   if (const Result<void> begun = batch_.begin(place_); !begun) return fail(begun.error(), {});
-  phase_ = side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
+  const CapturePhase phase =
+      side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
+  const bool goes_on = phase_ == phase && retake.empty();
+  phase_ = phase;
   fault_.reset();
   holders_.clear();
   doubts_.clear();
-  shots_.clear();
   stop_ = -1;
-  stops_done_ = 0;
+  if (goes_on) {
+    std::erase_if(shots_, [](const TakenShot& shot) { return shot.refused; });
+  } else {
+    shots_.clear();
+    stops_done_ = 0;
+  }
   if (side == batch::Side::Back) setState(BatchState::Flipped);
   emit changed();
   emit shotsChanged();
@@ -297,12 +316,7 @@ void CaptureWizard::hear(const capture::CaptureEvent& event) {
 
 void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSummary>& summary) {
   const bool back = side == batch::Side::Back;
-  if (!summary) {
-    const auto safe = static_cast<int>(std::count_if(
-        shots_.begin(), shots_.end(), [](const TakenShot& shot) { return !shot.refused; }));
-    return fail(summary.error(),
-                tr("The %n photograph(s) of this side so far are safe.", nullptr, safe));
-  }
+  if (!summary) return fail(summary.error(), safeWords());
   summary_[back ? 1 : 0] = *summary;
   setState(back ? BatchState::Back : BatchState::Front);
   enter(back ? CapturePhase::Done : CapturePhase::Flip);
@@ -324,13 +338,17 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
 }
 
 // Hidden, touching another, still in the hand, or fallen under the table: only a person knows.
-void CaptureWizard::doubtCount(const capture::SideCheck& check) {
+QString CaptureWizard::countDoubt(const capture::SideCheck& check) const {
   const int counted = batch_.counted();
-  if (counted == 0 || !check.counted || check.sherds == counted) return;
-  doubts_ << tr("You counted %1 sherds, the photographs show %2: look for one that hides, touches "
-                "another or was never laid down.")
-                 .arg(counted)
-                 .arg(check.sherds);
+  if (counted == 0 || !check.counted || check.sherds == counted) return {};
+  return tr("You counted %1 sherds, the photographs show %2: look for one that hides, touches "
+            "another or was never laid down.")
+      .arg(counted)
+      .arg(check.sherds);
+}
+
+void CaptureWizard::doubtCount(const capture::SideCheck& check) {
+  if (const QString doubt = countDoubt(check); !doubt.isEmpty()) doubts_ << doubt;
 }
 
 void CaptureWizard::queueBatch() {

@@ -79,6 +79,7 @@ class CaptureWizard final : public QObject {
   /// Sherds that the person has counted onto the plate; 0: not counted. Compared with what the
   /// photographs show before the flip and before the plate is cleared.
   int counted() const { return batch_.counted(); }
+  bool canCount() const;  ///< until the batch is in the queue
   QString rigWords() const { return source_.words; }
 
  public slots:
@@ -109,13 +110,16 @@ class CaptureWizard final : public QObject {
   void startShooting(batch::Side side, std::vector<capture::ShotName> retake);
   void hear(const capture::CaptureEvent& event);
   void finishSide(batch::Side side, const Result<capture::SideSummary>& summary);
+  QString countDoubt(const capture::SideCheck& check) const;
   void doubtCount(const capture::SideCheck& check);
+  void goOnWithin(batch::Side side);
   void setState(catalogue::BatchState state);
   void queueBatch();
   void lookLive();
   void lookAtFront();
   void readLabels(const QStringList& codes);
   void fail(const Error& error, const QString& safe);
+  QString safeWords() const;
   void askWhoHolds();
   void releaseCameras();
   JobHandle* start(Job job);

@@ -33,7 +33,8 @@ QString CaptureWizard::instruction() const {
       return tr("Fronts up, a finger's width apart, the marks at the edge of the plate free.");
     case CapturePhase::ShootFront:
     case CapturePhase::ShootBack:
-      return tr("Hands off the table. Esc stops it at once.");
+      return isBusy() ? tr("Hands off the table. Esc stops it at once.")
+                      : tr("The table stands still. What is safe is not photographed again.");
     case CapturePhase::Flip:
       return tr("Shifting is fine, swapping is fine, losing one is not.");
     case CapturePhase::Done:
@@ -50,7 +51,11 @@ QString CaptureWizard::instruction() const {
 QString CaptureWizard::buttonText() const {
   if (!question().isEmpty()) return tr("Done");
   if (fault_ && isBusy()) return tr("One moment");
-  if (fault_) return holders_.isEmpty() ? tr("Try again") : tr("Make the desktop let go");
+  if (fault_ && !holders_.isEmpty()) return tr("Make the desktop let go");
+  const bool shooting = phase_ == CapturePhase::ShootFront || phase_ == CapturePhase::ShootBack;
+  if (fault_ && shooting && !shots_.empty())
+    return tr("Go on at stop %1").arg(qMin(stops_done_ + 1, stops()));
+  if (fault_) return tr("Try again");
   switch (phase_) {
     case CapturePhase::Place:
       return tr("Shoot the fronts");

@@ -2,6 +2,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "base/files.h"
 #include "bench.h"
 #include "catalogue/database.h"
 
@@ -33,6 +34,43 @@ class CaptureResumeTest : public QObject {
     again.wizard.next();
     QTRY_COMPARE(again.batch().state, BatchState::Queued);
     QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
+  }
+
+  void oneThatWasClosedInMidShootTellsWhatIsSafeAndGoesOnAtItsStop() {
+    InlineJobRunner jobs;
+    {
+      Bench bench(folder(), jobs);
+      bench.rig.refuse_shoot = Error::cancelled();
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.next();
+      QTRY_VERIFY(bench.wizard.fault().has_value());
+      QVERIFY(!bench.wizard.instruction().contains("Hands off"));
+    }
+    const std::filesystem::path side = folder() / "batches" / "B0001" / "front";
+    Bench again(folder(), jobs);
+    const RigSource source = sourceOf(again.rig);
+    std::filesystem::create_directories(side);
+    again.wizard.setRig(source);
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Place);  // nothing was taken yet
+    const int cameras = again.wizard.cameras();
+    for (int camera = 0; camera < cameras; ++camera)
+      for (const char* stop : {"00", "01"})
+        QVERIFY(writeFileAtomically(
+                    side / ("cam" + std::to_string(camera) + "_pos" + stop + ".jpg"), "x")
+                    .has_value());
+    again.wizard.setRig(source);
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::ShootFront);
+    QVERIFY(again.wizard.fault().has_value());
+    QVERIFY2(QString::fromStdString(again.wizard.fault()->what)
+                 .contains(QString::number(2 * cameras) + " photograph"),
+             again.wizard.fault()->what.c_str());
+    QCOMPARE(again.wizard.stopsDone(), 2);
+    QCOMPARE(again.wizard.shots().size(), static_cast<std::size_t>(2 * cameras));
+    QCOMPARE(again.wizard.buttonText(), QStringLiteral("Go on at stop 3"));
+    again.wizard.next();
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(again.wizard.batchNumber(), QStringLiteral("B0001"));
   }
 
   void aBatchThatTheCatalogueDoesNotTakeIsNotSaidToBeQueued() {

@@ -143,7 +143,10 @@ class CaptureStationTest : public QObject {
     auto* doubts = child<MessagePanel>("captureDoubts");
     QTRY_VERIFY(doubts->isVisible());
     QVERIFY(doubts->words().contains("You counted 12 sherds"));
-    QVERIFY(!count->isEnabled());
+    // A slip is mended here, too.
+    QTRY_VERIFY(count->isEnabled());
+    child<QSpinBox>("captureCounted")->setValue(11);
+    QVERIFY(!doubts->isVisible());
   }
 
   void aFaultTakesThePlaceOfTheButtonAndSpaceTriesAgain() {

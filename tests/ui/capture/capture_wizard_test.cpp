@@ -262,6 +262,25 @@ class CaptureWizardTest : public QObject {
     QCOMPARE(bench.wizard.counted(), 0);
   }
 
+  void aSlipInTheCountIsMendedAfterTheFronts() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.setCounted(8);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.wizard.doubts().size(), 1);
+    bench.wizard.setCounted(7);
+    QCOMPARE(bench.wizard.doubts().size(), 1);
+    QVERIFY(bench.wizard.doubts()[0].contains("7"));
+    bench.wizard.setCounted(9);
+    QVERIFY(bench.wizard.doubts().isEmpty());
+    bench.wizard.next();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    QCOMPARE(bench.batch().counted, 9);
+  }
+
   void aCountThatIsStillOtherOnTheBackKeepsThePlate() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

@@ -36,4 +36,10 @@ class Numbering {
   std::vector<Part> parts_;
 };
 
+class Catalogue;
+
+/// The next running number of a count (Numbering::counter) in a block, as those given so far have
+/// it; not reserved.
+Result<int> nextNumber(const Catalogue& catalogue, const std::string& counter, int first, int last);
+
 }  // namespace ostraka::catalogue

@@ -68,7 +68,24 @@ std::int64_t settingNumber(const Catalogue& catalogue, const char* key, std::int
   return static_cast<std::int64_t>(orRefuse(parsedNumber(text)));
 }
 
+// After the highest of the block that this computer gives.
+std::int64_t nextOf(Database& database, const std::string& counter, std::int64_t first,
+                    std::int64_t last) {
+  std::int64_t next = first;
+  Statement highest = database.sql(
+      "SELECT ifnull(max(n) + 1, ?2) FROM given_number WHERE counter = ?1 AND n BETWEEN ?2 AND ?3");
+  highest.with(counter, first, last);
+  if (highest.next()) highest >> next;
+  return next;
+}
+
 }  // namespace
+
+Result<int> nextNumber(const Catalogue& catalogue, const std::string& counter, int first,
+                       int last) {
+  return catalogue.database().door(
+      [&] { return static_cast<int>(nextOf(catalogue.database(), counter, first, last)); });
+}
 
 Taken takenBy(Database& database, const std::string& number) {
   Taken taken;
@@ -128,14 +145,7 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
         own >> numbers.back();
         continue;
       }
-      if (!next.contains(counter)) {
-        Statement highest = database_->sql(
-            "SELECT ifnull(max(n) + 1, ?2) FROM given_number WHERE counter = ?1 AND n BETWEEN ?2 "
-            "AND ?3");
-        highest.with(counter, first, last);
-        next[counter] = first;
-        if (highest.next()) highest >> next[counter];
-      }
+      if (!next.contains(counter)) next[counter] = nextOf(*database_, counter, first, last);
       std::string number;
       do {
         const std::int64_t n = next[counter]++;

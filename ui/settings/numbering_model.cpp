@@ -171,7 +171,8 @@ void NumberingModel::follow() {
   if (wanted_.first > wanted_.last)
     refusal_ = tr("The first number of a block is not above its last.");
   const auto contexts = session_->project().catalogue().contexts();
-  Tokens shown = tokensOf("ARM1", "T3", "0012");
+  const auto project = session_->project().catalogue().project();
+  Tokens shown = tokensOf(project ? project->code : "ARM1", "T3", "0012");
   if (contexts)
     for (const catalogue::ContextRecord& context : *contexts) {
       const Tokens tokens = tokensOf(context.site_code, context.trench_code, context.number);
@@ -183,7 +184,12 @@ void NumberingModel::follow() {
       shown = tokens;
       if (warning_.isEmpty()) warning_ = QString::fromStdString(scheme->warning(tokens));
     }
-  const auto number = scheme->number(shown, std::max(wanted_.first, 1));
+  int next = std::max(wanted_.first, 1);
+  if (const auto counter = scheme->counter(shown))
+    if (const auto free =
+            catalogue::nextNumber(session_->project().catalogue(), *counter, next, wanted_.last))
+      next = *free;
+  const auto number = scheme->number(shown, next);
   if (number)
     example_ = QString::fromStdString(*number);
   else if (refusal_.isEmpty())

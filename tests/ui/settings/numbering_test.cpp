@@ -105,6 +105,14 @@ class NumberingTest : public QObject {
     QCOMPARE(*rows().setting("numbering.last"), std::string("6000"));
   }
 
+  void theExampleIsTheNextNumber() {
+    numbered();
+    NumberingEdit edit;
+    edit.setSession(session_.get());
+    QCOMPARE(edit.findChild<QLabel*>("numberingExample")->text(),
+             QStringLiteral("ARM1-T3-0012-0002"));
+  }
+
   void numbersLeftOutAreTold() {
     const catalogue::SherdRow sherd = draft();
     const catalogue::FieldChange typed{sherd, "number", "ARM1-T3-0012-0005"};

@@ -2347,6 +2347,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nichts verlässt diesen Rechner: es benutzt kein Netz.</translation>
     </message>
+    <message>
+      <source>The manual is in English.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Handbuch gibt es nur auf Englisch.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportDialog</name>
@@ -2750,6 +2755,24 @@
         <numerusform>%n Etikett ist zum Drucker geschickt.</numerusform>
         <numerusform>%n Etiketten sind zum Drucker geschickt.</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ladung wurde gescannt, nicht fotografiert: Von ihrem Teller gibt es kein Bild.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe dieser Ladung hat noch keine Nummer: Ihr Etikett nennt die Ladung.</numerusform>
+        <numerusform>%n Scherben dieser Ladung haben noch keine Nummer: Ihre Etiketten nennen die Ladung.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert: %1</translation>
     </message>
   </context>
   <context>

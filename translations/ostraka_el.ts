@@ -2347,6 +2347,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: δεν έχει δίκτυο μέσα.</translation>
     </message>
+    <message>
+      <source>The manual is in English.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το εγχειρίδιο υπάρχει μόνο στα αγγλικά.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportDialog</name>
@@ -2750,6 +2755,24 @@
         <numerusform>%n ετικέτα στάλθηκε στον εκτυπωτή.</numerusform>
         <numerusform>%n ετικέτες στάλθηκαν στον εκτυπωτή.</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η παρτίδα σαρώθηκε, δεν φωτογραφήθηκε: δεν υπάρχει εικόνα του δίσκου της.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο αυτής της παρτίδας δεν έχει ακόμη αριθμό: η ετικέτα του γράφει την παρτίδα.</numerusform>
+        <numerusform>%n όστρακα αυτής της παρτίδας δεν έχουν ακόμη αριθμό: οι ετικέτες τους γράφουν την παρτίδα.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε: %1</translation>
     </message>
   </context>
   <context>

@@ -2347,6 +2347,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nada sale de este ordenador: no hay red en él.</translation>
     </message>
+    <message>
+      <source>The manual is in English.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El manual solo está en inglés.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportDialog</name>
@@ -2750,6 +2755,24 @@
         <numerusform>%n etiqueta se ha enviado a la impresora.</numerusform>
         <numerusform>%n etiquetas se han enviado a la impresora.</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda se escaneó, no se fotografió: no hay imagen de su plato.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento de esta tanda aún no tiene número: su etiqueta nombra la tanda.</numerusform>
+        <numerusform>%n fragmentos de esta tanda aún no tienen número: sus etiquetas nombran la tanda.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado: %1</translation>
     </message>
   </context>
   <context>

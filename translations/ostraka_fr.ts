@@ -2347,6 +2347,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rien ne quitte cet ordinateur : il n’y a pas de réseau dedans.</translation>
     </message>
+    <message>
+      <source>The manual is in English.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le manuel n’existe qu’en anglais.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportDialog</name>
@@ -2750,6 +2755,24 @@
         <numerusform>%n étiquette est envoyée à l'imprimante.</numerusform>
         <numerusform>%n étiquettes sont envoyées à l'imprimante.</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot a été scanné, non photographié : il n’y a pas d’image de son plateau.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson de ce lot n’a pas encore de numéro : son étiquette nomme le lot.</numerusform>
+        <numerusform>%n tessons de ce lot n’ont pas encore de numéro : leurs étiquettes nomment le lot.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré : %1</translation>
     </message>
   </context>
   <context>

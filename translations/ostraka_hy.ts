@@ -2347,6 +2347,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչինչ դուրս չի գալիս այս համակարգչից. այն ցանց չունի։</translation>
     </message>
+    <message>
+      <source>The manual is in English.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեռնարկը միայն անգլերեն է։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportDialog</name>
@@ -2750,6 +2755,24 @@
         <numerusform>%n պիտակ ուղարկվել է տպիչին:</numerusform>
         <numerusform>%n պիտակ ուղարկվել է տպիչին:</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակը սքանավորվել է, ոչ թե լուսանկարվել. նրա սկավառակի պատկեր չկա։</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Այս խմբաքանակի %n բեկորը դեռ համար չունի. նրա պիտակը նշում է խմբաքանակը։</numerusform>
+        <numerusform>Այս խմբաքանակի %n բեկորը դեռ համար չունի. նրանց պիտակները նշում են խմբաքանակը։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահպանված է՝ %1</translation>
     </message>
   </context>
   <context>

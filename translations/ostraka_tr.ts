@@ -2317,6 +2317,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bilgisayardan hiçbir şey çıkmaz: içinde ağ yoktur.</translation>
     </message>
+    <message>
+      <source>The manual is in English.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kılavuz yalnızca İngilizcedir.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportDialog</name>
@@ -2717,6 +2722,23 @@
       <translation>
         <numerusform>%n etiket yazıcıya gönderildi.</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>This batch was scanned, not photographed: there is no picture of its plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parti fotoğraflanmadı, tarandı: tablasının resmi yok.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Bu partinin %n parçasının henüz numarası yok: etiketleri partiyi belirtir.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Saved: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi: %1</translation>
     </message>
   </context>
   <context>

@@ -347,10 +347,12 @@ void DrawingPage::print() {
   auto* dialog = new QPrintDialog(printer.get(), this);  // knows printing into a PDF file, too
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, printer] {
+    const QString file = printer->outputFileName();
     write(
         tr("Printing"),
         [printer](const std::vector<Page>& pages) { return printSheets(*printer, pages); },
-        tr("The drawing is sent to the printer; print it at 100 %."));
+        file.isEmpty() ? tr("The drawing is sent to the printer; print it at 100 %.")
+                       : tr("Saved: %1").arg(file));
   });
   dialog->open();
 }

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QImage>
+#include <QLabel>
 #include <QPushButton>
 #include <QSet>
 #include <QTextBrowser>
@@ -54,7 +55,8 @@ bool isOfAnInnerScreen(const QAction& action,
 
 }  // namespace
 
-HelpPage::HelpPage(QWidget* parent) : QWidget(parent), text_(new ManualText(this)) {
+HelpPage::HelpPage(QWidget* parent)
+    : QWidget(parent), text_(new ManualText(this)), note_(new QLabel(this)) {
   initialiseManual();
   setObjectName(QStringLiteral("help"));
   text_->setObjectName(QStringLiteral("helpText"));
@@ -81,15 +83,25 @@ HelpPage::HelpPage(QWidget* parent) : QWidget(parent), text_(new ManualText(this
   connect(close, &QPushButton::clicked, this, &HelpPage::closed);
   auto* column = new QVBoxLayout(this);
   column->addLayout(bar);
+  column->addWidget(note_);
   column->addWidget(text_, 1);
+  note_->setObjectName(QStringLiteral("helpNote"));
+  note_->setWordWrap(true);
+  // In English it goes without saying.
+  if (const QString words = tr("The manual is in English.");
+      words != QLatin1String("The manual is in English."))
+    note_->setText(words);
+  note_->hide();
 }
 
 void HelpPage::showManual(const QString& page) {
+  note_->setVisible(!note_->text().isEmpty());
   text_->setSource(QUrl(QStringLiteral("qrc:/manual/%1.html").arg(page)));
   text_->setFocus();
 }
 
 void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*>>& screens) {
+  note_->hide();
   QString html = QStringLiteral("<h1>%1</h1>").arg(tr("All keys").toHtmlEscaped());
   QSet<const QAction*> listed;
   for (const auto& [title, screen] : screens) {
@@ -112,6 +124,7 @@ void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*
 }
 
 void HelpPage::showAbout() {
+  note_->hide();
   text_->setHtml(
       QStringLiteral("<h1>Ostraka %1</h1><p>%2</p><p>%3</p><p>%4</p>")
           .arg(QCoreApplication::applicationVersion().toHtmlEscaped(),

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+class QLabel;
 class QTextBrowser;
 
 namespace ostraka::ui {
@@ -24,6 +25,7 @@ class HelpPage final : public QWidget {
 
  private:
   QTextBrowser* text_;
+  QLabel* note_;  ///< above the manual: in which language it is
 };
 
 }  // namespace ostraka::ui

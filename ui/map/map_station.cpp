@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDateTime>
+#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImageReader>
@@ -47,6 +48,13 @@ Result<MapPicture> readMap(const fs::path& output, const std::stop_token& stop) 
   picture.front = photographAt(picture.map.front.photograph);
   picture.back = photographAt(picture.map.back.photograph);
   return picture;
+}
+
+// The dialog prints into a file, too.
+QString printedWords(const QPrinter& printer, const QString& sent) {
+  return printer.outputFileName().isEmpty()
+             ? sent
+             : MapStation::tr("Saved: %1").arg(printer.outputFileName());
 }
 
 }  // namespace
@@ -186,6 +194,10 @@ void MapStation::openBatch(const QString& batch) {
     print_->setEnabled(picture.has_value());
     if (!picture) {
       view_->setPicture({});
+      // Said on this page alone, as that of a batch that is not computed yet.
+      if (picture.error().code == ErrorCode::Missing && isOfScans())
+        return message_->setText(
+            tr("This batch was scanned, not photographed: there is no picture of its plate."));
       return say(QString::fromStdString(picture.error().sentence()));
     }
     date_ = dayOf(*picture);
@@ -193,6 +205,12 @@ void MapStation::openBatch(const QString& batch) {
     nameMarks();
     view_->highlight(lit);
   });
+}
+
+bool MapStation::isOfScans() const {
+  const QDir front(QString::fromStdString(
+      (session_->folder() / "batches" / batch_.toStdString() / "front").string()));
+  return !front.entryList({QStringLiteral("*.ply")}, QDir::Files).isEmpty();
 }
 
 // The day of the shooting; of a batch that no catalogue knows the file says it.
@@ -239,14 +257,23 @@ bool MapStation::writePdf(const QString& file) {
   return false;
 }
 
+// Such labels are for the table, not for the bag: in the store nobody knows their batch.
+QString MapStation::unnumberedWords() const {
+  const auto none = static_cast<int>(labels().size() - view_->picture().numbers.endings.size());
+  return none > 0 ? tr("%n sherd(s) of this batch have no number yet: their labels name the batch.",
+                       nullptr, none)
+                  : QString();
+}
+
 void MapStation::print() {
   if (!print_->isEnabled()) return;
+  if (const QString none = unnumberedWords(); !none.isEmpty()) say(none);
   auto* dialog = new QPrintDialog(this);  // knows printing into a PDF file, too
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
     QString why;
     say(printMap(*printer, view_->picture(), labels(), pageTitle(), &why)
-            ? tr("Map and labels are sent to the printer.")
+            ? printedWords(*printer, tr("Map and labels are sent to the printer."))
             : why);
   });
   dialog->open();
@@ -276,9 +303,9 @@ void MapStation::printBags() {
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this,
           [this, labels](QPrinter* printer) {
             QString why;
-            say(printLabels(*printer, labels, &why) ? tr("%n label(s) are sent to the printer.",
-                                                         nullptr, static_cast<int>(labels.size()))
-                                                    : why);
+            const QString sent = tr("%n label(s) are sent to the printer.", nullptr,
+                                    static_cast<int>(labels.size()));
+            say(printLabels(*printer, labels, &why) ? printedWords(*printer, sent) : why);
           });
   dialog->open();
 }

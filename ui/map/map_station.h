@@ -47,6 +47,8 @@ class MapStation final : public Station {
   void showBatch(const QString& batch);
   void openBatch(const QString& batch);
   void nameMarks();
+  bool isOfScans() const;
+  QString unnumberedWords() const;
   QString dayOf(const MapPicture& picture) const;
   void say(const QString& sentence);
   QString pageTitle() const;

@@ -1,5 +1,6 @@
 // The window in every language: it fits a laptop's screen, and no button's words are cut off.
 #include <QAbstractButton>
+#include <QLabel>
 #include <QTranslator>
 
 #include "person.h"
@@ -63,6 +64,11 @@ class LanguagesTest : public QObject {
     }
     window.showSettings();
     fits(window, window, "settings");
+    window.showManual();
+    QCOMPARE(named<QLabel>(window, "helpNote")->isVisible(), language != QLatin1String("en"));
+    fits(window, window, "manual");
+    window.showShortcuts();
+    QVERIFY(!named<QLabel>(window, "helpNote")->isVisible());
     QApplication::removeTranslator(&translator);
   }
 

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "base/files.h"
 #include "catalogue/project.h"
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
@@ -31,6 +32,7 @@ class MapTest : public QObject {
   void whatNobodyLooksAtIsNotRead();
   void theLabelSaysTheDayOfTheShooting();
   void aMissingPhotographIsSaid();
+  void aBatchOfScansSaysThatItHasNoPicture();
   void theFirstBatchTakesTheMessageAway();
   void noNumberCoversAnother();
 
@@ -201,6 +203,19 @@ void MapTest::aMissingPhotographIsSaid() {
   QVERIFY(!view()->grab().isNull());
   QCOMPARE(map().back.marks.size(), std::size_t{4});
   std::filesystem::rename(photograph.string() + ".away", photograph);
+}
+
+void MapTest::aBatchOfScansSaysThatItHasNoPicture() {
+  const std::filesystem::path folder = folder_.path().toStdString();
+  const auto scans = folder / "results" / "B0009";
+  std::filesystem::copy(out_.output, scans, std::filesystem::copy_options::recursive);
+  QVERIFY(std::filesystem::remove(scans / "work" / "rig" / "cameras.json"));
+  QVERIFY(writeFileAtomically(folder / "batches" / "B0009" / "front" / "a.ply", "ply").has_value());
+  session_->tellBatchChanged("B0009");
+  station_->showItem("B0009");
+  const auto* message = station_->findChild<QLabel*>("message");
+  QTRY_VERIFY2(message->text().startsWith("This batch was scanned"), qPrintable(message->text()));
+  std::filesystem::remove_all(scans);
 }
 
 void MapTest::theFirstBatchTakesTheMessageAway() {

@@ -3471,6 +3471,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Ränder finden sich: %1. Esc hält an.</translation>
     </message>
+    <message>
+      <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klicken Sie auf der Scherbe auf ein Ende der Strecke, dann auf das andere. D beendet.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>

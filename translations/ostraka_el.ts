@@ -3471,6 +3471,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι ακμές προσαρμόζονται: %1. Το Esc διακόπτει.</translation>
     </message>
+    <message>
+      <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάντε κλικ στο ένα άκρο του μήκους πάνω στο όστρακο, μετά στο άλλο. Το D τελειώνει.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>

@@ -3471,6 +3471,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los bordes se asientan: %1. Esc detiene.</translation>
     </message>
+    <message>
+      <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Haga clic en un extremo de la longitud sobre el fragmento y luego en el otro. D termina.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>

@@ -3471,6 +3471,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les bords se calent : %1. Échap arrête.</translation>
     </message>
+    <message>
+      <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cliquez sur le tesson à un bout de la longueur, puis à l’autre. D termine.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>

@@ -3471,6 +3471,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եզրերը համընկնում են՝ %1։ Esc-ը կանգնեցնում է։</translation>
     </message>
+    <message>
+      <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղմեք բեկորի վրա երկարության մի ծայրին, ապա՝ մյուսին։ D-ն ավարտում է։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>

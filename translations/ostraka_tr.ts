@@ -3435,6 +3435,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenarlar oturuyor: %1. Esc durdurur.</translation>
     </message>
+    <message>
+      <source>Click on one end of the length on the sherd, then on the other. D ends.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçanın üzerinde uzunluğun bir ucuna, sonra öbür ucuna tıklayın. D bitirir.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ReviewStation</name>

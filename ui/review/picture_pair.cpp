@@ -153,7 +153,13 @@ void PicturePair::mouseReleaseEvent(QMouseEvent* event) {
   emit cut(front, shown(from_, front), shown(to_, front));
 }
 
-// Light on dark, so that it is seen on clay and on the plate; what to do below it.
+QString PicturePair::cutWords() const {
+  return tr(
+      "Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter "
+      "cuts. Or draw a line with the mouse.");
+}
+
+// Light on dark, so that it is seen on clay and on the plate.
 void PicturePair::paintLine(QPainter& painter) const {
   const QLineF cut = drawing_ ? QLineF(from_, to_) : line();
   painter.save();
@@ -163,14 +169,6 @@ void PicturePair::paintLine(QPainter& painter) const {
     painter.drawLine(cut);
   }
   painter.restore();
-  const QString words =
-      tr("Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter "
-         "cuts. Or draw a line with the mouse.");
-  const QRect below = rect().adjusted(width() / 6, 0, -width() / 6, 0);
-  QRect box =
-      painter.boundingRect(below, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, words);
-  painter.fillRect(box.adjusted(-4, -2, 4, 2), palette().color(QPalette::Base));
-  painter.drawText(below, Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, words);
 }
 
 void PicturePair::paintEvent(QPaintEvent*) {

@@ -22,6 +22,7 @@ class PicturePair final : public QWidget {
   void setNames(const QString& front, const QString& back);
   bool isMirrored() const { return mirrored_; }
   bool isCutting() const { return cutting_; }
+  QString cutWords() const;  ///< what to do to cut; the pictures themselves are left free
 
  public slots:
   void setMirrored(bool mirrored);

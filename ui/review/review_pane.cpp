@@ -146,6 +146,7 @@ void ReviewPane::buildViewActions() {
     measured_.clear();
     if (on) apart_->setChecked(false);  // lengths across sides that lie apart would be false
     view_->setMeasuring(on);
+    showFigures();
   });
   along_rim_ = toggle("alongRim", tr("Rim gap"), Qt::Key_R);
   connect(along_rim_, &QAction::toggled, this, &ReviewPane::colourRim);
@@ -163,7 +164,10 @@ void ReviewPane::buildPieceActions() {
   cut_ = toggle("cut", tr("Cut"), Qt::Key_K);
   cut_->setToolTip(
       tr("Cut a piece that is two sherds in truth, along a line over its picture (K)"));
-  connect(cut_, &QAction::toggled, pictures_, &PicturePair::setCutting);
+  connect(cut_, &QAction::toggled, this, [this](bool on) {
+    pictures_->setCutting(on);
+    showFigures();
+  });
   connect(pictures_, &PicturePair::cut, this,
           [this](bool front, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
             cut_->setChecked(false);
@@ -314,8 +318,16 @@ void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
   if (!closed_->isChecked()) view_->setPose(front_from_back);
 }
 
+QString ReviewPane::words() const {
+  if (joining_->isOn()) return joining_->words();
+  if (pictures_->isCutting()) return pictures_->cutWords();
+  if (view_->isMeasuring())
+    return tr("Click on one end of the length on the sherd, then on the other. D ends.");
+  return model_.reason();
+}
+
 void ReviewPane::showFigures() {
-  reason_->setText(joining_->isOn() ? joining_->words() : model_.reason());
+  reason_->setText(words());
   figures_->setText(model_.isSettling() ? tr("The rims are compared … Esc stops.")
                                         : model_.figuresText());
   // A missing name is said by the click, not by a dead button.

@@ -54,6 +54,7 @@ class ReviewPane final : public QWidget {
   void leave();
   void showSettling(const Eigen::Isometry3d& front_from_back);
   void showFigures();
+  QString words() const;  ///< what to do next, or about the card
   void showScene(const PairScene& scene);
   void colourRim();
   void measure(const Eigen::Vector3d& point);

@@ -134,7 +134,13 @@ void ReviewStation::openProject(ProjectSession& session) {
   connect(&session, &ProjectSession::batchChanged, this, &ReviewStation::follow);
   connect(model_, &PairReviewModel::waitingChanged, this, &Station::waitingChanged);
   connect(model_, &PairReviewModel::failed, this, &ReviewStation::say);
-  connect(model_, &PairReviewModel::personWanted, person_, qOverload<>(&QWidget::setFocus));
+  connect(model_, &PairReviewModel::personWanted, this, [this] {
+    asked_ = message_->text();
+    person_->setFocus();
+  });
+  connect(&session, &ProjectSession::initialsChanged, this, [this](const QString& initials) {
+    if (!initials.isEmpty() && !asked_.isEmpty() && message_->text() == asked_) say({});
+  });
   connect(model_, &PairReviewModel::decided, this, &ReviewStation::enter);
   listBatches();
   if (batches_->count() > 0) openOutput(batches_->itemText(0));

@@ -58,7 +58,7 @@ class ReviewStation final : public Station {
   std::filesystem::path outputOf(const QString& batch) const;
 
   QPointer<ProjectSession> session_;
-  QString batch_;
+  QString batch_, asked_;  ///< asked_: the sentence that asks for initials
   QComboBox* batches_ = nullptr;
   QLineEdit* person_ = nullptr;
   QLabel* message_ = nullptr;

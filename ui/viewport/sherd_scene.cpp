@@ -103,6 +103,7 @@ struct SherdScene::Actors {
   PointCloud front_cloud, back_cloud;
   std::vector<std::uint8_t> front_rim, back_rim;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  vtkNew<vtkCamera> uncut;  ///< the view before the section
   bool section = false, apart = false;
   bool gaps_shown = false;  ///< the rim shows its gaps: no other colours beside them
   double ratio = 1;
@@ -287,14 +288,22 @@ void SherdScene::setApart(bool apart) {
 
 void SherdScene::setSection(bool on) {
   Actors& a = *actors_;
-  a.section = on;
-  if (on) {
+  if (a.section && !on) camera()->DeepCopy(a.uncut);
+  if (on && !a.section) {
+    a.uncut->DeepCopy(camera());
     double right[3], up[3], away[3], centre[3];
     viewAxes(right, up, away);
     camera()->GetFocalPoint(centre);
     a.plane->SetOrigin(centre);
     a.plane->SetNormal(-right[0], -right[1], -right[2]);
+    // The plate lies level, so that the profile does, unless one looks along it anyway.
+    const double level[3] = {0, 0, 1};
+    const double distance = camera()->GetDistance();
+    camera()->SetPosition(centre[0] + distance * right[0], centre[1] + distance * right[1],
+                          centre[2] + distance * right[2]);
+    camera()->SetViewUp(std::abs(right[2]) < 0.9 ? level : up);
   }
+  a.section = on;
   a.clip();
 }
 

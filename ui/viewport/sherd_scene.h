@@ -40,7 +40,8 @@ class SherdScene {
   /// The back is drawn this far below the front, for looking between.
   void setApart(bool apart);
 
-  /// Cuts away what lies on the right of the present view, through the middle.
+  /// Cuts away what lies on the right of the present view, through the middle, and turns the view
+  /// so that one looks at the cut. Off: the view is as it was.
   void setSection(bool on);
   bool hasSection() const;
   void moveSection(double mm);

@@ -127,7 +127,10 @@ void ReviewWindowTest::theKeysOfThePictureWork() {
   key(Qt::Key_D);
   QVERIFY(view.isMeasuring());
   QVERIFY2(!view.isApart(), "across sides that lie apart a length would be false");
+  const auto* reason = station_->findChild<QLabel*>("reason");
+  QVERIFY2(reason->text().startsWith("Click on one end"), qPrintable(reason->text()));
   key(Qt::Key_D);
+  QCOMPARE(reason->text(), model()->reason());
   key(Qt::Key_X);
   QVERIFY(view.hasSection());
   key(Qt::Key_X);
@@ -155,7 +158,10 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
   key(Qt::Key_K);
   auto* pictures = station_->findChild<PicturePair*>();
   QVERIFY(pictures->isCutting());
+  const auto* reason = station_->findChild<QLabel*>("reason");
+  QVERIFY2(reason->text().contains("Enter cuts"), qPrintable(reason->text()));
   key(Qt::Key_Escape);
+  QCOMPARE(reason->text(), model()->reason());
   QVERIFY(!pictures->isCutting());
   key(Qt::Key_K);
   key(Qt::Key_J);  // another thing altogether

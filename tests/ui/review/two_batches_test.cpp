@@ -17,6 +17,7 @@ class TwoBatchesTest : public ReviewWindow {
 
  private slots:
   void cleanup() { close(); }
+  void theNameIsAskedForUntilItIsThere();
   void nothingIsDecidedWhileAnotherBatchOpens();
   void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
   void aDecisionOnAnotherBatchIsTakenBackThere();
@@ -42,6 +43,13 @@ pipeline::SyntheticOut TwoBatchesTest::addBatch(const std::string& number) {
 std::size_t TwoBatchesTest::entered(const std::string& number) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   return rows.decisions(rows.batchByNumber(number)->row)->size();
+}
+
+// The window asks for it at the first Enter, see open().
+void TwoBatchesTest::theNameIsAskedForUntilItIsThere() {
+  open(4, true);
+  const auto* message = station_->findChild<QLabel*>("message");
+  QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
 }
 
 void TwoBatchesTest::nothingIsDecidedWhileAnotherBatchOpens() {

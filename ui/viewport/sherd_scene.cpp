@@ -63,6 +63,8 @@ vtkSmartPointer<vtkCellArray> vertsOf(std::size_t count) {
   return out;
 }
 
+constexpr double kSlice_mm = 2;  // some points of each scan along the whole profile
+
 double part(std::uint8_t value) {
   return value / 255.0;
 }
@@ -97,7 +99,7 @@ struct SherdScene::Actors {
   vtkNew<vtkLineSource> line;
   vtkNew<vtkPolyDataMapper> line_mapper, cut_mapper;
   vtkNew<vtkActor> line_actor, cut_actor;
-  vtkNew<vtkPlane> plane;
+  vtkNew<vtkPlane> plane, behind;  ///< the cut, and where the slice of the scans ends
   vtkNew<vtkCutter> cutter;
   Look look;
   PointCloud front_cloud, back_cloud;
@@ -139,11 +141,21 @@ struct SherdScene::Actors {
     }
     back.actor->SetUserMatrix(matrix);
   }
+  // The scans are open: what lies far behind the cut would hide their profile.
+  void slice() {
+    double origin[3], normal[3];
+    plane->GetOrigin(origin);
+    plane->GetNormal(normal);
+    for (int k = 0; k < 3; ++k) origin[k] += kSlice_mm * normal[k];
+    behind->SetOrigin(origin);
+    behind->SetNormal(-normal[0], -normal[1], -normal[2]);
+  }
   void clip() {
     for (vtkPolyDataMapper* mapper : {front.mapper.GetPointer(), back.mapper.GetPointer(),
                                       rim.mapper.GetPointer(), model.mapper.GetPointer()}) {
       mapper->RemoveAllClippingPlanes();
       if (section) mapper->AddClippingPlane(plane);
+      if (section && mapper != model.mapper.GetPointer()) mapper->AddClippingPlane(behind);
     }
     cut_actor->SetVisibility(section && model.data->GetNumberOfPoints() > 0);
   }
@@ -296,6 +308,7 @@ void SherdScene::setSection(bool on) {
     camera()->GetFocalPoint(centre);
     a.plane->SetOrigin(centre);
     a.plane->SetNormal(-right[0], -right[1], -right[2]);
+    a.slice();
     // The plate lies level, so that the profile does, unless one looks along it anyway.
     const double level[3] = {0, 0, 1};
     const double distance = camera()->GetDistance();
@@ -317,6 +330,7 @@ void SherdScene::moveSection(double mm) {
   actors_->plane->GetNormal(normal);
   for (int k = 0; k < 3; ++k) origin[k] -= mm * normal[k];
   actors_->plane->SetOrigin(origin);
+  actors_->slice();
 }
 
 void SherdScene::resetView() {

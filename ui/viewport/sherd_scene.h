@@ -41,7 +41,7 @@ class SherdScene {
   void setApart(bool apart);
 
   /// Cuts away what lies on the right of the present view, through the middle, and turns the view
-  /// so that one looks at the cut. Off: the view is as it was.
+  /// so that one looks at the cut. Of the scans only a slice stays. Off: the view is as it was.
   void setSection(bool on);
   bool hasSection() const;
   void moveSection(double mm);

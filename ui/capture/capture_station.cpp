@@ -204,7 +204,9 @@ QWidget* CaptureStation::buildWorkPage() {
   column->addWidget(number_edit_);
   column->addWidget(doubts_);
   column->addWidget(fault_);
-  column->addWidget(buildFoot());
+  QWidget* foot = buildFoot();
+  column->addWidget(place_->note());
+  column->addWidget(foot);
   return page;
 }
 

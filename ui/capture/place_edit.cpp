@@ -20,12 +20,11 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   edit_->installEventFilter(this);
   note_->setObjectName(QStringLiteral("capturePlaceNote"));
   edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
-  note_->setWordWrap(true);  // long words of another language would widen the window
+  note_->setWordWrap(true);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(label);
   row->addWidget(edit_, 1);
-  row->addWidget(note_);
   connect(edit_, &QLineEdit::returnPressed, this, &PlaceEdit::entered);
   connect(edit_, &QLineEdit::textEdited, this, [this] {
     follow();
@@ -74,14 +73,20 @@ bool PlaceEdit::isUsable() const {
 }
 
 void PlaceEdit::follow() {
+  const QString words = noteWords();
+  note_->setText(words);
+  note_->setVisible(!words.isEmpty());
+}
+
+QString PlaceEdit::noteWords() {
   if (text().isEmpty()) {
     known_.clear();
-    return note_->setText(tr("no bag: no numbers yet"));
+    return tr("no bag: no numbers yet");
   }
-  if (!isUsable()) return note_->setText(tr("site-trench-context-bag, please"));
+  if (!isUsable()) return tr("site-trench-context-bag, please");
   const QString news = news_ ? news_(place()) : QString();
   if (news.isEmpty()) known_ = text();
-  note_->setText(news.isEmpty() ? QString() : tr("New: %1 (Esc takes it back)").arg(news));
+  return news.isEmpty() ? QString() : tr("New: %1 (Esc takes it back)").arg(news);
 }
 
 }  // namespace ostraka::ui

@@ -21,9 +21,10 @@ class PlaceEdit final : public QWidget {
   void setNews(std::function<QString(const PlaceText&)> news);
   void setText(const QString& text);
   QString text() const;
-  PlaceText place() const;  ///< empty when nothing or nonsense is typed
-  bool isUsable() const;    ///< a place, or nothing at all
-  void follow();            ///< what is known has changed
+  PlaceText place() const;                ///< empty when nothing or nonsense is typed
+  QLabel* note() const { return note_; }  ///< what to know about it; a line of its own
+  bool isUsable() const;                  ///< a place, or nothing at all
+  void follow();                          ///< what is known has changed
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -33,6 +34,8 @@ class PlaceEdit final : public QWidget {
   void entered();  ///< Return: the person is done
 
  private:
+  QString noteWords();
+
   std::function<std::optional<PlaceText>(const QString&)> reader_ = readPlaceText;
   std::function<QString(const PlaceText&)> news_;
   QString known_;  ///< the text before anything new was typed

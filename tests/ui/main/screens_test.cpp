@@ -251,6 +251,11 @@ class ScreensTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
     const auto* next = named<QPushButton>(*window_, "captureButton");
     QTRY_COMPARE(next->visibleRegion().boundingRect(), next->rect());
+    // Nor do the bold letters of the sunlight widen it while sherds are being placed.
+    applyLook(*qApp, Theme::Sunlight, 200);
+    QCoreApplication::processEvents();
+    QTRY_COMPARE(areaOf(*window_->stations()[0])->horizontalScrollBar()->maximum(), 0);
+    QCOMPARE(window_->width(), laptop.width());
     // In the usual size nothing has to be scrolled.
     applyLook(*qApp, Theme::Light, 100);
     window_->resize(laptop);

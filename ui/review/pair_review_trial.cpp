@@ -196,7 +196,8 @@ void PairReviewModel::fetchMore() {
       asked_.insert(front);  // there is none; what is there stays
     if (front == trial_.front && found && *found) {
       takeCandidates();
-      if (trial_.back < 0 && !busy_) select(front);  // its next best, now that there is one
+      // Its next best, now that there is one.
+      if (trial_.back < 0 && !busy_ && standing(*card()).back >= 0) select(front);
     }
     fetchMore();
   });

@@ -181,9 +181,6 @@ int main(int argc, char** argv) {
   ostraka::ui::MainWindow window(jobs);
   window.show();
   window.openProject(QString::fromLocal8Bit(argv[2]));
-  QTimer::singleShot(0, &window, [&] {
-    std::printf("usable after %.0f ms\n", static_cast<double>(since_start.nsecsElapsed()) / 1e6);
-  });
 
   std::vector<double> beats, keys, own, bare;
   std::atomic<bool> over = false;
@@ -199,17 +196,25 @@ int main(int argc, char** argv) {
   double computed = ownTime_ms();
   application.counting = true;
   QElapsedTimer last;
-  last.start();
+  std::vector<std::pair<double, double>> late;  // when, and by how much
   QTimer beat;
   beat.setTimerType(Qt::PreciseTimer);
   QObject::connect(&beat, &QTimer::timeout, &window, [&] {
     beats.push_back(std::max(0.0, static_cast<double>(last.nsecsElapsed()) / 1e6 - kBeat_ms));
+    if (beats.back() > 50)
+      late.emplace_back(static_cast<double>(since_start.nsecsElapsed()) / 1e6, beats.back());
     last.restart();
     const double now = ownTime_ms();
     own.push_back(now - computed);
     computed = now;
   });
-  beat.start(kBeat_ms);
+  // Before the window can be used there is nothing to freeze.
+  QTimer::singleShot(0, &window, [&] {
+    std::printf("usable after %.0f ms\n", static_cast<double>(since_start.nsecsElapsed()) / 1e6);
+    computed = ownTime_ms();
+    last.start();
+    beat.start(kBeat_ms);
+  });
   QTimer key;
   std::size_t pressed = 0;
   const auto acts = actsOn(window);
@@ -236,6 +241,8 @@ int main(int argc, char** argv) {
   over = true;
   sleeper.join();
   print("beats", beats);
+  for (const auto& [at, delay] : late)
+    std::printf("  %.1f ms late, %.1f s after the start\n", delay, at / 1000);
   print("a bare thread beside it", bare);
   print("computed by the window's thread between two beats", own);
   print("acts, each handled and painted", keys);

@@ -1,6 +1,7 @@
 // The window in every language: it fits a laptop's screen, and no button's words are cut off.
 #include <QAbstractButton>
 #include <QLabel>
+#include <QToolButton>
 #include <QTranslator>
 
 #include "person.h"
@@ -18,12 +19,17 @@ namespace {
 
 constexpr int kWidth = 1280, kHeight = 720;
 
+// A tool button tells no least size, and is laid out by the usual one.
+int leastOf(const QAbstractButton& button) {
+  return qobject_cast<const QToolButton*>(&button) != nullptr ? button.sizeHint().width()
+                                                              : button.minimumSizeHint().width();
+}
+
 // What is narrower than its words.
 QStringList cutIn(const QWidget& screen) {
   QStringList cut;
   for (const QAbstractButton* button : screen.findChildren<QAbstractButton*>())
-    if (button->isVisible() && !button->text().isEmpty() &&
-        button->width() < button->minimumSizeHint().width())
+    if (button->isVisible() && !button->text().isEmpty() && button->width() < leastOf(*button))
       cut << button->text();
   return cut;
 }

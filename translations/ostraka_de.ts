@@ -4554,6 +4554,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1 auf diesem Teller hat die Nummer %2: Nehmen Sie sie ihr zuerst, oder geben Sie eine andere ein.</translation>
     </message>
+    <message>
+      <source>A sherd of %1 has the number %2 already; type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe von %1 hat die Nummer %2 schon; geben Sie eine andere ein.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Doubts</name>

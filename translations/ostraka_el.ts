@@ -4554,6 +4554,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όστρακο %1 αυτού του δίσκου έχει τον αριθμό %2: αφαιρέστε τον πρώτα από εκείνο ή γράψτε άλλον.</translation>
     </message>
+    <message>
+      <source>A sherd of %1 has the number %2 already; type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο της %1 έχει ήδη τον αριθμό %2· γράψτε άλλον.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Doubts</name>

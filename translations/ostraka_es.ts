@@ -4554,6 +4554,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El fragmento %1 de este plato tiene el número %2: quíteselo primero a ese o escriba otro.</translation>
     </message>
+    <message>
+      <source>A sherd of %1 has the number %2 already; type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento de %1 ya tiene el número %2; escriba otro.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Doubts</name>

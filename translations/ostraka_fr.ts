@@ -4554,6 +4554,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le tesson %1 de ce plateau a le numéro %2 : retirez-le-lui d’abord, ou tapez-en un autre.</translation>
     </message>
+    <message>
+      <source>A sherd of %1 has the number %2 already; type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson de %1 a déjà le numéro %2 ; tapez-en un autre.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Doubts</name>

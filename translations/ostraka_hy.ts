@@ -4554,6 +4554,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս սկավառակի %1 բեկորն ունի %2 համարը. նախ հանեք այն նրանից կամ գրեք ուրիշը։</translation>
     </message>
+    <message>
+      <source>A sherd of %1 has the number %2 already; type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի մի բեկոր արդեն ունի %2 համարը. գրեք ուրիշը։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Doubts</name>

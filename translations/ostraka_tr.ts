@@ -4514,6 +4514,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu tabladaki %1 numaralı sıradaki parçanın numarası %2: önce ondan alın ya da başka bir numara yazın.</translation>
     </message>
+    <message>
+      <source>A sherd of %1 has the number %2 already; type another.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 partisinden bir parçanın numarası zaten %2; başka bir numara yazın.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::Doubts</name>

@@ -73,8 +73,13 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
     if (place[i] != sherd && !same) all.push_back(typed_[i]);
   }
   if (!number->empty()) all.push_back({places_mm_[static_cast<std::size_t>(sherd)], *number});
-  if (const auto kept = catalogue::setTypedNumbers(rows, row_, all); !kept)
+  if (const auto kept = catalogue::setTypedNumbers(rows, row_, all); !kept) {
+    if (const auto other = rows.sherdByNumber(*number); other && *other)
+      if (const auto holder = rows.sherd(*other); holder && !holder->batch_number.empty())
+        return tr("A sherd of %1 has the number %2 already; type another.")
+            .arg(QString::fromStdString(holder->batch_number), QString::fromStdString(*number));
     return QString::fromStdString(kept.error().what);
+  }
   typed_ = std::move(all);
   assign();
   return {};

@@ -374,6 +374,15 @@ class CaptureStationTest : public QObject {
     QCOMPARE(numbers.all(), (QStringList{"OLD-9", {}, "ARM1-T3-0012-0007"}));
     QCOMPARE(numbers.give(0, {}), QString());
     QCOMPARE(numbers.of(0), QString());
+    const auto before = rows.addBatch({}, {});
+    QVERIFY(before.has_value());
+    catalogue::SherdRecord other;
+    other.batch = *before;
+    other.context = rows.contexts()->front().row;
+    other.number = "OLD-8";
+    QVERIFY(rows.addSherd(other, {}).has_value());
+    QCOMPARE(numbers.give(0, "old-8"),
+             QStringLiteral("A sherd of B0002 has the number old-8 already; type another."));
     // What no sherd has is refused, with the reason.
     for (const char* typed : {"x y/z", "no number", "12 a"})
       QVERIFY2(numbers.give(0, typed).contains("no sherd's number"), typed);

@@ -4673,4 +4673,132 @@
       <translation>Vorn waren %1 Scherben zu sehen, hinten %2: kam eine hinzu, oder zerbrach eine?</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::Error</name>
+    <message>
+      <source>Stopped on request.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf Wunsch angehalten.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in or not switched on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera ist nicht angeschlossen oder nicht eingeschaltet.</translation>
+    </message>
+    <message>
+      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera antwortet nicht; schläft sie? Ihre automatische Abschaltung ausschalten.</translation>
+    </message>
+    <message>
+      <source>The camera stays busy; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera bleibt beschäftigt; aus- und wieder einschalten.</translation>
+    </message>
+    <message>
+      <source>The line to the camera is broken; look at its cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Verbindung zur Kamera ist unterbrochen; ihr Kabel prüfen.</translation>
+    </message>
+    <message>
+      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Programm hält die Kamera fest, oft die Dateiverwaltung; 'ostraka devices' nennt es.</translation>
+    </message>
+    <message>
+      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera lässt sich nicht öffnen; darf dieser Benutzer sie verwenden? Siehe 'ostraka devices'.</translation>
+    </message>
+    <message>
+      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von der Kamera kam kein Foto; ist sie scharf gestellt und auf manuell?</translation>
+    </message>
+    <message>
+      <source>The camera does not stop to deliver photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera hört nicht auf, Fotos zu liefern.</translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Kamera zeigt kein Livebild.</translation>
+    </message>
+    <message>
+      <source>The turntable does not reach its angle; is it blocked?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch erreicht seinen Winkel nicht; ist er blockiert?</translation>
+    </message>
+    <message>
+      <source>The turntable was paused at its own button.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch wurde an seinem eigenen Knopf angehalten.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Stellung des Tisches ist unbekannt: nullen oder ausrichten.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer in the network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch antwortet nicht im Netz.</translation>
+    </message>
+    <message>
+      <source>The controller restarted; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Steuerung ist neu gestartet; die Stellung des Tisches ist unbekannt.</translation>
+    </message>
+    <message>
+      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Antwort des Drehtisches ging verloren, und er kann nicht sagen, wo er steht: nullen oder ausrichten.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch antwortet nicht wie eine GRBL-Steuerung: ist er eingeschaltet und von dieser Art?</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch antwortet nicht wie ein ComXim: ist er eingeschaltet und von dieser Art?</translation>
+    </message>
+    <message>
+      <source>USB does not work on this computer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>USB funktioniert auf diesem Computer nicht.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and shoot on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Datenträger ist voll; Platz schaffen und weiter aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Datenträger ist voll; Platz schaffen und dasselbe noch einmal beginnen.</translation>
+    </message>
+    <message>
+      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Datenträger ist voll; Platz schaffen und noch einmal versuchen. Nichts ging verloren.</translation>
+    </message>
+    <message>
+      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Programm hält den Katalog besetzt; es schließen und noch einmal versuchen.</translation>
+    </message>
+    <message>
+      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
+    </message>
+  </context>
 </TS>

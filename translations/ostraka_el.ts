@@ -4673,4 +4673,132 @@
       <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: προστέθηκε κάποιο ή έσπασε κάποιο;</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::Error</name>
+    <message>
+      <source>Stopped on request.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακόπηκε κατόπιν αιτήματος.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν είναι συνδεδεμένη.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in or not switched on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν είναι συνδεδεμένη ή δεν είναι ανοιχτή.</translation>
+    </message>
+    <message>
+      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν απαντά· κοιμάται; Απενεργοποιήστε την αυτόματη διακοπή της.</translation>
+    </message>
+    <message>
+      <source>The camera stays busy; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα παραμένει απασχολημένη· κλείστε την και ανοίξτε την.</translation>
+    </message>
+    <message>
+      <source>The line to the camera is broken; look at its cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σύνδεση με την κάμερα διακόπηκε· ελέγξτε το καλώδιό της.</translation>
+    </message>
+    <message>
+      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο πρόγραμμα κρατά την κάμερα, συχνά η διαχείριση αρχείων· το 'ostraka devices' το ονομάζει.</translation>
+    </message>
+    <message>
+      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν ανοίγει· επιτρέπεται σε αυτόν τον χρήστη; Δείτε 'ostraka devices'.</translation>
+    </message>
+    <message>
+      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν ήρθε φωτογραφία από την κάμερα· είναι εστιασμένη και σε χειροκίνητη λειτουργία;</translation>
+    </message>
+    <message>
+      <source>The camera does not stop to deliver photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν σταματά να παραδίδει φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η κάμερα δεν δείχνει ζωντανή εικόνα.</translation>
+    </message>
+    <message>
+      <source>The turntable does not reach its angle; is it blocked?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν φτάνει στη γωνία του· είναι μπλοκαρισμένο;</translation>
+    </message>
+    <message>
+      <source>The turntable was paused at its own button.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι σταμάτησε από το δικό του κουμπί.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η θέση του τραπεζιού δεν είναι γνωστή: μηδενίστε ή ευθυγραμμίστε το.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer in the network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν απαντά στο δίκτυο.</translation>
+    </message>
+    <message>
+      <source>The controller restarted; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο ελεγκτής επανεκκίνησε· η θέση του τραπεζιού δεν είναι γνωστή.</translation>
+    </message>
+    <message>
+      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χάθηκε μια απάντηση του τραπεζιού και δεν μπορεί να πει πού βρίσκεται: μηδενίστε ή ευθυγραμμίστε το.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι δεν απαντά σαν ελεγκτής GRBL: είναι ανοιχτό και αυτού του τύπου;</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι δεν απαντά σαν ComXim: είναι ανοιχτό και αυτού του τύπου;</translation>
+    </message>
+    <message>
+      <source>USB does not work on this computer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το USB δεν λειτουργεί σε αυτόν τον υπολογιστή.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and shoot on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και συνεχίστε τη λήψη.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και ξεκινήστε ξανά το ίδιο.</translation>
+    </message>
+    <message>
+      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος είναι γεμάτος· κάντε χώρο και δοκιμάστε ξανά. Τίποτα δεν χάθηκε.</translation>
+    </message>
+    <message>
+      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο πρόγραμμα κρατά απασχολημένο τον κατάλογο· κλείστε το και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
+    </message>
+  </context>
 </TS>

@@ -4673,4 +4673,132 @@
       <translation>El anverso mostró %1 fragmentos, el dorso %2: ¿se añadió uno, o se rompió uno?</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::Error</name>
+    <message>
+      <source>Stopped on request.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Detenido a petición.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no está conectada.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in or not switched on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no está conectada o no está encendida.</translation>
+    </message>
+    <message>
+      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no responde; ¿está en reposo? Desactive su apagado automático.</translation>
+    </message>
+    <message>
+      <source>The camera stays busy; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara sigue ocupada; apáguela y enciéndala.</translation>
+    </message>
+    <message>
+      <source>The line to the camera is broken; look at its cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se cortó la conexión con la cámara; revise su cable.</translation>
+    </message>
+    <message>
+      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro programa retiene la cámara, a menudo el gestor de archivos; 'ostraka devices' lo nombra.</translation>
+    </message>
+    <message>
+      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no se puede abrir; ¿puede usarla este usuario? Vea 'ostraka devices'.</translation>
+    </message>
+    <message>
+      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No llegó ninguna foto de la cámara; ¿está enfocada y en modo manual?</translation>
+    </message>
+    <message>
+      <source>The camera does not stop to deliver photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no deja de entregar fotos.</translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta cámara no muestra imagen en directo.</translation>
+    </message>
+    <message>
+      <source>The turntable does not reach its angle; is it blocked?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no alcanza su ángulo; ¿está bloqueada?</translation>
+    </message>
+    <message>
+      <source>The turntable was paused at its own button.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria se pausó con su propio botón.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se conoce la posición de la mesa: llévela a cero o alinéela.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer in the network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no responde en la red.</translation>
+    </message>
+    <message>
+      <source>The controller restarted; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El controlador se reinició; no se conoce la posición de la mesa.</translation>
+    </message>
+    <message>
+      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se perdió una respuesta de la mesa y no puede decir dónde está: llévela a cero o alinéela.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa no responde como un controlador GRBL: ¿está encendida y es de este tipo?</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa no responde como una ComXim: ¿está encendida y es de este tipo?</translation>
+    </message>
+    <message>
+      <source>USB does not work on this computer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>USB no funciona en este ordenador.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and shoot on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El disco está lleno; libere espacio y siga fotografiando.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El disco está lleno; libere espacio y empiece lo mismo otra vez.</translation>
+    </message>
+    <message>
+      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El disco está lleno; haga sitio e inténtelo otra vez. No se perdió nada.</translation>
+    </message>
+    <message>
+      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro programa mantiene ocupado el catálogo; ciérrelo e inténtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
+    </message>
+  </context>
 </TS>

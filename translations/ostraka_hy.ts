@@ -4673,4 +4673,132 @@
       <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. մեկը ավելացվե՞լ է, թե՞ կոտրվել։</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::Error</name>
+    <message>
+      <source>Stopped on request.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցվել է ըստ ցանկության։</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը միացված չէ մալուխով։</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in or not switched on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը միացված չէ մալուխով կամ անջատված է։</translation>
+    </message>
+    <message>
+      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը չի պատասխանում. քնա՞ծ է։ Անջատեք դրա ինքնաանջատումը։</translation>
+    </message>
+    <message>
+      <source>The camera stays busy; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը շարունակում է զբաղված մնալ. անջատեք և միացրեք։</translation>
+    </message>
+    <message>
+      <source>The line to the camera is broken; look at its cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կապը տեսախցիկի հետ ընդհատված է. ստուգեք դրա մալուխը։</translation>
+    </message>
+    <message>
+      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը զբաղեցրել է այլ ծրագիր, հաճախ՝ ֆայլերի կառավարիչը. 'ostraka devices'-ը նշում է այն։</translation>
+    </message>
+    <message>
+      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը չի բացվում. այս օգտատերը կարո՞ղ է օգտվել դրանից։ Տե՛ս 'ostraka devices'։</translation>
+    </message>
+    <message>
+      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկից լուսանկար չեկավ. ֆոկուսն ու ձեռքի ռեժիմը կարգավորվա՞ծ են։</translation>
+    </message>
+    <message>
+      <source>The camera does not stop to deliver photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը չի դադարում լուսանկարներ տալ։</translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեսախցիկը կենդանի պատկեր չի ցուցադրում։</translation>
+    </message>
+    <message>
+      <source>The turntable does not reach its angle; is it blocked?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չի հասնում իր անկյանը. արգելափակվա՞ծ է։</translation>
+    </message>
+    <message>
+      <source>The turntable was paused at its own button.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը դադարեցվել է իր սեփական կոճակով։</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանի դիրքը հայտնի չէ. զրոյացրեք կամ հավասարեցրեք այն։</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer in the network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը ցանցում չի պատասխանում։</translation>
+    </message>
+    <message>
+      <source>The controller restarted; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարգավորիչը վերագործարկվել է. սեղանի դիրքը հայտնի չէ։</translation>
+    </message>
+    <message>
+      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանի պատասխանը կորավ, և այն չի կարող ասել՝ որտեղ է. զրոյացրեք կամ հավասարեցրեք այն։</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը չի պատասխանում որպես GRBL կարգավորիչ. միացվա՞ծ է և այս տեսակի՞ն է։</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը չի պատասխանում որպես ComXim. միացվա՞ծ է և այս տեսակի՞ն է։</translation>
+    </message>
+    <message>
+      <source>USB does not work on this computer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>USB-ն այս համակարգչում չի աշխատում։</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and shoot on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակը լի է. տեղ ազատեք և շարունակեք նկարահանումը։</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակը լի է. տեղ ազատեք և նորից սկսեք նույնը։</translation>
+    </message>
+    <message>
+      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակը լի է. տեղ ազատեք և նորից փորձեք։ Ոչինչ չի կորել։</translation>
+    </message>
+    <message>
+      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ ծրագիր զբաղեցրել է կատալոգը. փակեք այն և նորից փորձեք։</translation>
+    </message>
+    <message>
+      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
+    </message>
+  </context>
 </TS>

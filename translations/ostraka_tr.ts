@@ -4633,4 +4633,132 @@
       <translation>Önde %1 parça göründü, arkada %2: biri mi eklendi, yoksa biri mi kırıldı?</translation>
     </message>
   </context>
+  <context>
+    <name>ostraka::Error</name>
+    <message>
+      <source>Stopped on request.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İstek üzerine durduruldu.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera takılı değil.</translation>
+    </message>
+    <message>
+      <source>The camera is not plugged in or not switched on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera takılı değil ya da açık değil.</translation>
+    </message>
+    <message>
+      <source>The camera does not answer; is it asleep? Switch its automatic power-off off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera yanıt vermiyor; uykuda mı? Otomatik kapanmasını kapatın.</translation>
+    </message>
+    <message>
+      <source>The camera stays busy; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera meşgul kalıyor; kapatıp açın.</translation>
+    </message>
+    <message>
+      <source>The line to the camera is broken; look at its cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamerayla bağlantı koptu; kablosuna bakın.</translation>
+    </message>
+    <message>
+      <source>The camera is held by another program, often the desktop's file manager; 'ostraka devices' names it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamerayı başka bir program tutuyor, çoğu zaman dosya yöneticisi; 'ostraka devices' adını söyler.</translation>
+    </message>
+    <message>
+      <source>The camera cannot be opened; may this user use it? Look at 'ostraka devices'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera açılamıyor; bu kullanıcı onu kullanabilir mi? 'ostraka devices' komutuna bakın.</translation>
+    </message>
+    <message>
+      <source>No photograph came from the camera; is it focused and set to manual?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kameradan fotoğraf gelmedi; odaklı ve elle kipinde mi?</translation>
+    </message>
+    <message>
+      <source>The camera does not stop to deliver photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera fotoğraf göndermeyi bırakmıyor.</translation>
+    </message>
+    <message>
+      <source>This camera shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu kamera canlı görüntü göstermiyor.</translation>
+    </message>
+    <message>
+      <source>The turntable does not reach its angle; is it blocked?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Döner masa açısına ulaşmıyor; takılı mı?</translation>
+    </message>
+    <message>
+      <source>The turntable was paused at its own button.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Döner masa kendi düğmesinden duraklatıldı.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masanın konumu bilinmiyor: sıfırlayın ya da hizalayın.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer in the network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Döner masa ağda yanıt vermiyor.</translation>
+    </message>
+    <message>
+      <source>The controller restarted; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Denetleyici yeniden başladı; masanın konumu bilinmiyor.</translation>
+    </message>
+    <message>
+      <source>A reply of the turntable was lost and it cannot tell where it stands: home it, or align it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masanın bir yanıtı kayboldu ve nerede durduğunu söyleyemiyor: sıfırlayın ya da hizalayın.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a GRBL controller: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masa bir GRBL denetleyicisi gibi yanıt vermiyor: açık mı, bu türden mi?</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer like a ComXim: is it switched on, and is it of this type?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masa bir ComXim gibi yanıt vermiyor: açık mı, bu türden mi?</translation>
+    </message>
+    <message>
+      <source>USB does not work on this computer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>USB bu bilgisayarda çalışmıyor.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and shoot on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Disk dolu; yer açın ve çekime devam edin.</translation>
+    </message>
+    <message>
+      <source>The disk is full; free some space and start the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Disk dolu; yer açın ve aynı işi yeniden başlatın.</translation>
+    </message>
+    <message>
+      <source>The disk is full; make room, then try again. Nothing was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Disk dolu; yer açın, sonra yeniden deneyin. Hiçbir şey kaybolmadı.</translation>
+    </message>
+    <message>
+      <source>Another program keeps the catalogue busy; close it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir program kataloğu meşgul ediyor; onu kapatın, sonra yeniden deneyin.</translation>
+    </message>
+    <message>
+      <source>The image is cut off before its end; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Resim sonundan önce kesilmiş; kameradan yeniden kopyalayın.</translation>
+    </message>
+  </context>
 </TS>

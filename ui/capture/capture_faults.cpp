@@ -3,13 +3,13 @@
 
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/sentence.h"
 
 namespace ostraka::ui {
 
 void CaptureWizard::fail(const Error& error, const QString& safe) {
   Error shown = error;
-  if (!safe.isEmpty())
-    shown.what = tr("%1 %2").arg(QString::fromStdString(shown.what), safe).toStdString();
+  if (!safe.isEmpty()) shown.what = tr("%1 %2").arg(wordsOf(shown.what), safe).toStdString();
   fault_ = shown;
   holders_.clear();
   stop_ = -1;

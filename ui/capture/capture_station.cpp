@@ -26,6 +26,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
+#include "ui/jobs/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -395,8 +396,7 @@ void CaptureStation::showTrouble() {
     Error shown = *wizard_->fault();
     if (!wizard_->holders().isEmpty())
       shown.what = tr("%1 The desktop holds a camera, by its program %2.")
-                       .arg(QString::fromStdString(shown.what),
-                            wizard_->holders().join(QStringLiteral(", ")))
+                       .arg(wordsOf(shown.what), wizard_->holders().join(QStringLiteral(", ")))
                        .toStdString();
     fault_->showError(shown, wizard_->buttonText(), tr("Space"));
   } else {

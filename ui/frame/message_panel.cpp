@@ -9,6 +9,7 @@
 #include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
+#include "ui/jobs/sentence.h"
 
 namespace ostraka::ui {
 
@@ -50,7 +51,7 @@ MessagePanel::MessagePanel(QWidget* parent)
 void MessagePanel::showError(const Error& error, const QString& act, const QString& key) {
   failed_ = error.code != ErrorCode::Cancelled;
   showWords(error.where.empty() ? QString() : QString::fromStdString(error.where),
-            QString::fromStdString(error.what), act, key);
+            wordsOf(error.what), act, key);
 }
 
 void MessagePanel::showWords(const QString& headline, const QString& words, const QString& act,

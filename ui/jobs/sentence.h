@@ -5,9 +5,9 @@
 
 namespace ostraka::ui {
 
+/// What the core says, in the person's language where that sentence is translated.
+QString wordsOf(const std::string& what);
 /// What a person reads of an error: where, what, and what to do.
-inline QString sentenceOf(const Error& error) {
-  return QString::fromStdString(error.sentence());
-}
+QString sentenceOf(const Error& error);
 
 }  // namespace ostraka::ui

@@ -76,9 +76,7 @@ constexpr const char* kDoubtfulSql =
 
 std::string emptySql(const SherdColumn& column) {
   const std::string name = column.field.name;
-  if (column.measure)
-    return "s.row IN (SELECT sherd FROM sherd_measure WHERE " + std::string(column.measure) +
-           " IS NULL)";
+  if (column.measure) return "m." + std::string(column.measure) + " IS NULL";
   if (column.terms) return std::string(column.sql) + " = '[]'";
   if (name == "site" || name == "context") return "s.context IS NULL";
   if (name == "trench")
@@ -139,8 +137,8 @@ std::string conditionSql(Query& query, const Condition& condition) {
   if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";
   if (column->measure) {
     const std::string value = query.mark(numberText(orRefuse(parsedNumber(condition.value))));
-    return "s.row IN (SELECT sherd FROM sherd_measure WHERE " + std::string(column->measure) +
-           signOf(condition.is) + "CAST(" + value + " AS REAL))";
+    return "m." + std::string(column->measure) + signOf(condition.is) + "CAST(" + value +
+           " AS REAL)";
   }
   return equalSql(query, *column, condition.value);
 }
@@ -158,8 +156,9 @@ Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
     }
     // Drafts share one sort key, so their rows run up whichever way the numbers go.
     const char* way = order.field == "number" && order.descending ? " DESC" : "";
-    Statement statement = database_->sql("SELECT s.row FROM sherd s WHERE " + query.where +
-                                         " ORDER BY s.number_sort" + way + ", s.row");
+    Statement statement = database_->sql(
+        "SELECT s.row FROM sherd s LEFT JOIN sherd_measure m ON m.sherd = s.row WHERE " +
+        query.where + " ORDER BY s.number_sort" + way + ", s.row");
     for (const std::string& text : query.texts) statement.with(text);
     std::vector<SherdRow> rows;
     while (statement.next()) {

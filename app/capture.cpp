@@ -145,7 +145,12 @@ Result<SideResult> shoot(const CaptureArguments& arguments, batch::Side side, Ri
   Result<SideSummary> done = capture::shootSide(
       devices, options, [&](const CaptureEvent& event) { tell(event, session); }, session.progress,
       session.stop);
-  if (!done) return done.error();
+  if (!done) {
+    Error error = done.error();
+    if (error.code != ErrorCode::Cancelled)
+      error.what += " What was photographed so far is safe; start the same command again to go on.";
+    return error;
+  }
   SideResult result{*done, done->check.sentences};
   if (side == batch::Side::Back) {
     const Result<std::optional<SideCheck>> front = checkFront(arguments, devices, session);

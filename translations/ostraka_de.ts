@@ -4800,5 +4800,3395 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
     </message>
+    <message>
+      <source>No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Kamera erklärt die Kalibrierbilder.</translation>
+    </message>
+    <message>
+      <source>No photograph of this camera shows the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Foto dieser Kamera zeigt die Marken des Tellers.</translation>
+    </message>
+    <message>
+      <source>No batch folder was given.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ordner einer Ladung wurde angegeben.</translation>
+    </message>
+    <message>
+      <source>The angle is no number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Winkel ist keine Zahl.</translation>
+    </message>
+    <message>
+      <source>This program is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Programm ist nicht installiert.</translation>
+    </message>
+    <message>
+      <source>The picture cannot be decoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild lässt sich nicht entschlüsseln.</translation>
+    </message>
+    <message>
+      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wurde kein Körper gefunden, in dem die Fotos übereinstimmen; die Kameras prüfen oder Masken angeben.</translation>
+    </message>
+    <message>
+      <source>Each photograph needs one pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Jedes Foto braucht eine Lage.</translation>
+    </message>
+    <message>
+      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Hülle braucht mindestens 3 Fotos; das Stück von mehr Seiten aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The cameras do not look at a common place; check their poses.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kameras blicken nicht auf einen gemeinsamen Ort; ihre Lagen prüfen.</translation>
+    </message>
+    <message>
+      <source>The network needs a colour photograph of 8 bits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Netz braucht ein Farbfoto mit 8 Bit.</translation>
+    </message>
+    <message>
+      <source>There is no scale to draw it at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es ist kein Maßstab angegeben, in dem gezeichnet werden soll.</translation>
+    </message>
+    <message>
+      <source>A preview is taken back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Vorschau wird zurückgenommen.</translation>
+    </message>
+    <message>
+      <source>An archive must not lie in the project itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Archiv darf nicht im Projekt selbst liegen.</translation>
+    </message>
+    <message>
+      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Projekt wird in einem neuen oder leeren Ordner wiederhergestellt; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist kein Archiv eines ganzen Projekts; statt dessen als Export einlesen.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ort wählen oder die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+      <source>There is no such file; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei gibt es nicht; den Namen prüfen.</translation>
+    </message>
+    <message>
+      <source>The file cannot be opened (%1); check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei lässt sich nicht öffnen (%1); ihre Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine gewöhnliche Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei ist größer als die %1 Bytes, die hier gelesen werden; ist es die richtige?</translation>
+    </message>
+    <message>
+      <source>The file cannot be read (%1); copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei lässt sich nicht lesen (%1); noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier schreibt gerade ein anderer Lauf; sein Ende abwarten oder einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+      <source>The JSON text is larger than 64 MiB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der JSON-Text ist größer als 64 MiB.</translation>
+    </message>
+    <message>
+      <source>The JSON is nested deeper than 64 levels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das JSON ist tiefer als 64 Ebenen verschachtelt.</translation>
+    </message>
+    <message>
+      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist kein gültiges JSON (Zeile %1); dort ausbessern oder die Datei noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The JSON holds a number that is too large; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das JSON enthält eine zu große Zahl; ausbessern.</translation>
+    </message>
+    <message>
+      <source>A transform must be a 4x4 matrix.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Transformation muss eine 4x4-Matrix sein.</translation>
+    </message>
+    <message>
+      <source>A transform holds something not a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Transformation enthält etwas, das keine Zahl ist.</translation>
+    </message>
+    <message>
+      <source>A transform is not rigid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Transformation ist nicht starr.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diesen Ordner gibt es nicht; den Ordner einer Ladung nennen.</translation>
+    </message>
+    <message>
+      <source>The front side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Vorderseite fehlt; ihre Fotos in den Ordner '%1' legen.</translation>
+    </message>
+    <message>
+      <source>The back side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Rückseite fehlt; ihre Fotos in den Ordner '%1' legen.</translation>
+    </message>
+    <message>
+      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine Ladung: Es fehlen die Ordner 'front' und 'back' wie auch 'top_images' und 'bottom_images'; den Ordner einer Ladung nennen.</translation>
+    </message>
+    <message>
+      <source>The name is not of the form %1; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name hat nicht die Form %1; dieses Foto wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Foto hat dieselbe Kamera und denselben Halt; dieses wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>This photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Foto wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier fehlen Fotos: %1 und %2 weitere; was nur sie sehen, wird aufgefüllt, darum noch einmal aufnehmen, wenn es darauf ankommt.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier fehlen Fotos: %1; was nur sie sehen, wird aufgefüllt, darum noch einmal aufnehmen, wenn es darauf ankommt.</translation>
+    </message>
+    <message>
+      <source>This mask is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Maske wird nicht verwendet.</translation>
+    </message>
+    <message>
+      <source>The mask's size is not its photograph's; it is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maske hat eine andere Größe als ihr Foto; sie wird nicht verwendet.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild hat %1 x %2 Pixel, die übrigen dieser Kamera haben %3 x %4; dieses Foto wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Vorderseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; Fotos mit Namen wie %3 dorthin legen.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Rückseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; Fotos mit Namen wie %3 dorthin legen.</translation>
+    </message>
+    <message>
+      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name ist weder cam&lt;C&gt;_cal&lt;NN&gt;.jpg noch empty_cam&lt;C&gt;.jpg; dieses Bild wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>This picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Bild wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild hat %1 x %2 Pixel, die Fotos seiner Kamera haben %3 x %4; dieses Bild wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild nennt eine Größe von %1 x %2 Pixeln, die sich nicht verwenden lässt.</translation>
+    </message>
+    <message>
+      <source>The JPEG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das JPEG-Bild ist beschädigt; noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The JPEG image has no picture in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das JPEG-Bild enthält kein Bild.</translation>
+    </message>
+    <message>
+      <source>The PNG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das PNG-Bild ist beschädigt; noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The TIFF image has no size in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Im TIFF-Bild steht keine Größe.</translation>
+    </message>
+    <message>
+      <source>The file is empty; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei ist leer; noch einmal von der Kamera kopieren.</translation>
+    </message>
+    <message>
+      <source>This is no JPEG, PNG or TIFF image.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist kein Bild in JPEG, PNG oder TIFF.</translation>
+    </message>
+    <message>
+      <source>The known lengths cannot be used: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die bekannten Längen lassen sich nicht verwenden: %1.</translation>
+    </message>
+    <message>
+      <source>'side' must be 'front' or 'back'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'side' muss 'front' oder 'back' sein</translation>
+    </message>
+    <message>
+      <source>'length' must lie between 0 and 10000 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'length' muss zwischen 0 und 10000 mm liegen</translation>
+    </message>
+    <message>
+      <source>'ends' must be two lists of marks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'ends' müssen zwei Listen von Markierungen sein</translation>
+    </message>
+    <message>
+      <source>each end must be marked on two photographs at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>jedes Ende muss auf mindestens zwei Fotos markiert sein</translation>
+    </message>
+    <message>
+      <source>their unit must be mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ihre Einheit muss mm sein</translation>
+    </message>
+    <message>
+      <source>each needs 'side', 'length' and 'ends' with 'file' and 'pixel'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>jede braucht 'side', 'length' und 'ends' mit 'file' und 'pixel'</translation>
+    </message>
+    <message>
+      <source>The mask cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maske lässt sich nicht entschlüsseln; noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The image cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild lässt sich nicht entschlüsseln; noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Einheit des Tellers muss mm sein; die Datei des Tellers neu erzeugen.</translation>
+    </message>
+    <message>
+      <source>The plate names more than 1024 markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Teller nennt mehr als 1024 Marken.</translation>
+    </message>
+    <message>
+      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Teller braucht 'dictionary' und 'markers' mit einer id und vier Ecken zu je drei Zahlen; 'diameter' ist, wenn angegeben, eine Zahl in mm.</translation>
+    </message>
+    <message>
+      <source>The plate names no marker.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Teller nennt keine Marke.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate has no valid corners.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marke %1 des Tellers hat keine gültigen Ecken.</translation>
+    </message>
+    <message>
+      <source>Marker %1 stands twice on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marke %1 steht zweimal auf dem Teller.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter is no length in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Durchmesser des Tellers ist keine Länge in mm.</translation>
+    </message>
+    <message>
+      <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tafel braucht 'dictionary', 'squares_x', 'squares_y', 'square_mm' und 'marker_mm'.</translation>
+    </message>
+    <message>
+      <source>The board's squares and markers have no valid number or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anzahl oder Größe der Quadrate und Marken der Tafel sind ungültig.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hierhin lässt sich nicht schreiben (%1); einen anderen Ordner für die Ladung wählen oder seine Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Datei dieses Namens gibt es schon, sie wird nicht überschrieben; eine andere Ladung nennen.</translation>
+    </message>
+    <message>
+      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ladung wurde auf einem anderen Teller begonnen; für diese einen anderen Ordner nennen.</translation>
+    </message>
+    <message>
+      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ladung wurde mit %1 Kameras und %2 Halten begonnen, nicht mit %3 und %4; einen anderen Ordner nennen.</translation>
+    </message>
+    <message>
+      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Foto wurde seit der Aufnahme verändert; das Original zurücklegen oder einen anderen Ordner für die Ladung nennen.</translation>
+    </message>
+    <message>
+      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Foto wurde nicht hier aufgenommen; einen anderen Ordner für die Ladung nennen.</translation>
+    </message>
+    <message>
+      <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 liefert nur Rohdateien; ihr Bildformat auf JPEG oder auf beides stellen.</translation>
+    </message>
+    <message>
+      <source>%1 is %2, the rig says %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist %2, der Messplatz sagt %3</translation>
+    </message>
+    <message>
+      <source>%1 is %2, at the first photograph it was %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist %2, beim ersten Foto war es %3</translation>
+    </message>
+    <message>
+      <source>The turntable did not reach its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch hat seine Nullstellung nicht erreicht.</translation>
+    </message>
+    <message>
+      <source>The turntable did not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch hat nicht geantwortet.</translation>
+    </message>
+    <message>
+      <source>The turntable does not tell where it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch sagt nicht, wo er steht.</translation>
+    </message>
+    <message>
+      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch hat einen Befehl abgelehnt (Fehler %1): falsche Art von Tisch oder schlechtes Kabel.</translation>
+    </message>
+    <message>
+      <source>The table's speed must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Geschwindigkeit des Tisches muss größer als 0 sein.</translation>
+    </message>
+    <message>
+      <source>The line to the turntable is broken (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Verbindung zum Drehtisch ist unterbrochen (%1).</translation>
+    </message>
+    <message>
+      <source>is not open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ist nicht offen</translation>
+    </message>
+    <message>
+      <source>takes no more bytes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nimmt keine Bytes mehr an</translation>
+    </message>
+    <message>
+      <source>was closed at the other end</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>wurde am anderen Ende geschlossen</translation>
+    </message>
+    <message>
+      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser serielle Anschluss darf nicht benutzt werden; die udev-Regeln von Ostraka installieren oder der Gruppe dialout beitreten und neu anmelden.</translation>
+    </message>
+    <message>
+      <source>The serial port is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der serielle Anschluss wird von einem anderen Programm benutzt; es schließen.</translation>
+    </message>
+    <message>
+      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den seriellen Anschluss gibt es nicht; ist der Drehtisch angeschlossen und eingeschaltet?</translation>
+    </message>
+    <message>
+      <source>This is no serial port.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist kein serieller Anschluss.</translation>
+    </message>
+    <message>
+      <source>The serial port does not take its settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der serielle Anschluss nimmt seine Einstellungen nicht an.</translation>
+    </message>
+    <message>
+      <source>The turntable's address is not known in this network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Adresse des Drehtisches ist in diesem Netz unbekannt.</translation>
+    </message>
+    <message>
+      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein serieller Anschluss kann nicht mit %1 Baud arbeiten; üblich sind 9600 und 115200.</translation>
+    </message>
+    <message>
+      <source>A network address looks like 192.168.0.7:23.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Netzadresse sieht aus wie 192.168.0.7:23.</translation>
+    </message>
+    <message>
+      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Arbeitsfläche gibt die Kamera nicht frei: %1 hält sie noch fest; ihr Dateifenster schließen und noch einmal versuchen.</translation>
+    </message>
+    <message>
+      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein überwachter Ordner hat keine Einstellung %1; an der Kamera einstellen.</translation>
+    </message>
+    <message>
+      <source>A watched folder shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein überwachter Ordner zeigt kein Livebild.</translation>
+    </message>
+    <message>
+      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In %1 Sekunden kam kein neues Foto; schreibt das Programm der Kamera in diesen Ordner?</translation>
+    </message>
+    <message>
+      <source>The watched folder cannot be read (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der überwachte Ordner lässt sich nicht lesen (%1).</translation>
+    </message>
+    <message>
+      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für eine Aufnahme kamen zwei Fotos, %1 und %2; eine Kamera je Ordner, ein Foto je Halt.</translation>
+    </message>
+    <message>
+      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera mit dieser Seriennummer ist nicht angeschlossen; da ist: %1.</translation>
+    </message>
+    <message>
+      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera bietet %1 für %2 nicht an; sie steht auf %3.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera lässt %1 auf %2 statt auf %3; ihr Moduswahlrad prüfen.</translation>
+    </message>
+    <message>
+      <source>The camera has no setting %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera hat keine Einstellung %1.</translation>
+    </message>
+    <message>
+      <source>The camera reports: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera meldet: %1.</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Tisch hat keinen Nullschalter.</translation>
+    </message>
+    <message>
+      <source>It did not answer while homing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Er hat beim Nullen nicht geantwortet.</translation>
+    </message>
+    <message>
+      <source>It did not unlock.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Er hat sich nicht entsperrt.</translation>
+    </message>
+    <message>
+      <source>It did not answer when the shutters were to be fired.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Er hat nicht geantwortet, als ausgelöst werden sollte.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch antwortet nicht.</translation>
+    </message>
+    <message>
+      <source>The turntable does not come to rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch kommt nicht zur Ruhe.</translation>
+    </message>
+    <message>
+      <source>The turntable does not take its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch nimmt seinen Nullpunkt nicht an.</translation>
+    </message>
+    <message>
+      <source>The controller counts from anew; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Steuerung zählt von vorn; die Stellung des Tisches ist unbekannt.</translation>
+    </message>
+    <message>
+      <source>The turntable does not move.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch bewegt sich nicht.</translation>
+    </message>
+    <message>
+      <source>The turntable did not arrive in time; it was stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch kam nicht rechtzeitig an; er wurde angehalten.</translation>
+    </message>
+    <message>
+      <source>The shutter output must be M8, M7, M3 or M62 Pn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Auslöserausgang muss M8, M7, M3 oder M62 Pn sein.</translation>
+    </message>
+    <message>
+      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Tisch wurde in der Bewegung angehalten, seine Stellung ist verloren: die Nullmarke ausrichten (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Steuerung des Tisches sagt, die Drehung gehe über seinen Weg hinaus: $20 ausschalten (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Nullen ist misslungen: den Nullschalter und sein Kabel prüfen (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Steuerung des Tisches meldet einen Alarm (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Steuerung versteht den Befehl nicht: falsche Art von Steuerung oder schlechtes Kabel (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Tisch hat keinen Nullschalter (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is still moving (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Tisch bewegt sich noch (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Tisch ist gesperrt: nullen oder entsperren (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller refused a command (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Steuerung des Tisches hat einen Befehl abgelehnt (error:%1).</translation>
+    </message>
+    <message>
+      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den Tisch gegen den Uhrzeigersinn auf %1 Grad drehen und die Hand wegnehmen.</translation>
+    </message>
+    <message>
+      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine Fotoliste von Ostraka; einen anderen Ordner für die Ladung nennen.</translation>
+    </message>
+    <message>
+      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Treiber %1 des Drehtisches ist unbekannt; es gibt: grbl, comxim1, comxim2, text, hand.</translation>
+    </message>
+    <message>
+      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Kameratreiber %1 ist unbekannt; es gibt: folder, gphoto2, uvc.</translation>
+    </message>
+    <message>
+      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz nennt keine Geräte; 'ostraka devices' sagt, was angeschlossen ist und wie es dort einzutragen ist.</translation>
+    </message>
+    <message>
+      <source>The rig names no camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz nennt keine Kamera.</translation>
+    </message>
+    <message>
+      <source>settle_s and speed_deg_s must be positive.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>settle_s und speed_deg_s müssen positiv sein.</translation>
+    </message>
+    <message>
+      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Teil 'devices' lässt sich nicht lesen; mit dem Kapitel über Geräte im README vergleichen.</translation>
+    </message>
+    <message>
+      <source>The number of stops must lie between 3 and 99.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zahl der Halte muss zwischen 3 und 99 liegen.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera or no turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz hat keine Kamera oder keinen Drehtisch.</translation>
+    </message>
+    <message>
+      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Aufnahme %1 zum Wiederholen gibt es nicht: Diese Seite hat die Halte 1 bis %2 und die Kameras A bis %3.</translation>
+    </message>
+    <message>
+      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 dieser Ladung war %2, die hier ist %3; mit den Kameras weitermachen, die sie begonnen haben, oder einen anderen Ordner nennen.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Stellung des Tisches ist unbekannt: seine Nullmarke nach vorn drehen und den Nullpunkt setzen.</translation>
+    </message>
+    <message>
+      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, Halt %2 misslang %3-mal: %4.</translation>
+    </message>
+    <message>
+      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 liefert nur frühere oder beschädigte Fotos; aus- und wieder einschalten.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer as a %1; is it another one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch antwortet nicht als %1; ist es ein anderer?</translation>
+    </message>
+    <message>
+      <source>Marlin controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marlin-Steuerung</translation>
+    </message>
+    <message>
+      <source>text controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Text-Steuerung</translation>
+    </message>
+    <message>
+      <source>This table has no zero switch: align it by eye.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Tisch hat keinen Nullschalter: nach Augenmaß ausrichten.</translation>
+    </message>
+    <message>
+      <source>The turntable refuses: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch lehnt ab: %1.</translation>
+    </message>
+    <message>
+      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch steht auf %1 Grad statt auf %2.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Wörter des Drehtisches: 'move' muss {target} oder {by} enthalten.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Wörter des Drehtisches: 'accepted' muss sagen, wie er antwortet.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Wörter des Drehtisches: 'query' und 'position' gehören zusammen.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Wörter des Drehtisches: 'reply_s' muss größer als 0 sein.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: '%1' is no regular expression.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Wörter des Drehtisches: '%1' ist kein regulärer Ausdruck.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Wörter des Drehtisches: 'position' braucht eine Gruppe für den Winkel.</translation>
+    </message>
+    <message>
+      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'dialect' des Drehtisches muss "marlin" sein oder seine Wörter nennen.</translation>
+    </message>
+    <message>
+      <source>The turntable is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+      <source>The turntable was unplugged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch wurde abgezogen.</translation>
+    </message>
+    <message>
+      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die USB-Verbindung des Drehtisches ist ausgefallen (%1); noch einmal einstecken.</translation>
+    </message>
+    <message>
+      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses USB-Gerät darf nicht benutzt werden; packaging/udev/70-ostraka.rules installieren und noch einmal einstecken.</translation>
+    </message>
+    <message>
+      <source>The turntable is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch wird von einem anderen Programm benutzt; es schließen.</translation>
+    </message>
+    <message>
+      <source>The turntable cannot be opened (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch lässt sich nicht öffnen (%1).</translation>
+    </message>
+    <message>
+      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses USB-Gerät ist keine serielle Steuerung (CDC-ACM).</translation>
+    </message>
+    <message>
+      <source>The turntable of this serial number is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Drehtisch mit dieser Seriennummer ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein USB-Drehtisch wird mit Hersteller und Produkt benannt, wie usb:1209:0001.</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Videokamera lässt sich nicht öffnen: ist sie angeschlossen, und benutzt kein anderes Programm sie?</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Videokamera lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+      <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Videokamera hat exposure (0,1 ms), focus, white_balance (K) und gain, als Zahlen; nicht %1 %2.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera lässt %1 auf %2 statt auf %3.</translation>
+    </message>
+    <message>
+      <source>It is not open.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie ist nicht offen.</translation>
+    </message>
+    <message>
+      <source>The video camera gives no pictures any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Videokamera liefert keine Bilder mehr.</translation>
+    </message>
+    <message>
+      <source>The video camera has taken no picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Videokamera hat kein Bild aufgenommen.</translation>
+    </message>
+    <message>
+      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Videokamera liefert Bilder von %1x%2 Pixeln, nicht von der eingestellten Größe.</translation>
+    </message>
+    <message>
+      <source>The video camera must be named.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Videokamera muss genannt sein.</translation>
+    </message>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Datei ist abgeschnitten oder kein Bild</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Marken zeigen einen anderen Winkel als den dieses Halts</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>das Bild hat eine andere Größe als die übrigen dieser Kamera</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zu wenige Marken sind zu sehen, um den Halt zu erkennen: liegt etwas davor, ist es unscharf?</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Kamera hat ein früheres Foto noch einmal geliefert</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zu wenige Marken des Tellers sind zu sehen: liegt etwas davor?</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>es ist unscharf: bewegte sich der Tisch noch, hat sich der Fokus geändert?</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Scherben sind zu dunkel: mehr Licht geben oder länger belichten</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Scherben sind überbelichtet: kürzer belichten</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>der Bildrand schneidet eine Scherbe ab: sie oder die Kamera verschieben</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Einstellungen der Kamera sind andere als zuvor: zurückstellen</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: zurückstellen</translation>
+    </message>
+    <message>
+      <source>A plate holds 1 to 60 sherds; 0 means not counted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf einen Teller passen 1 bis 60 Scherben; 0 heißt nicht gezählt.</translation>
+    </message>
+    <message>
+      <source>The number of a batch is also the name of its folder; use letters and digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer einer Ladung ist auch der Name ihres Ordners; Buchstaben und Ziffern verwenden.</translation>
+    </message>
+    <message>
+      <source>The uuid of a batch is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die uuid einer Ladung ist falsch geschrieben.</translation>
+    </message>
+    <message>
+      <source>There is a batch %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ladung %1 gibt es schon.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ladung ist nicht im Katalog.</translation>
+    </message>
+    <message>
+      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel des Projekts muss aus 2 bis 8 Großbuchstaben oder Ziffern bestehen, wie ARM.</translation>
+    </message>
+    <message>
+      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Begriff einer Wortliste muss Buchstaben haben und kein ';'.</translation>
+    </message>
+    <message>
+      <source>The term '%1' stands twice in the vocabulary.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Begriff '%1' steht zweimal in der Wortliste.</translation>
+    </message>
+    <message>
+      <source>Sherds with the term '%1': %2; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben mit dem Begriff „%1“: %2; zuerst diese ändern.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Katalog ist beschädigt (%1); die neueste Datei aus dem Ordner backups zurückholen.</translation>
+    </message>
+    <message>
+      <source>a row of %1 points at nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eine Zeile von %1 verweist auf nichts</translation>
+    </message>
+    <message>
+      <source>the tables of the sherds do not fit together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Tabellen der Scherben passen nicht zusammen</translation>
+    </message>
+    <message>
+      <source>the search does not know all sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Suche kennt nicht alle Scherben</translation>
+    </message>
+    <message>
+      <source>The backup does not hold what was saved; try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Sicherung enthält nicht, was gespeichert wurde; noch einmal versuchen.</translation>
+    </message>
+    <message>
+      <source>The backup cannot be given its name; check the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Sicherung kann ihren Namen nicht bekommen; den Ordner prüfen.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Katalog lässt sich nicht öffnen; prüfen, ob der Ordner da ist und beschrieben werden darf.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be written to; check the permissions of the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In den Katalog lässt sich nicht schreiben; die Zugriffsrechte des Ordners prüfen.</translation>
+    </message>
+    <message>
+      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Datenträger antwortet nicht richtig; ihn prüfen, dann das Projekt neu öffnen.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Katalog ist beschädigt; die neueste Datei aus dem Ordner backups zurückholen.</translation>
+    </message>
+    <message>
+      <source>The catalogue does not take this (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Katalog nimmt das nicht an (%1).</translation>
+    </message>
+    <message>
+      <source>The scan is no front of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan ist keine Vorderseite dieser Ladung.</translation>
+    </message>
+    <message>
+      <source>The scan is no back of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan ist keine Rückseite dieser Ladung.</translation>
+    </message>
+    <message>
+      <source>its front has no back any more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Vorderseite hat keine Rückseite mehr</translation>
+    </message>
+    <message>
+      <source>A pair has a front and a back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Paar hat eine Vorderseite und eine Rückseite.</translation>
+    </message>
+    <message>
+      <source>The decision to be taken back is not in this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die zurückzunehmende Entscheidung gehört nicht zu dieser Ladung.</translation>
+    </message>
+    <message>
+      <source>A decision names a front, a back, or both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Entscheidung nennt eine Vorderseite, eine Rückseite oder beide.</translation>
+    </message>
+    <message>
+      <source>The uuid of a decision is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die uuid einer Entscheidung ist falsch geschrieben.</translation>
+    </message>
+    <message>
+      <source>This file does not lie in the project's folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei liegt nicht im Ordner des Projekts.</translation>
+    </message>
+    <message>
+      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Entwurf aus gröberen Fotos; die Ladung noch einmal berechnen, damit die Maße gelten.</translation>
+    </message>
+    <message>
+      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das sind keine vollständigen Ergebnisse von 'ostraka process'; es noch einmal laufen lassen.</translation>
+    </message>
+    <message>
+      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabelle der Paare nennt den Scan %1, den es nicht gibt; 'ostraka process' noch einmal laufen lassen.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ladung ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This photograph is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Foto ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This scan is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Scan ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This file is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This person is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Person ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This site is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Fundort ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This trench is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Schnitt ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This context is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Befund ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>This bag is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Beutel ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>The filter opens a quotation mark and does not close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Filter öffnet ein Anführungszeichen und schließt es nicht.</translation>
+    </message>
+    <message>
+      <source>This is only a part of a sherd's label; read its code again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist nur ein Teil eines Scherbenetiketts; seinen Code noch einmal lesen.</translation>
+    </message>
+    <message>
+      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Filter kennt kein Feld '%1'; das Wort in Anführungszeichen setzen, um es so zu suchen, wie es dasteht.</translation>
+    </message>
+    <message>
+      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur Maße werden mit &lt; und &gt; verglichen; %1:value schreiben.</translation>
+    </message>
+    <message>
+      <source>The filter is not readable text.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Filter ist kein lesbarer Text.</translation>
+    </message>
+    <message>
+      <source>There is no field '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Feld '%1' gibt es nicht.</translation>
+    </message>
+    <message>
+      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einige der Änderungen bleiben, denn sie ließen sich nicht zurücknehmen: %1</translation>
+    </message>
+    <message>
+      <source>There is no measurement of this kind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Maß dieser Art gibt es nicht.</translation>
+    </message>
+    <message>
+      <source>A measurement is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Maß liegt nie unter 0.</translation>
+    </message>
+    <message>
+      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt wurde mit einem neueren Ostraka angelegt (Katalogversion %1, dieses Programm kennt %2); jenes installieren, nichts wurde verändert.</translation>
+    </message>
+    <message>
+      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummerierung kann das Zeichen '%1' nicht enthalten; zwischen den Platzhaltern sind Buchstaben, Ziffern, '.', '_', '/' und '-' erlaubt.</translation>
+    </message>
+    <message>
+      <source>The numbering opens a token with { and does not close it with }.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummerierung öffnet einen Platzhalter mit { und schließt ihn nicht mit }.</translation>
+    </message>
+    <message>
+      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummerierung kennt keinen Platzhalter {%1}; es gibt site, trench, context, bag, batch, yyyy, yy und n.</translation>
+    </message>
+    <message>
+      <source>The width of {%1} must be written as :04, with 12 digits at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Breite von {%1} muss wie :04 geschrieben sein, mit höchstens 12 Stellen.</translation>
+    </message>
+    <message>
+      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Platzhalter stoßen aneinander; ein '-' oder ein anderes Zeichen zwischen {%1} und {%2} setzen.</translation>
+    </message>
+    <message>
+      <source>The numbering must count the sherds with {n} exactly once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummerierung muss die Scherben mit {n} genau einmal zählen.</translation>
+    </message>
+    <message>
+      <source>The number needs the site of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer braucht den Fundort der Scherbe, der nicht eingetragen ist.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer braucht den Schnitt der Scherbe, der nicht eingetragen ist.</translation>
+    </message>
+    <message>
+      <source>The number needs the context of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer braucht den Befund der Scherbe, der nicht eingetragen ist.</translation>
+    </message>
+    <message>
+      <source>The number needs the bag of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer braucht den Beutel der Scherbe, der nicht eingetragen ist.</translation>
+    </message>
+    <message>
+      <source>The number needs the batch of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer braucht die Ladung der Scherbe, die nicht eingetragen ist.</translation>
+    </message>
+    <message>
+      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Fundort %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
+    </message>
+    <message>
+      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Schnitt %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
+    </message>
+    <message>
+      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Befund %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
+    </message>
+    <message>
+      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Beutel %1 enthält das Zeichen '%2', das in der Nummer neben ihm steht.</translation>
+    </message>
+    <message>
+      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ladung %1 enthält das Zeichen '%2', das in der Nummer neben ihr steht.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before; numbers are never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 wurde schon einmal vergeben; Nummern werden nie wieder verwendet.</translation>
+    </message>
+    <message>
+      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Nummernblock bis %1 ist verbraucht; diesem Rechner in den Einstellungen einen neuen geben.</translation>
+    </message>
+    <message>
+      <source>A decision needs the name of the person who takes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Entscheidung braucht den Namen der Person, die sie trifft.</translation>
+    </message>
+    <message>
+      <source>Two pieces or more are joined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verbunden werden zwei oder mehr Stücke.</translation>
+    </message>
+    <message>
+      <source>One piece is cut.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geteilt wird ein Stück.</translation>
+    </message>
+    <message>
+      <source>The name of a person must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name einer Person darf nicht leer sein.</translation>
+    </message>
+    <message>
+      <source>The person's initials must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel der Person darf nicht leer sein.</translation>
+    </message>
+    <message>
+      <source>The code of a site must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel eines Fundorts darf nicht leer sein.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel eines Schnitts darf nicht leer sein.</translation>
+    </message>
+    <message>
+      <source>The number of a context must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer eines Befunds darf nicht leer sein.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer eines Beutels darf nicht leer sein.</translation>
+    </message>
+    <message>
+      <source>The name of a person must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name einer Person ist zu lang; höchstens 200 Zeichen.</translation>
+    </message>
+    <message>
+      <source>The person's initials must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel der Person ist zu lang; höchstens 200 Zeichen.</translation>
+    </message>
+    <message>
+      <source>The code of a site must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel eines Fundorts ist zu lang; höchstens 200 Zeichen.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel eines Schnitts ist zu lang; höchstens 200 Zeichen.</translation>
+    </message>
+    <message>
+      <source>The number of a context must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer eines Befunds ist zu lang; höchstens 200 Zeichen.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer eines Beutels ist zu lang; höchstens 200 Zeichen.</translation>
+    </message>
+    <message>
+      <source>The uuid is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die uuid ist falsch geschrieben.</translation>
+    </message>
+    <message>
+      <source>The initials %1 belong to another person already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Kürzel %1 gehört schon einer anderen Person.</translation>
+    </message>
+    <message>
+      <source>The latitude lies between -90 and 90 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Breite liegt zwischen -90 und 90 Grad.</translation>
+    </message>
+    <message>
+      <source>The longitude lies between -180 and 180 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Länge liegt zwischen -180 und 180 Grad.</translation>
+    </message>
+    <message>
+      <source>There is a site %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den Fundort %1 gibt es schon.</translation>
+    </message>
+    <message>
+      <source>A trench belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Schnitt gehört zu einem Fundort.</translation>
+    </message>
+    <message>
+      <source>A trench cannot lie in itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Schnitt kann nicht in sich selbst liegen.</translation>
+    </message>
+    <message>
+      <source>There is a trench %1 in this site already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den Schnitt %1 gibt es in diesem Fundort schon.</translation>
+    </message>
+    <message>
+      <source>A context belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Befund gehört zu einem Fundort.</translation>
+    </message>
+    <message>
+      <source>The trench belongs to another site than the context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Schnitt gehört zu einem anderen Fundort als der Befund.</translation>
+    </message>
+    <message>
+      <source>There is a context %1 in this place already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den Befund %1 gibt es an diesem Ort schon.</translation>
+    </message>
+    <message>
+      <source>A bag belongs to a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Beutel gehört zu einem Befund.</translation>
+    </message>
+    <message>
+      <source>The weight of a bag is above 0 g.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Gewicht eines Beutels ist größer als 0 g.</translation>
+    </message>
+    <message>
+      <source>A count is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Anzahl liegt nie unter 0.</translation>
+    </message>
+    <message>
+      <source>There is a bag %1 in this context already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den Beutel %1 gibt es in diesem Befund schon.</translation>
+    </message>
+    <message>
+      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ordner liegt auf einer Netzfreigabe (%1), wo Kataloge beschädigt werden; einen Ordner auf dem eigenen Datenträger dieses Rechners nehmen und Sicherungen auf die Freigabe kopieren.</translation>
+    </message>
+    <message>
+      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner ist kein Ostraka-Projekt: Er enthält kein catalogue.sqlite.</translation>
+    </message>
+    <message>
+      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein neues Projekt braucht einen neuen oder leeren Ordner; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ordner lässt sich nicht anlegen; einen Ort wählen, an den geschrieben werden darf.</translation>
+    </message>
+    <message>
+      <source>A uuid of the export is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine uuid der Ausgabe ist falsch geschrieben.</translation>
+    </message>
+    <message>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Entscheidung ist bei der Ladung gespeichert, aber %1 ist noch nicht im Katalog; sie wird mit den nächsten Ergebnissen eingetragen.</translation>
+    </message>
+    <message>
+      <source>The field %1 comes from the program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Feld %1 kommt vom Programm.</translation>
+    </message>
+    <message>
+      <source>A void sherd keeps its number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine ungültige Scherbe behält ihre Nummer.</translation>
+    </message>
+    <message>
+      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Nummer enthält keinen Zeilenumbruch, keinen Tabulator und kein '%'.</translation>
+    </message>
+    <message>
+      <source>A number has 120 letters at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Nummer hat höchstens 120 Zeichen.</translation>
+    </message>
+    <message>
+      <source>The number %1 would be given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 würde zweimal vergeben.</translation>
+    </message>
+    <message>
+      <source>The files of %1 would have the same names as those of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Dateien von %1 hätten dieselben Namen wie die von %2.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before and is never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 wurde schon einmal vergeben und wird nie wieder verwendet.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 gehört einer anderen Scherbe.</translation>
+    </message>
+    <message>
+      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' ist kein Begriff der Wortliste '%2'; einen anderen wählen oder ihn in den Einstellungen hinzufügen.</translation>
+    </message>
+    <message>
+      <source>What follows the sign ± is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was auf das Zeichen ± folgt, ist größer als 0.</translation>
+    </message>
+    <message>
+      <source>A measurement is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Maß ist größer als 0.</translation>
+    </message>
+    <message>
+      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Scherbe ist größer als 1000 mm; sind das Millimeter?</translation>
+    </message>
+    <message>
+      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Scherbe ist schwerer als 20 kg; sind das Gramm?</translation>
+    </message>
+    <message>
+      <source>A share is 100 % at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Anteil beträgt höchstens 100 %.</translation>
+    </message>
+    <message>
+      <source>There is no sherd %1 that it could join.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe %1, an die sie passen könnte, gibt es nicht.</translation>
+    </message>
+    <message>
+      <source>A sherd does not join itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe passt nicht an sich selbst.</translation>
+    </message>
+    <message>
+      <source>There is no context %1 in %2; add it first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Befund %1 gibt es in %2 nicht; ihn zuerst anlegen.</translation>
+    </message>
+    <message>
+      <source>A numbered sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine nummerierte Scherbe braucht ihren Befund.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Beutel %1 gibt es in diesem Befund nicht; ihn anlegen oder auch den Beutel ändern.</translation>
+    </message>
+    <message>
+      <source>A sherd gets a number when its context is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe bekommt eine Nummer, wenn ihr Befund bekannt ist.</translation>
+    </message>
+    <message>
+      <source>The table cannot be ordered by '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabelle lässt sich nicht nach '%1' ordnen.</translation>
+    </message>
+    <message>
+      <source>A sherd is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe ist nicht mehr im Katalog.</translation>
+    </message>
+    <message>
+      <source>The uuid of a sherd is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die uuid einer Scherbe ist falsch geschrieben.</translation>
+    </message>
+    <message>
+      <source>There is a sherd with this uuid already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe mit dieser uuid gibt es schon.</translation>
+    </message>
+    <message>
+      <source>A sherd is void for a reason; say which.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe ist aus einem Grund ungültig; ihn angeben.</translation>
+    </message>
+    <message>
+      <source>The number %1 stands on two sherds of this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 steht auf zwei Scherben dieses Tellers.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 gehört schon einer anderen Scherbe.</translation>
+    </message>
+    <message>
+      <source>The sherd of this label has no number yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherbe dieses Etiketts hat noch keine Nummer.</translation>
+    </message>
+    <message>
+      <source>The text is longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Text ist länger als 1 MB.</translation>
+    </message>
+    <message>
+      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Text ist kein gültiges UTF-8 oder enthält ein Nullbyte.</translation>
+    </message>
+    <message>
+      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Tag wird wie 2026-07-14 geschrieben (Jahr-Monat-Tag).</translation>
+    </message>
+    <message>
+      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Datierung wird in EDTF geschrieben, wie -0599/-0549~ (600 bis etwa 550 v. Chr.), -1149? oder 0350/..; Jahre haben vier Stellen.</translation>
+    </message>
+    <message>
+      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Munsell-Farbe wird wie 10YR 3/1 oder N 4/ geschrieben.</translation>
+    </message>
+    <message>
+      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' ist keine Zahl; 12.5 oder 12,5 schreiben, ohne Einheit.</translation>
+    </message>
+    <message>
+      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' ist kein Pfad innerhalb des Projekts; er muss relativ sein, mit '/' und ohne '..'.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces to write.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Netz hat keine Flächen zum Schreiben.</translation>
+    </message>
+    <message>
+      <source>A face of the mesh names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Fläche des Netzes nennt einen Punkt, den es nicht gibt.</translation>
+    </message>
+    <message>
+      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine PLY-Datei; eine nennen oder den Scan neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY header names no format; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der PLY-Kopf nennt kein Format; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der PLY-Kopf ist in Zeile %1 falsch: %2; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>its format is not known</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sein Format ist unbekannt</translation>
+    </message>
+    <message>
+      <source>a count is no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eine Anzahl ist keine Zahl</translation>
+    </message>
+    <message>
+      <source>a property cannot be read</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eine Eigenschaft lässt sich nicht lesen</translation>
+    </message>
+    <message>
+      <source>a property has an unknown type</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eine Eigenschaft hat einen unbekannten Typ</translation>
+    </message>
+    <message>
+      <source>a list has no whole number as its length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Länge einer Liste ist keine ganze Zahl</translation>
+    </message>
+    <message>
+      <source>a line cannot be understood</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eine Zeile ist unverständlich</translation>
+    </message>
+    <message>
+      <source>The PLY header has no end; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der PLY-Kopf hat kein Ende; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der PLY-Kopf nennt %1 '%2', mehr als die Datei enthält; sie ist wohl abgeschnitten.</translation>
+    </message>
+    <message>
+      <source>The PLY file has two lists of vertices; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei hat zwei Punktlisten; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den PLY-Punkten fehlt x, y oder z; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei endet zu früh oder enthält etwas, das keine Zahl ist; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Fläche der PLY-Datei nennt einen Punkt, den es nicht gibt; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within its faces; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei endet mitten in ihren Flächen; noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within '%1'; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei endet mitten in '%1'; noch einmal kopieren.</translation>
+    </message>
+    <message>
+      <source>The PLY file has no vertices; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei hat keine Punkte; den Scan neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds more than its header claims; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei enthält mehr, als ihr Kopf nennt; neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds no usable point; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei enthält keinen brauchbaren Punkt; den Scan neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Abschnitt der Kante kann ein Stück Rand sein; diese Scherbe als eine ohne Rand zeichnen.</translation>
+    </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); die Randlinie prüfen, bevor dem Durchmesser zu trauen ist.</translation>
+    </message>
+    <message>
+      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Als Rand gezeichnet, was wahrscheinlich ist (%1 %); nachprüfen.</translation>
+    </message>
+    <message>
+      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kann ein Rand sein (%1 %); wenn es einer ist, das angeben und neu zeichnen.</translation>
+    </message>
+    <message>
+      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Maßstab der Zeichnung muss zwischen 1:20 und 5:1 liegen.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Zeichnung braucht ein geschlossenes Modell (%1); es mit 'ostraka process' erzeugen.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Zeichnung braucht ein geschlossenes Modell; es mit 'ostraka process' erzeugen.</translation>
+    </message>
+    <message>
+      <source>This file is missing or cannot be read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei fehlt oder lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+      <source>The disk cannot read this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Datenträger kann diese Datei nicht lesen.</translation>
+    </message>
+    <message>
+      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Verzeichnis der Dateien fehlt; das ist keine Ausgabe von Ostraka.</translation>
+    </message>
+    <message>
+      <source>The manifest has a line that cannot be read: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Verzeichnis der Dateien hat eine unlesbare Zeile: %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file outside the folder: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Verzeichnis der Dateien nennt eine Datei außerhalb des Ordners: %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file twice: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Verzeichnis der Dateien nennt eine Datei zweimal: %1</translation>
+    </message>
+    <message>
+      <source>This cannot be written; check the space left and the permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hierhin lässt sich nicht schreiben; den freien Platz und die Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+      <source>There is a folder of this name already; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Ordner dieses Namens gibt es schon; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <source>A name in an export must not hold '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Name in einer Ausgabe darf kein '%' enthalten.</translation>
+    </message>
+    <message>
+      <source>Two files of the export would have the same name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Dateien der Ausgabe hätten denselben Namen.</translation>
+    </message>
+    <message>
+      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Inzwischen hat jemand einen Ordner dieses Namens angelegt; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner ist keine Ausgabe von Ostraka: bagit.txt fehlt.</translation>
+    </message>
+    <message>
+      <source>This file is not in the manifest; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei steht nicht im Verzeichnis der Dateien; nichts wurde eingelesen.</translation>
+    </message>
+    <message>
+      <source>This is a link, not a file; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist eine Verknüpfung, keine Datei; nichts wurde eingelesen.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read (%1); nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner lässt sich nicht lesen (%1); nichts wurde eingelesen.</translation>
+    </message>
+    <message>
+      <source>This file is missing; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei fehlt; nichts wurde eingelesen.</translation>
+    </message>
+    <message>
+      <source>This file was changed after the export; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei wurde nach der Ausgabe verändert; nichts wurde eingelesen.</translation>
+    </message>
+    <message>
+      <source>There is no context %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Befund %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Beutel %1 gibt es nicht; ihn anlegen oder beim Einlesen anlegen lassen.</translation>
+    </message>
+    <message>
+      <source>The column closed takes yes or no.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In der Spalte closed steht yes oder no.</translation>
+    </message>
+    <message>
+      <source>The column count_written takes a whole number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In der Spalte count_written steht eine ganze Zahl.</translation>
+    </message>
+    <message>
+      <source>The row has %1 values, the header %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zeile hat %1 Werte, die Kopfzeile %2.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Spalte '%1' ist unbekannt; ihre Werte werden als eigenes Feld behalten.</translation>
+    </message>
+    <message>
+      <source>The file holds zero bytes; it is no table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei enthält Nullbytes; sie ist keine Tabelle.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile %1 ist nicht in UTF-8; die Tabelle als 'CSV UTF-8' speichern und noch einmal versuchen.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000,000 rows; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabelle hat mehr als 1 000 000 Zeilen; sie aufteilen.</translation>
+    </message>
+    <message>
+      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile %1 öffnet ein Anführungszeichen, das nie geschlossen wird.</translation>
+    </message>
+    <message>
+      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile %1 hat Buchstaben hinter einem schließenden Anführungszeichen.</translation>
+    </message>
+    <message>
+      <source>Line %1 has a value longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile %1 hat einen Wert, der länger als 1 MB ist.</translation>
+    </message>
+    <message>
+      <source>The table is empty; its first line must name the columns.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabelle ist leer; ihre erste Zeile muss die Spalten nennen.</translation>
+    </message>
+    <message>
+      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Scherbe hat noch kein Modell und lässt sich nicht zeichnen; zuerst ihre Ladung berechnen.</translation>
+    </message>
+    <message>
+      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maße ihrer Ladung sind zweifelhaft: damit auch die Größe dieser Zeichnung.</translation>
+    </message>
+    <message>
+      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie soll ein Rand sein, aber kein Abschnitt ihrer Kante kann einer sein; ohne Rand gezeichnet.</translation>
+    </message>
+    <message>
+      <source>%1 is not there and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist nicht da und wurde ausgelassen.</translation>
+    </message>
+    <message>
+      <source>%1 is not the photograph that was entered; check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist nicht das Foto, das eingetragen wurde; nachprüfen.</translation>
+    </message>
+    <message>
+      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Modell ist nicht das eingetragene; die Ergebnisse der Ladung neu eintragen.</translation>
+    </message>
+    <message>
+      <source>%1 goes along whole: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 geht unverkleinert mit: %2</translation>
+    </message>
+    <message>
+      <source>Not drawn: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nicht gezeichnet: %1</translation>
+    </message>
+    <message>
+      <source>No pictures with masks and poses of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Bilder mit Masken und Posen von %1: %2</translation>
+    </message>
+    <message>
+      <source>There is no sherd to export; choose some first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es gibt keine Scherbe zum Ausgeben; zuerst welche auswählen.</translation>
+    </message>
+    <message>
+      <source>The row has neither a number nor a uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zeile hat weder eine Nummer noch eine uuid.</translation>
+    </message>
+    <message>
+      <source>This stands in two rows of the table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das steht in zwei Zeilen der Tabelle.</translation>
+    </message>
+    <message>
+      <source>This is no uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine uuid.</translation>
+    </message>
+    <message>
+      <source>The number belongs to another sherd than the uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer gehört einer anderen Scherbe als die uuid.</translation>
+    </message>
+    <message>
+      <source>A new sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine neue Scherbe braucht ihren Befund.</translation>
+    </message>
+    <message>
+      <source>A column of the table has no name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Spalte der Tabelle hat keinen Namen.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is there twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Spalte '%1' gibt es zweimal.</translation>
+    </message>
+    <message>
+      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabelle braucht eine Spalte 'number' (Scherben) oder die Spalten 'site' und 'context' (Befunde).</translation>
+    </message>
+    <message>
+      <source>These places and batches are not written as Ostraka writes them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Orte und Ladungen sind nicht so geschrieben, wie Ostraka sie schreibt.</translation>
+    </message>
+    <message>
+      <source>This is no PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine PLY-Datei.</translation>
+    </message>
+    <message>
+      <source>This is no GLB file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine GLB-Datei.</translation>
+    </message>
+    <message>
+      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ausgabe enthält keine Datensätze (JSON) von Scherben; mit ihnen neu ausgeben.</translation>
+    </message>
+    <message>
+      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Projekt hat diese Scherbe mit anderen Werten; sie bleiben, und was abweicht, wird daneben in Feldern behalten, die auf _in_%1 enden.</translation>
+    </message>
+    <message>
+      <source>This file is not among the files of the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei ist nicht unter den Dateien der Ausgabe.</translation>
+    </message>
+    <message>
+      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Projekt hat eine andere Datei dieses Namens; die Ausgabe umbenennen und noch einmal einlesen.</translation>
+    </message>
+    <message>
+      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist kein Datensatz einer Scherbe (ostraka-sherd/1).</translation>
+    </message>
+    <message>
+      <source>The measurement %1 has another unit than %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Maß %1 hat eine andere Einheit als %2.</translation>
+    </message>
+    <message>
+      <source>A value of the record has another type than it should.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Wert des Datensatzes hat eine andere Art, als er sollte.</translation>
+    </message>
+    <message>
+      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist zu groß für eine ZIP-Datei; weniger Scherben auswählen.</translation>
+    </message>
+    <message>
+      <source>The mask is missing; expected a mask of %1 x %2 pixels under this name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maske fehlt; erwartet wird unter diesem Namen eine Maske von %1 x %2 Pixeln.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be read as a picture; expected a mask of %1 x %2 pixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maske lässt sich nicht als Bild lesen; erwartet wird eine Maske von %1 x %2 Pixeln.</translation>
+    </message>
+    <message>
+      <source>The mask has %1 x %2 pixels; expected a mask of %3 x %4 pixels, the size of its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maske hat %1 x %2 Pixel; erwartet wird eine Maske von %3 x %4 Pixeln, so groß wie ihr Foto.</translation>
+    </message>
+    <message>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken vom Teller brauchen mindestens 3 Fotos einer Seite; mehr Halte aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Foto hat nicht die Größe seiner Kamera; die Originaldatei verwenden.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf dem Teller wurde keine Scherbe gefunden; prüfen, ob die Fotos Scherben zeigen, die sich vom Teller abheben, oder Masken angeben.</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken: Der leere Teller von Kamera %1 hat eine andere Größe als die Fotos der Kamera; ohne ihn maskiert</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken: Der leere Teller von Kamera %1 zeigt den Teller an keinem der Halte; beim ersten noch einmal aufnehmen; ohne ihn maskiert</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken: Der leere Teller von Kamera %1 zeigt Marken, die in %2 von etwas verdeckt sind; wegnehmen, was auf ihnen liegt; ohne ihn maskiert</translation>
+    </message>
+    <message>
+      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken: Ein Schatten, den die anderen Fotos nicht haben, liegt auf dem Teller in %1; Menschen und Hände aus dem Licht halten und diese Fotos wiederholen, wenn ihre Masken falsch aussehen</translation>
+    </message>
+    <message>
+      <source>%1 (%2 % of the bare plate)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (%2 % des freien Tellers)</translation>
+    </message>
+    <message>
+      <source>The front scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan der Vorderseite enthält keine Punkte.</translation>
+    </message>
+    <message>
+      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan der Vorderseite hat keine Normalen; ein Modell muss wissen, was außen ist.</translation>
+    </message>
+    <message>
+      <source>The back scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan der Rückseite enthält keine Punkte.</translation>
+    </message>
+    <message>
+      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan der Rückseite hat keine Normalen; ein Modell muss wissen, was außen ist.</translation>
+    </message>
+    <message>
+      <source>The scans enclose no body; their normals may point inward.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scans umschließen keinen Körper; vielleicht zeigen ihre Normalen nach innen.</translation>
+    </message>
+    <message>
+      <source>Only a closed mesh can be thinned out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur ein geschlossenes Netz lässt sich ausdünnen.</translation>
+    </message>
+    <message>
+      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Abweichung eines ausgedünnten Netzes muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan ist für ein Modell mit diesem Punktabstand zu groß; einen größeren angeben.</translation>
+    </message>
+    <message>
+      <source>The scans hold too few points that agree with each other for a model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scans haben zu wenige Punkte, die miteinander übereinstimmen, für ein Modell.</translation>
+    </message>
+    <message>
+      <source>Edge %1 is used more than once in the same direction.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kante %1 kommt in derselben Richtung mehr als einmal vor.</translation>
+    </message>
+    <message>
+      <source>Edge %1 has a face on one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kante %1 hat nur auf einer Seite eine Fläche.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 belongs to no face.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ecke %1 gehört zu keiner Fläche.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 holds two fans of faces together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ecke %1 hält zwei Fächer von Flächen zusammen.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Netz hat keine Flächen.</translation>
+    </message>
+    <message>
+      <source>A face names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Fläche nennt eine Ecke, die es nicht gibt.</translation>
+    </message>
+    <message>
+      <source>A face has the same vertex twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Fläche hat dieselbe Ecke zweimal.</translation>
+    </message>
+    <message>
+      <source>The scan's outline does not close.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Umriss des Scans schließt sich nicht.</translation>
+    </message>
+    <message>
+      <source>A scan of fewer than 20 points has no outline.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Scan von weniger als 20 Punkten hat keinen Umriss.</translation>
+    </message>
+    <message>
+      <source>A contour needs at least three points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Umriss braucht mindestens drei Punkte.</translation>
+    </message>
+    <message>
+      <source>The evidence of a pair has no valid scans or figure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Angaben zu einem Paar nennen keine gültigen Scans oder keine gültige Zahl.</translation>
+    </message>
+    <message>
+      <source>pairing: %1 stays unpaired: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zuordnung: %1 bleibt ohne Partner: %2</translation>
+    </message>
+    <message>
+      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine zwei Umrisse gleichen sich, also lassen sich die Größen der Seiten nicht vergleichen; eine bekannte Länge angeben.</translation>
+    </message>
+    <message>
+      <source>A candidate names a scan that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Kandidat nennt einen Scan, den es nicht gibt.</translation>
+    </message>
+    <message>
+      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine Tabelle von Kandidaten; die Ladung noch einmal berechnen, nur ihre Paare werden neu gemacht.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entscheidung %1 von %2 betrifft %3, dessen Seite seither neu aufgenommen wurde; noch einmal entscheiden.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entscheidung %1 von %2 betrifft %3, das nicht mehr auf dem Teller liegt; noch einmal entscheiden.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entscheidung %1 von %2 gilt nicht: Entscheidung %3 von %4 ist später und betrifft denselben Scan; eine von beiden zurücknehmen.</translation>
+    </message>
+    <message>
+      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Entscheidung ist von einer Art, die dieses Programm nicht kennt; ein neueres hat sie geschrieben.</translation>
+    </message>
+    <message>
+      <source>A pair needs one front and one back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Paar braucht eine Vorderseite und eine Rückseite.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be set aside or shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wurde nichts genannt, das beiseitegelegt oder neu aufgenommen werden soll.</translation>
+    </message>
+    <message>
+      <source>Pieces to be joined must be of one side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Stücke, die verbunden werden, müssen von derselben Seite sein.</translation>
+    </message>
+    <message>
+      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Schnitt braucht ein Stück und eine Linie von mindestens einem Millimeter.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be withdrawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wurde nichts genannt, das zurückgenommen werden soll.</translation>
+    </message>
+    <message>
+      <source>These decisions were written by a newer program; use that one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Entscheidungen wurden von einem neueren Programm geschrieben; jenes benutzen.</translation>
+    </message>
+    <message>
+      <source>Decision %1 cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entscheidung %1 ist nicht verwendbar.</translation>
+    </message>
+    <message>
+      <source>Mend it, or put a copy of the file back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie berichtigen oder eine Kopie der Datei zurücklegen.</translation>
+    </message>
+    <message>
+      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das sind keine Entscheidungen dieses Programms; die Datei wegräumen oder eine Kopie von ihr zurücklegen.</translation>
+    </message>
+    <message>
+      <source>This decision does not hold any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Entscheidung gilt nicht mehr.</translation>
+    </message>
+    <message>
+      <source>There is no photograph of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von dieser Seite gibt es kein Foto.</translation>
+    </message>
+    <message>
+      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Umrisse dieser beiden Seiten lassen sich nicht übereinanderlegen.</translation>
+    </message>
+    <message>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 können zwei Scherben sein, die sich berühren, %2 und %3 der anderen Seite: in der Durchsicht zerteilen, oder auseinanderlegen und diese Seite noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine Liste von Strichen auf Masken; eine frühere zurücklegen oder sie entfernen.</translation>
+    </message>
+    <message>
+      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von dieser Ladung gibt es noch keine Masken; sie erst berechnen lassen.</translation>
+    </message>
+    <message>
+      <source>This file does not say how well the rig fitted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei sagt nicht, wie gut der Messplatz passte.</translation>
+    </message>
+    <message>
+      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Kalibrierung ist von anderen Kameras als denen, mit denen die Ladung aufgenommen wurde; den Messplatz nach seinen eigenen Fotos kalibrieren.</translation>
+    </message>
+    <message>
+      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ohne plate.json lassen sich die Masken nicht finden; Masken neben die Fotos legen oder ein Netz nennen (--masks MODEL.onnx).</translation>
+    </message>
+    <message>
+      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Ergebnis hat keinen Maßstab: Ohne plate.json ist keine Länge bekannt, und was in mm angegeben ist, beruht auf einer geschätzten Pixelgröße; auf einem Teller mit Marken aufnehmen, die Tafel aus board.json auf beiden Seiten neben die Scherben legen, oder auf beiden eine bekannte Länge in scale.json markieren.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ausgabeordner enthält etwas, das nicht von diesem Programm ist; einen anderen oder einen leeren wählen.</translation>
+    </message>
+    <message>
+      <source>The output folder holds another batch; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ausgabeordner enthält eine andere Ladung; einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something else; name a new or empty folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ausgabeordner enthält etwas anderes; einen neuen oder leeren Ordner nennen.</translation>
+    </message>
+    <message>
+      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Paar nennt einen Scan, den es nicht gibt; diese Datei löschen und noch einmal beginnen.</translation>
+    </message>
+    <message>
+      <source>This is no table of pairs; delete it and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine Tabelle von Paaren; sie löschen und noch einmal beginnen.</translation>
+    </message>
+    <message>
+      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 und %2 wurden von Hand gepaart, aber nichts sagt, wie sie zueinander liegen; die Rückseite in der Durchsicht von Hand drehen: %3</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Das Foto ist unscharf: Seine Kanten sind %2 Pixel breit, die des schärfsten dieser Kamera %3; es wird ausgelassen, noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Das Foto ist unscharf: Seine Kanten sind %2 Pixel breit, die des schärfsten dieser Kamera %3; noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 der %2 Marken des Tellers sind auf keinem Foto der Vorderseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 der %2 Marken des Tellers sind auf keinem Foto der Rückseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entscheidung %1 von %2 verbindet Stücke, die es nicht mehr gibt; noch einmal entscheiden.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entscheidung %1 von %2 zerteilt ein Stück, das es nicht gibt, oder schneidet daneben; noch einmal entscheiden.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm %1 ist nicht installiert, und die gewählte Stereoberechnung braucht es; es installieren oder die eingebaute nehmen.</translation>
+    </message>
+    <message>
+      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Fotos zeigen keinen Teller mit Marken, also muss das Programm %1 die Kameras finden, und es ist nicht installiert.</translation>
+    </message>
+    <message>
+      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das braucht etwa %1 GB Speicher, und nur %2 GB sind frei: Der Rechner kann es abbrechen oder sehr langsam werden.</translation>
+    </message>
+    <message>
+      <source>Close other programs, or compute a draft.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Andere Programme schließen oder einen Entwurf berechnen.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Halt %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Halt %3 (pos%4) liegt die Scherbe woanders; diese Seite noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ausgabeordner liegt im Ordner der Ladung, in den nie etwas geschrieben wird; einen daneben wählen.</translation>
+    </message>
+    <message>
+      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos lassen sich nicht auf weniger als 0,3 Megapixel verkleinern.</translation>
+    </message>
+    <message>
+      <source>There is no such segmentation network; masks are 'auto', 'given' or an ONNX file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein solches Netz zum Freistellen gibt es nicht; Masken sind 'auto', 'given' oder eine ONNX-Datei.</translation>
+    </message>
+    <message>
+      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Vorderseiten sind nicht in mm: Längen des Ergebnisses, die mm heißen, sind in der Einheit der Vorderseiten.</translation>
+    </message>
+    <message>
+      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Paare dieser Ladung sind noch nicht berechnet oder stammen von einem älteren Programm; die Ladung noch einmal berechnen: was fertig ist, bleibt.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu klein; das Lineal auf dem Teller messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder den Teller noch einmal mit 100 % drucken; wenn der Teller stimmt, die Länge messen und ihre Marken neu setzen.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Maßstab stimmt nicht: %1, also wären alle Maße %2 % zu groß; das Lineal auf dem Teller messen und plate.json mit 'ostraka plate --ruler-measured' die wahre Größe geben, oder den Teller noch einmal mit 100 % drucken; wenn der Teller stimmt, die Länge messen und ihre Marken neu setzen.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the front side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die auf der Vorderseite markierte Länge von %1 mm misst in den Fotos %2 ± %3 mm (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Länge von %1 mm in scale.json ließ sich nicht vergleichen: jedes ihrer Enden auf mindestens zwei Fotos der Vorderseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die auf der Rückseite markierte Länge von %1 mm misst in den Fotos %2 ± %3 mm (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Länge von %1 mm in scale.json ließ sich nicht vergleichen: jedes ihrer Enden auf mindestens zwei Fotos der Rückseite markieren, die aus verschiedenen Richtungen aufgenommen sind.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ordner lässt sich nicht lesen; einen Ordner mit PLY-Dateien nennen.</translation>
+    </message>
+    <message>
+      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In diesem Ordner ist keine PLY-Datei; der Scan jeder Scherbe muss eine PLY-Datei sein.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point without finite coordinates was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: 1 Punkt ohne endliche Koordinaten wurde ausgelassen; den Export prüfen.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points without finite coordinates were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 Punkte ohne endliche Koordinaten wurden ausgelassen; den Export prüfen.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point far from all others, or at 0, 0, 0, was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: 1 Punkt weit weg von allen anderen oder bei 0, 0, 0 wurde ausgelassen; den Export prüfen.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points far from all others, or at 0, 0, 0, were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 Punkte weit weg von allen anderen oder bei 0, 0, 0 wurden ausgelassen; den Export prüfen.</translation>
+    </message>
+    <message>
+      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan hat weniger als 100 Punkte; diese Seite noch einmal scannen.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with nx, ny and nz.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan hat keine Normalen; ihn mit nx, ny und nz exportieren.</translation>
+    </message>
+    <message>
+      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan liegt das %1-Fache seiner Länge von 0, 0, 0 entfernt, also sind seine Koordinaten gerundet; ihn dorthin verschieben und noch einmal exportieren.</translation>
+    </message>
+    <message>
+      <source>None of the scans can be used: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keiner der Scans ist verwendbar: %1</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Scans sind im Median %1 mm lang; das sieht nach %2 aus: %3.</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Scans sind im Median %1 mm lang; so große Scherben gibt es nicht: %2.</translation>
+    </message>
+    <message>
+      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Vorderseiten sind im Median %1 mm lang, die Rückseiten %2 mm, also sind ihre Einheiten verschieden: %3.</translation>
+    </message>
+    <message>
+      <source>centimetres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zentimetern</translation>
+    </message>
+    <message>
+      <source>metres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Metern</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mikrometern</translation>
+    </message>
+    <message>
+      <source>export them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sie in mm exportieren</translation>
+    </message>
+    <message>
+      <source>export them in mm, or use --scale free</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sie in mm exportieren oder --scale free nehmen</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no model: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1 hat kein Modell: %2</translation>
+    </message>
+    <message>
+      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie nennt %1, das nicht in der Ladung ist; diese Datei löschen, dann werden die Kameras neu gefunden.</translation>
+    </message>
+    <message>
+      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Foto hat keine Maske; für jedes, das verwendet werden soll, eine angeben.</translation>
+    </message>
+    <message>
+      <source>This photograph is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Foto wird nicht verwendet.</translation>
+    </message>
+    <message>
+      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für %1 Fotos der Vorderseite fand COLMAP keine Lage; sie werden ausgelassen.</translation>
+    </message>
+    <message>
+      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für %1 Fotos der Rückseite fand COLMAP keine Lage; sie werden ausgelassen.</translation>
+    </message>
+    <message>
+      <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz wurde nicht verwendet: Ohne plate.json bestimmt COLMAP die Lage der Kameras.</translation>
+    </message>
+    <message>
+      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Auf diesem Foto ist keine Scherbe markiert; es wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>If sherds are on it, take it again or mend its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wenn Scherben darauf sind, es noch einmal aufnehmen oder seine Maske ausbessern.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf %1 Fotos der Vorderseite sind Scherben markiert; 3 sind nötig.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf %1 Fotos der Rückseite sind Scherben markiert; 3 sind nötig.</translation>
+    </message>
+    <message>
+      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Masken ansehen, und ob Scherben auf dem Teller lagen.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ordner lässt sich nicht anlegen (%1).</translation>
+    </message>
+    <message>
+      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Weniger als 10 Punkte der Bruchkanten treffen sich; von einer besseren Lage aus beginnen.</translation>
+    </message>
+    <message>
+      <source>No start pose was given for the registration.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für das Fügen der Seiten wurde keine Anfangslage angegeben.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan hat keine Normalen; ihn mit Normalen exportieren.</translation>
+    </message>
+    <message>
+      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Weniger als 50 Punkte liegen auf der Bruchkante; die Scherbe mit ihrem Rand noch einmal scannen.</translation>
+    </message>
+    <message>
+      <source>%1: The board is not seen; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Die Tafel ist nicht zu sehen; dieses Bild wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Verzeichnis %1 hat zu wenige Marken für die Tafel.</translation>
+    </message>
+    <message>
+      <source>A grid of markers needs 'dictionary', 'markers_x', 'markers_y', 'marker_length' and 'marker_separation'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Gitter aus Marken braucht 'dictionary', 'markers_x', 'markers_y', 'marker_length' und 'marker_separation'.</translation>
+    </message>
+    <message>
+      <source>The grid's markers have no valid number or size, or no gap between them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken des Gitters haben keine gültige Anzahl oder Größe, oder keinen Abstand voneinander.</translation>
+    </message>
+    <message>
+      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier ist nichts, wonach sich kalibrieren ließe: den Teller bei jedem Halt nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
+    </message>
+    <message>
+      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es gibt keine Bilder der Tafel; sie hierher legen oder nach 'calib'.</translation>
+    </message>
+    <message>
+      <source>It is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wird beiseitegelegt.</translation>
+    </message>
+    <message>
+      <source>%1: its size is not that of the first; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Es hat eine andere Größe als das erste; es wird beiseitegelegt.</translation>
+    </message>
+    <message>
+      <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ausgleichung des Messplatzes fand keine Lösung; prüfen, ob plate.json und board.json beschreiben, was aufgenommen wurde.</translation>
+    </message>
+    <message>
+      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es gibt kein plate.json, also sind die Marken des Tellers nicht verwendbar; die Datei hierher kopieren, die 'ostraka plate' mit dem Teller geschrieben hat.</translation>
+    </message>
+    <message>
+      <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der bekannte Messplatz hat keine Kamera %1 mit Bildern von %2 x %3 Pixeln; er wird stattdessen nach dieser Ladung kalibriert.</translation>
+    </message>
+    <message>
+      <source>Its lens is estimated from the plate's markers instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihr Objektiv wird stattdessen aus den Marken des Tellers geschätzt.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Objektiv von Kamera %1 ist unbekannt: Es gibt weder brauchbare Bilder der Tafel noch Marken des Tellers; Bilder der Tafel zu 'calib' hinzufügen.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Objektiv von Kamera %1 wurde allein aus den Marken des Tellers geschätzt; für genaue Maße 12 Bilder der Tafel zu 'calib' hinzufügen.</translation>
+    </message>
+    <message>
+      <source>The plate's markers were found in %1 of %2 photographs, too few for a pose of each side; check that plate.json belongs to this plate and that the markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken des Tellers wurden in %1 von %2 Fotos gefunden, zu wenige für die Lage beider Seiten; prüfen, ob plate.json zu diesem Teller gehört und ob die Marken beleuchtet und im Bild sind.</translation>
+    </message>
+    <message>
+      <source>No photograph of camera %1 shows two markers of the plate; all its photographs are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Foto von Kamera %1 zeigt zwei Marken des Tellers; alle ihre Fotos werden ausgelassen.</translation>
+    </message>
+    <message>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der bekannte Messplatz stimmt nicht mehr: Kamera %1 verfehlt die Marken um %2 px; die Orte der Kameras werden für diese Ladung neu geschätzt, den Messplatz neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Keine seiner %2 Marken liegt dort, wo diese Kamera sie bei diesem Halt sieht.</translation>
+    </message>
+    <message>
+      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es trägt den Namen eines anderen Fotos oder entstand, während der Teller sich drehte; es wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Keine Marke ist darauf zu sehen; zeigt es diesen Halt? Wenn nicht, noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur von %1 Fotos der Vorderseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken des Tellers beleuchtet und im Bild sind.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur von %1 Fotos der Rückseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken des Tellers beleuchtet und im Bild sind.</translation>
+    </message>
+    <message>
+      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 sieht weniger als sechs Marken des Tellers bei Halt %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
+    </message>
+    <message>
+      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur %1 Halte wurden aufgenommen; mindestens vier über die ganze Umdrehung aufnehmen, damit die Achse gefunden wird.</translation>
+    </message>
+    <message>
+      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Weniger als acht Marken waren zu sehen, also ließ sich kein Abstand zur Kontrolle zurückhalten: Der Maßstab ist nicht geprüft.</translation>
+    </message>
+    <message>
+      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwischen den Marken %1 und %2 haben Sie %3 mm gemessen, nach plate.json sind es %4 mm (%5 %); das Lineal des Tellers messen und plate.json mit 'ostraka plate --ruler-measured' neu erstellen.</translation>
+    </message>
+    <message>
+      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken des Tellers im Median um %2 px; wurde sie zwischen den Fotos berührt, oder gehört plate.json zu einem anderen Teller?</translation>
+    </message>
+    <message>
+      <source>Not usable: the scale is not right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nicht brauchbar: Der Maßstab stimmt nicht.</translation>
+    </message>
+    <message>
+      <source>Good: lenses, places and scale are determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gut: Objektive, Orte und Maßstab sind bestimmt.</translation>
+    </message>
+    <message>
+      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur für einen Versuch brauchbar: Das Objektiv von Kamera %1 folgt allein aus den Marken des Tellers.</translation>
+    </message>
+    <message>
+      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Brauchbar, aber eine Brennweite ist auf nicht besser als ein Tausendstel bekannt.</translation>
+    </message>
+    <message>
+      <source>Usable; what is named below would make it better.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Brauchbar; was unten genannt ist, würde sie verbessern.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Brennweite %2 px (%3 %).</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Brennweite %2 px (%3 %), die Marken des Tellers auf %4 px im Median.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Brennweite %2 px (%3 %), %4 Bilder der Tafel mit %5 px, das schlechteste %6 mit %7 px, bis %8 Grad geneigt, die Marken des Tellers auf %9 px im Median.</translation>
+    </message>
+    <message>
+      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: 12 Bilder der Tafel aufnehmen, nah und fern, bis in alle Ecken des Bildes, um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Nur 1 Bild zeigt die Tafel; mindestens 8 aufnehmen, besser 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Nur %2 Bilder zeigen die Tafel; mindestens 8 aufnehmen, besser 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Die Tafel reicht kaum in diese Bereiche des Bildes: %2; Bilder mit der Tafel dort hinzufügen.</translation>
+    </message>
+    <message>
+      <source>upper left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>oben links</translation>
+    </message>
+    <message>
+      <source>upper middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>oben in der Mitte</translation>
+    </message>
+    <message>
+      <source>upper right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>oben rechts</translation>
+    </message>
+    <message>
+      <source>left middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mitte links</translation>
+    </message>
+    <message>
+      <source>middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mitte</translation>
+    </message>
+    <message>
+      <source>right middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mitte rechts</translation>
+    </message>
+    <message>
+      <source>lower left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unten links</translation>
+    </message>
+    <message>
+      <source>lower middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unten in der Mitte</translation>
+    </message>
+    <message>
+      <source>lower right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unten rechts</translation>
+    </message>
+    <message>
+      <source>Camera %1: no picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 20 Grad geneigt; mindestens vier aufnehmen, zu verschiedenen Seiten geneigt.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Nur 1 Bild zeigt die Tafel um mehr als 20 Grad geneigt; mindestens vier aufnehmen, zu verschiedenen Seiten geneigt.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Nur %2 Bilder zeigen die Tafel um mehr als 20 Grad geneigt; mindestens vier aufnehmen, zu verschiedenen Seiten geneigt.</translation>
+    </message>
+    <message>
+      <source>Reprojection error %1 px over the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückprojektionsfehler %1 px über die Marken des Tellers.</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %).</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: Die Marken %1 und %2, von Hand %3 mm zwischen den Mitten ihrer Außenkanten, liegen in den Fotos %4 mm auseinander (%5 %).</translation>
+    </message>
+    <message>
+      <source>Set aside: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beiseitegelegt: %1</translation>
+    </message>
+    <message>
+      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Objektiv ist bekannt, die Orte der Kameras sind es nicht: Es lässt sich kein Messplatz speichern.</translation>
+    </message>
+    <message>
+      <source>Not usable: the focal length is not determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nicht brauchbar: Die Brennweite ist nicht bestimmt.</translation>
+    </message>
+    <message>
+      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auch den Teller mit seinen Marken aufnehmen: je Kamera und Halt ein Bild nach 'front' legen (cam0_pos00.jpg und so weiter), neben plate.json, die Bilder der Tafel nach 'calib'.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marke %1 der bekannten Länge ist nicht zweimal zu sehen; zwei Marken des Tellers nennen, die auf den Fotos sind.</translation>
+    </message>
+    <message>
+      <source>A known length needs two different markers and millimetres above zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine bekannte Länge braucht zwei verschiedene Marken und Millimeter über null.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diesen Ordner gibt es nicht; einen mit Fotos des Tellers oder der Tafel nennen.</translation>
+    </message>
+    <message>
+      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mehr als fünf Verzeichnungsglieder für '%1' werden nicht verstanden; zuerst die Verzeichnung aus ihren Fotos entfernen.</translation>
+    </message>
+    <message>
+      <source>The camera of '%1' has no valid K, R, t or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera von '%1' hat kein gültiges K, R, t oder keine gültige Größe.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einem Bild fehlt file, width, height, K, R oder t.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einem Bild fehlt file, width, height, K, R oder t (%1).</translation>
+    </message>
+    <message>
+      <source>The camera file holds no list 'images'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kameradatei enthält keine Liste 'images'.</translation>
+    </message>
+    <message>
+      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAPs Kamera %1 hat das Modell '%2' oder Werte, die hier nicht verwendbar sind; stattdessen OPENCV nehmen.</translation>
+    </message>
+    <message>
+      <source>COLMAP's model has no camera for the image '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAPs Modell hat keine Kamera für das Bild '%1'.</translation>
+    </message>
+    <message>
+      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei ist beschädigt oder nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile %1 ist nicht so, wie COLMAP sie schreibt; COLMAP noch einmal laufen lassen.</translation>
+    </message>
+    <message>
+      <source>COLMAP's workspace cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAPs Arbeitsordner lässt sich nicht beschreiben (%1).</translation>
+    </message>
+    <message>
+      <source>This photograph is posed without its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Lage dieses Fotos wird ohne seine Maske bestimmt.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maske lässt sich nicht schreiben.</translation>
+    </message>
+    <message>
+      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ohne plate.json findet COLMAP die Lage der Kameras, und es ist nicht installiert; das Paket 'colmap' installieren oder auf einem Teller mit Marken aufnehmen.</translation>
+    </message>
+    <message>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP fand die Lage von %1 der %2 Fotos, zu wenige; Masken angeben oder auf einem Teller mit Marken aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Maßstab stimmt nicht: Die Marken %1 und %2, zur Kontrolle zurückgehalten, liegen %3 mm auseinander statt %4 (%5 mm, %6 %); prüfen, ob plate.json zu diesem Teller gehört, ob er maßhaltig gedruckt und aufgeklebt ist, und ob ein bekannter Messplatz mit ihm kalibriert wurde.</translation>
+    </message>
+    <message>
+      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gegenüber Kamera %1 hat sich Kamera %2 seit der Kalibrierung des Messplatzes um %3 mm verschoben und um %4 Grad gedreht.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
+    </message>
+    <message>
+      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
+    </message>
+    <message>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
+    </message>
+    <message>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
+    </message>
+    <message>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
+    </message>
+    <message>
+      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
+    </message>
+    <message>
+      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
+    </message>
+    <message>
+      <source>camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: Keine Kamera erklärt die Kalibrierbilder.</translation>
+    </message>
+    <message>
+      <source>%1: the board is not seen in it; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Die Tafel ist darauf nicht zu sehen; es wird beiseitegelegt.</translation>
+    </message>
+    <message>
+      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Markenverzeichnis '%1' ist unbekannt; eines wie DICT_4X4_100 nehmen.</translation>
+    </message>
+    <message>
+      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Seite der Marken muss zwischen 5 und 200 mm liegen.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Durchmesser des Tellers muss zwischen 1 und 2000 mm liegen.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf einen Teller von %2 mm passen weniger als sechs Marken von %1 mm; Marken von %3 mm passen darauf.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf einen Teller von %2 mm passen weniger als sechs Marken von %1 mm; den Teller größer machen.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marken von %1 mm lassen auf einem Teller von %2 mm keinen Platz für eine Scherbe; Marken von %3 mm passen darauf.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marken von %1 mm lassen auf einem Teller von %2 mm keinen Platz für eine Scherbe; den Teller größer machen.</translation>
+    </message>
+    <message>
+      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Rand des Druckers muss zwischen 0 und 40 mm liegen.</translation>
+    </message>
+    <message>
+      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Überlappung der Blätter muss zwischen 5 und 40 mm liegen.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Verzeichnis %1 hat zu wenige Marken für diesen Teller.</translation>
+    </message>
+    <message>
+      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Maß des Lineals muss eine Länge in mm sein, die auf den Teller passt.</translation>
+    </message>
+    <message>
+      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Lineal dieses Tellers ist %1 mm lang gezeichnet, %2 mm weicht um mehr als ein Zehntel ab; die Datei mit 100 % drucken, ohne 'An Seite anpassen', und noch einmal messen.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 hat eine Kovarianz anderer Größe; den Messplatz neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 hat keine gültige Größe, kein gültiges K oder dist; den Messplatz neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>This rig was written by another version; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Messplatz wurde von einer anderen Version geschrieben; den Messplatz neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>Camera %1 stands twice in the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 steht zweimal im Messplatz.</translation>
+    </message>
+    <message>
+      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine Messplatzdatei (RIG.json); den Messplatz neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz hat keine Kamera; ihn neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>This file is there already and is no rig; name another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei gibt es schon, und sie ist kein Messplatz; eine andere nennen.</translation>
+    </message>
+    <message>
+      <source>The log cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Protokoll lässt sich nicht schreiben.</translation>
+    </message>
+    <message>
+      <source>No process can be started.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es lässt sich kein Prozess starten.</translation>
+    </message>
+    <message>
+      <source>The program was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm ging verloren.</translation>
+    </message>
+    <message>
+      <source>The program cannot be started; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm lässt sich nicht starten; es installieren.</translation>
+    </message>
+    <message>
+      <source>%1 ended with an error; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 endete mit einem Fehler; seine Meldungen stehen in dieser Datei.</translation>
+    </message>
+    <message>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Krümel von %1 mm bei x %2, y %3 mm blieb beiseite; wenn es eine Scherbe ist, sie allein aufnehmen.</translation>
+    </message>
+    <message>
+      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Etwas Flaches bei x %1, y %2 mm blieb beiseite; es kann eine Marke oder Schmutz auf dem Teller sein.</translation>
+    </message>
+    <message>
+      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Scherben berühren sich bei x %1, y %2 mm und wurden dort getrennt; zwischen Scherben einen Finger breit Abstand lassen.</translation>
+    </message>
+    <message>
+      <source>The cloud of the plate has no normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Punktwolke des Tellers hat keine Normalen.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the front side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf der Vorderseite wurde keine Scherbe gefunden; ihre Masken und Fotos prüfen.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the back side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf der Rückseite wurde keine Scherbe gefunden; ihre Masken und Fotos prüfen.</translation>
+    </message>
+    <message>
+      <source>The working folder cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Arbeitsordner lässt sich nicht beschreiben (%1).</translation>
+    </message>
+    <message>
+      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses colmap wurde ohne CUDA gebaut, das seine Stereoberechnung braucht; eines mit CUDA installieren oder --dense builtin nehmen, das nichts weiter braucht.</translation>
+    </message>
+    <message>
+      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Masken der Ansichten haben keinen gemeinsamen Gegenstand; Masken, Kameras und Grenzen prüfen.</translation>
+    </message>
+    <message>
+      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>InterfaceCOLMAP hinterließ keine Szene; seine Meldungen stehen in dieser Datei.</translation>
+    </message>
+    <message>
+      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für die Tiefe sind mindestens 3 Fotos mit bekannten Kameras nötig.</translation>
+    </message>
+    <message>
+      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Foto oder seine Maske hat eine andere Größe, als seine Kamera angibt; das Foto nehmen, mit dem die Kamera kalibriert wurde.</translation>
+    </message>
+    <message>
+      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Foto hat eine andere Größe, als seine Kamera angibt; das Foto nehmen, mit dem die Kamera kalibriert wurde.</translation>
+    </message>
+    <message>
+      <source>The mask has another size than its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Maske hat eine andere Größe als ihr Foto.</translation>
+    </message>
+    <message>
+      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 fand keine Punkte des Gegenstands; seine Meldungen stehen in dieser Datei, und --dense builtin braucht kein anderes Programm.</translation>
+    </message>
+    <message>
+      <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 schrieb Punkte ohne Normalen; eine neuere Version installieren oder --dense builtin nehmen.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm %1 ist nicht im PATH, aber --dense %2 braucht es; es installieren oder --dense builtin nehmen, das nichts weiter braucht.</translation>
+    </message>
+    <message>
+      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wurde kein Punkt der Oberfläche gefunden, in dem zwei Ansichten übereinstimmen; Kameras und Masken prüfen.</translation>
+    </message>
+    <message>
+      <source>The picture could not be encoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Bild ließ sich nicht kodieren.</translation>
+    </message>
+    <message>
+      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die %1 Scherben passen nicht auf den Teller; weniger verlangen oder einen anderen Startwert nehmen.</translation>
+    </message>
+    <message>
+      <source>sherds must lie between 1 and 40.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Zahl der Scherben muss zwischen 1 und 40 liegen.</translation>
+    </message>
+    <message>
+      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Breite muss zwischen 160 und 8192 Pixeln liegen und durch 4 teilbar sein.</translation>
+    </message>
+    <message>
+      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gleich aussehende Scherben sind Paare: höchstens halb so viele wie Scherben.</translation>
+    </message>
+    <message>
+      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz braucht eine Kamera und mindestens vier Halte; ihn neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ordner enthält schon Dateien; für die Ladung einen neuen oder leeren nennen.</translation>
+    </message>
+    <message>
+      <source>The virtual camera has no setting %1 of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die virtuelle Kamera hat keine Einstellung %1 mit dem Wert %2.</translation>
+    </message>
+    <message>
+      <source>The camera has taken no photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Kamera hat kein Foto gemacht.</translation>
+    </message>
   </context>
 </TS>

@@ -4800,5 +4800,3395 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
     </message>
+    <message>
+      <source>No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
+    </message>
+    <message>
+      <source>No photograph of this camera shows the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία φωτογραφία αυτής της κάμερας δεν δείχνει τους δείκτες του δίσκου.</translation>
+    </message>
+    <message>
+      <source>No batch folder was given.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε φάκελος παρτίδας.</translation>
+    </message>
+    <message>
+      <source>The angle is no number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γωνία δεν είναι αριθμός.</translation>
+    </message>
+    <message>
+      <source>This program is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το πρόγραμμα δεν είναι εγκατεστημένο.</translation>
+    </message>
+    <message>
+      <source>The picture cannot be decoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα δεν αποκωδικοποιείται.</translation>
+    </message>
+    <message>
+      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν βρέθηκε σώμα στο οποίο συμφωνούν οι φωτογραφίες· ελέγξτε τις κάμερες ή δώστε μάσκες.</translation>
+    </message>
+    <message>
+      <source>Each photograph needs one pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάθε φωτογραφία χρειάζεται μία θέση.</translation>
+    </message>
+    <message>
+      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα περίβλημα χρειάζεται τουλάχιστον 3 φωτογραφίες· φωτογραφίστε το κομμάτι από περισσότερες πλευρές.</translation>
+    </message>
+    <message>
+      <source>The cameras do not look at a common place; check their poses.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι κάμερες δεν κοιτούν σε κοινό σημείο· ελέγξτε τις θέσεις τους.</translation>
+    </message>
+    <message>
+      <source>The network needs a colour photograph of 8 bits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το δίκτυο χρειάζεται έγχρωμη φωτογραφία των 8 bit.</translation>
+    </message>
+    <message>
+      <source>There is no scale to draw it at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε κλίμακα για το σχέδιο.</translation>
+    </message>
+    <message>
+      <source>A preview is taken back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια προεπισκόπηση αναιρείται.</translation>
+    </message>
+    <message>
+      <source>An archive must not lie in the project itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα αρχείο δεν πρέπει να βρίσκεται μέσα στο ίδιο το έργο.</translation>
+    </message>
+    <message>
+      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα έργο επαναφέρεται σε νέο ή κενό φάκελο· επιλέξτε άλλο όνομα.</translation>
+    </message>
+    <message>
+      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· διαβάστε το ως εξαγωγή.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν γίνεται εγγραφή εδώ (%1)· επιλέξτε άλλη θέση ή ελέγξτε τα δικαιώματά της.</translation>
+    </message>
+    <message>
+      <source>There is no such file; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει τέτοιο αρχείο· ελέγξτε το όνομά του.</translation>
+    </message>
+    <message>
+      <source>The file cannot be opened (%1); check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο δεν ανοίγει (%1)· ελέγξτε τα δικαιώματά του.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι κανονικό αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο είναι μεγαλύτερο από τα %1 byte που διαβάζονται εδώ· είναι το σωστό;</translation>
+    </message>
+    <message>
+      <source>The file cannot be read (%1); copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο δεν διαβάζεται (%1)· αντιγράψτε το ξανά.</translation>
+    </message>
+    <message>
+      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια άλλη εκτέλεση γράφει εδώ· περιμένετε να τελειώσει ή επιλέξτε άλλον φάκελο.</translation>
+    </message>
+    <message>
+      <source>The JSON text is larger than 64 MiB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το κείμενο JSON είναι μεγαλύτερο από 64 MiB.</translation>
+    </message>
+    <message>
+      <source>The JSON is nested deeper than 64 levels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το JSON έχει πάνω από 64 επίπεδα εμφώλευσης.</translation>
+    </message>
+    <message>
+      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι έγκυρο JSON (γραμμή %1)· διορθώστε το εκεί ή αντιγράψτε ξανά το αρχείο.</translation>
+    </message>
+    <message>
+      <source>The JSON holds a number that is too large; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το JSON περιέχει έναν υπερβολικά μεγάλο αριθμό· διορθώστε τον.</translation>
+    </message>
+    <message>
+      <source>A transform must be a 4x4 matrix.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας μετασχηματισμός πρέπει να είναι πίνακας 4x4.</translation>
+    </message>
+    <message>
+      <source>A transform holds something not a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας μετασχηματισμός περιέχει κάτι που δεν είναι αριθμός.</translation>
+    </message>
+    <message>
+      <source>A transform is not rigid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας μετασχηματισμός δεν είναι άκαμπτος.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει τέτοιος φάκελος· δώστε τον φάκελο μιας παρτίδας.</translation>
+    </message>
+    <message>
+      <source>The front side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λείπει η μπροστινή όψη· βάλτε τις φωτογραφίες της στον φάκελο '%1'.</translation>
+    </message>
+    <message>
+      <source>The back side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λείπει η πίσω όψη· βάλτε τις φωτογραφίες της στον φάκελο '%1'.</translation>
+    </message>
+    <message>
+      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι παρτίδα: δεν έχει ούτε τους φακέλους 'front' και 'back' ούτε τους 'top_images' και 'bottom_images'· δώστε τον φάκελο μιας παρτίδας.</translation>
+    </message>
+    <message>
+      <source>The name is not of the form %1; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα δεν έχει τη μορφή %1· αυτή η φωτογραφία παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια άλλη φωτογραφία έχει την ίδια κάμερα και στάση· αυτή παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>This photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η φωτογραφία παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λείπουν φωτογραφίες εδώ: %1 και %2 ακόμη· ό,τι βλέπουν μόνο αυτές θα συμπληρωθεί, γι’ αυτό τραβήξτε τις ξανά αν έχουν σημασία.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λείπουν φωτογραφίες εδώ: %1· ό,τι βλέπουν μόνο αυτές θα συμπληρωθεί, γι’ αυτό τραβήξτε τις ξανά αν έχουν σημασία.</translation>
+    </message>
+    <message>
+      <source>This mask is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η μάσκα δεν χρησιμοποιείται.</translation>
+    </message>
+    <message>
+      <source>The mask's size is not its photograph's; it is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μάσκα δεν έχει το μέγεθος της φωτογραφίας της· δεν χρησιμοποιείται.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα έχει %1 x %2 εικονοστοιχεία, οι άλλες της κάμεράς της %3 x %4· αυτή η φωτογραφία παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μπροστινή όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· βάλτε εκεί φωτογραφίες με όνομα %3.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· βάλτε εκεί φωτογραφίες με όνομα %3.</translation>
+    </message>
+    <message>
+      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα δεν είναι ούτε cam&lt;C&gt;_cal&lt;NN&gt;.jpg ούτε empty_cam&lt;C&gt;.jpg· αυτή η εικόνα παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>This picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η εικόνα παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα έχει %1 x %2 εικονοστοιχεία, οι φωτογραφίες της κάμεράς της %3 x %4· αυτή η εικόνα παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα δηλώνει μέγεθος %1 x %2 εικονοστοιχεία, που δεν μπορεί να χρησιμοποιηθεί.</translation>
+    </message>
+    <message>
+      <source>The JPEG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα JPEG είναι κατεστραμμένη· αντιγράψτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The JPEG image has no picture in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το JPEG δεν περιέχει εικόνα.</translation>
+    </message>
+    <message>
+      <source>The PNG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα PNG είναι κατεστραμμένη· αντιγράψτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The TIFF image has no size in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα TIFF δεν δηλώνει μέγεθος.</translation>
+    </message>
+    <message>
+      <source>The file is empty; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο είναι άδειο· αντιγράψτε το ξανά από την κάμερα.</translation>
+    </message>
+    <message>
+      <source>This is no JPEG, PNG or TIFF image.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι εικόνα JPEG, PNG ή TIFF.</translation>
+    </message>
+    <message>
+      <source>The known lengths cannot be used: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα γνωστά μήκη δεν μπορούν να χρησιμοποιηθούν: %1.</translation>
+    </message>
+    <message>
+      <source>'side' must be 'front' or 'back'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το 'side' πρέπει να είναι 'front' ή 'back'</translation>
+    </message>
+    <message>
+      <source>'length' must lie between 0 and 10000 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το 'length' πρέπει να είναι μεταξύ 0 και 10000 mm</translation>
+    </message>
+    <message>
+      <source>'ends' must be two lists of marks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το 'ends' πρέπει να είναι δύο λίστες σημαδιών</translation>
+    </message>
+    <message>
+      <source>each end must be marked on two photographs at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάθε άκρο πρέπει να σημειωθεί σε τουλάχιστον δύο φωτογραφίες</translation>
+    </message>
+    <message>
+      <source>their unit must be mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η μονάδα τους πρέπει να είναι mm</translation>
+    </message>
+    <message>
+      <source>each needs 'side', 'length' and 'ends' with 'file' and 'pixel'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>καθένα χρειάζεται 'side', 'length' και 'ends' με 'file' και 'pixel'</translation>
+    </message>
+    <message>
+      <source>The mask cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μάσκα δεν αποκωδικοποιείται· αντιγράψτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The image cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα δεν αποκωδικοποιείται· αντιγράψτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μονάδα του δίσκου πρέπει να είναι mm· δημιουργήστε ξανά το αρχείο του δίσκου.</translation>
+    </message>
+    <message>
+      <source>The plate names more than 1024 markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος ονομάζει πάνω από 1024 δείκτες.</translation>
+    </message>
+    <message>
+      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος χρειάζεται 'dictionary' και 'markers' με ένα id και τέσσερις γωνίες τριών αριθμών η καθεμία· το 'diameter', αν δίνεται, είναι αριθμός σε mm.</translation>
+    </message>
+    <message>
+      <source>The plate names no marker.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος δεν ονομάζει κανέναν δείκτη.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate has no valid corners.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δείκτης %1 του δίσκου δεν έχει έγκυρες γωνίες.</translation>
+    </message>
+    <message>
+      <source>Marker %1 stands twice on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δείκτης %1 υπάρχει δύο φορές στον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter is no length in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάμετρος του δίσκου δεν είναι μήκος σε mm.</translation>
+    </message>
+    <message>
+      <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας βαθμονόμησης χρειάζεται 'dictionary', 'squares_x', 'squares_y', 'square_mm' και 'marker_mm'.</translation>
+    </message>
+    <message>
+      <source>The board's squares and markers have no valid number or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός ή το μέγεθος των τετραγώνων και δεικτών του πίνακα βαθμονόμησης δεν είναι έγκυρα.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν γίνεται εγγραφή εδώ (%1)· επιλέξτε άλλον φάκελο για την παρτίδα ή ελέγξτε τα δικαιώματά του.</translation>
+    </message>
+    <message>
+      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα και δεν αντικαθίσταται· δώστε άλλη παρτίδα.</translation>
+    </message>
+    <message>
+      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα άρχισε σε άλλον δίσκο· δώστε άλλον φάκελο για αυτήν.</translation>
+    </message>
+    <message>
+      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα άρχισε με %1 κάμερες και %2 στάσεις, όχι με %3 και %4· δώστε άλλον φάκελο.</translation>
+    </message>
+    <message>
+      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η φωτογραφία άλλαξε μετά τη λήψη της· βάλτε πίσω την αρχική ή δώστε άλλον φάκελο για την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η φωτογραφία δεν τραβήχτηκε εδώ· δώστε άλλον φάκελο για την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 δίνει μόνο αρχεία raw· ρυθμίστε τη μορφή εικόνας της σε JPEG ή και στα δύο.</translation>
+    </message>
+    <message>
+      <source>%1 is %2, the rig says %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το %1 είναι %2, η διάταξη λέει %3</translation>
+    </message>
+    <message>
+      <source>%1 is %2, at the first photograph it was %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το %1 είναι %2, στην πρώτη φωτογραφία ήταν %3</translation>
+    </message>
+    <message>
+      <source>The turntable did not reach its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν έφτασε στο μηδέν του.</translation>
+    </message>
+    <message>
+      <source>The turntable did not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν απάντησε.</translation>
+    </message>
+    <message>
+      <source>The turntable does not tell where it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν λέει πού βρίσκεται.</translation>
+    </message>
+    <message>
+      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι απέρριψε μια εντολή (σφάλμα %1): λάθος τύπος τραπεζιού ή κακό καλώδιο.</translation>
+    </message>
+    <message>
+      <source>The table's speed must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ταχύτητα του τραπεζιού πρέπει να είναι μεγαλύτερη από 0.</translation>
+    </message>
+    <message>
+      <source>The line to the turntable is broken (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σύνδεση με το περιστρεφόμενο τραπέζι διακόπηκε (%1).</translation>
+    </message>
+    <message>
+      <source>is not open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>δεν είναι ανοιχτή</translation>
+    </message>
+    <message>
+      <source>takes no more bytes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>δεν δέχεται άλλα byte</translation>
+    </message>
+    <message>
+      <source>was closed at the other end</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>έκλεισε από την άλλη άκρη</translation>
+    </message>
+    <message>
+      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν επιτρέπεται η χρήση αυτής της σειριακής θύρας· εγκαταστήστε τους κανόνες udev του Ostraka ή μπείτε στην ομάδα dialout και συνδεθείτε ξανά.</translation>
+    </message>
+    <message>
+      <source>The serial port is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σειριακή θύρα χρησιμοποιείται από άλλο πρόγραμμα· κλείστε το.</translation>
+    </message>
+    <message>
+      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σειριακή θύρα δεν υπάρχει· είναι το περιστρεφόμενο τραπέζι συνδεδεμένο και ανοιχτό;</translation>
+    </message>
+    <message>
+      <source>This is no serial port.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι σειριακή θύρα.</translation>
+    </message>
+    <message>
+      <source>The serial port does not take its settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σειριακή θύρα δεν δέχεται τις ρυθμίσεις της.</translation>
+    </message>
+    <message>
+      <source>The turntable's address is not known in this network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διεύθυνση του περιστρεφόμενου τραπεζιού δεν είναι γνωστή σε αυτό το δίκτυο.</translation>
+    </message>
+    <message>
+      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια σειριακή θύρα δεν λειτουργεί στα %1 baud· συνηθισμένα είναι τα 9600 και 115200.</translation>
+    </message>
+    <message>
+      <source>A network address looks like 192.168.0.7:23.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια διεύθυνση δικτύου γράφεται όπως 192.168.0.7:23.</translation>
+    </message>
+    <message>
+      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η επιφάνεια εργασίας δεν αφήνει την κάμερα: την κρατά ακόμη το %1· κλείστε το παράθυρο των αρχείων της και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας παρακολουθούμενος φάκελος δεν έχει τη ρύθμιση %1· ρυθμίστε τη στην κάμερα.</translation>
+    </message>
+    <message>
+      <source>A watched folder shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας παρακολουθούμενος φάκελος δεν δείχνει ζωντανή εικόνα.</translation>
+    </message>
+    <message>
+      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν ήρθε νέα φωτογραφία σε %1 δευτερόλεπτα· γράφει το πρόγραμμα της κάμερας σε αυτόν τον φάκελο;</translation>
+    </message>
+    <message>
+      <source>The watched folder cannot be read (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο παρακολουθούμενος φάκελος δεν διαβάζεται (%1).</translation>
+    </message>
+    <message>
+      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ήρθαν δύο φωτογραφίες για μία λήψη, %1 και %2· μία κάμερα ανά φάκελο, μία φωτογραφία ανά στάση.</translation>
+    </message>
+    <message>
+      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα με αυτόν τον σειριακό αριθμό δεν είναι συνδεδεμένη· υπάρχει: %1.</translation>
+    </message>
+    <message>
+      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν προσφέρει %1 για το %2· βρίσκεται στο %3.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα κρατά το %1 στο %2 αντί για %3· κοιτάξτε τον επιλογέα λειτουργίας της.</translation>
+    </message>
+    <message>
+      <source>The camera has no setting %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν έχει τη ρύθμιση %1.</translation>
+    </message>
+    <message>
+      <source>The camera reports: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα αναφέρει: %1.</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι δεν έχει διακόπτη μηδενισμού.</translation>
+    </message>
+    <message>
+      <source>It did not answer while homing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν απάντησε κατά τον μηδενισμό.</translation>
+    </message>
+    <message>
+      <source>It did not unlock.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν ξεκλείδωσε.</translation>
+    </message>
+    <message>
+      <source>It did not answer when the shutters were to be fired.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν απάντησε όταν έπρεπε να γίνει η λήψη.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν απαντά.</translation>
+    </message>
+    <message>
+      <source>The turntable does not come to rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν ηρεμεί.</translation>
+    </message>
+    <message>
+      <source>The turntable does not take its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν δέχεται το μηδέν του.</translation>
+    </message>
+    <message>
+      <source>The controller counts from anew; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο ελεγκτής μετρά από την αρχή· η θέση του τραπεζιού δεν είναι γνωστή.</translation>
+    </message>
+    <message>
+      <source>The turntable does not move.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν κινείται.</translation>
+    </message>
+    <message>
+      <source>The turntable did not arrive in time; it was stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν έφτασε εγκαίρως· σταμάτησε.</translation>
+    </message>
+    <message>
+      <source>The shutter output must be M8, M7, M3 or M62 Pn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η έξοδος του κλείστρου πρέπει να είναι M8, M7, M3 ή M62 Pn.</translation>
+    </message>
+    <message>
+      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι σταμάτησε εν κινήσει και η θέση του χάθηκε: ευθυγραμμίστε το σημάδι του μηδενός (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο ελεγκτής του τραπεζιού λέει ότι η στροφή ξεπερνά τη διαδρομή του: απενεργοποιήστε το $20 (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο μηδενισμός απέτυχε: ελέγξτε τον διακόπτη μηδενισμού και το καλώδιό του (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο ελεγκτής του τραπεζιού έδωσε συναγερμό (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο ελεγκτής δεν καταλαβαίνει την εντολή: λάθος τύπος ελεγκτή ή κακό καλώδιο (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι δεν έχει διακόπτη μηδενισμού (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is still moving (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι κινείται ακόμη (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τραπέζι είναι κλειδωμένο: μηδενίστε ή ξεκλειδώστε το (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller refused a command (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο ελεγκτής του τραπεζιού απέρριψε μια εντολή (error:%1).</translation>
+    </message>
+    <message>
+      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στρέψτε το τραπέζι αριστερόστροφα στις %1 μοίρες και τραβήξτε το χέρι σας.</translation>
+    </message>
+    <message>
+      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι κατάλογος φωτογραφιών του Ostraka· δώστε άλλον φάκελο για την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα οδήγησης %1 του περιστρεφόμενου τραπεζιού δεν είναι γνωστό· υπάρχουν: grbl, comxim1, comxim2, text, hand.</translation>
+    </message>
+    <message>
+      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα οδήγησης κάμερας %1 δεν είναι γνωστό· υπάρχουν: folder, gphoto2, uvc.</translation>
+    </message>
+    <message>
+      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη δεν ονομάζει συσκευές· το 'ostraka devices' λέει τι είναι συνδεδεμένο και πώς γράφεται εκεί.</translation>
+    </message>
+    <message>
+      <source>The rig names no camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη δεν ονομάζει καμία κάμερα.</translation>
+    </message>
+    <message>
+      <source>settle_s and speed_deg_s must be positive.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα settle_s και speed_deg_s πρέπει να είναι θετικά.</translation>
+    </message>
+    <message>
+      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μέρος 'devices' δεν διαβάζεται· συγκρίνετέ το με το κεφάλαιο του README για τις συσκευές.</translation>
+    </message>
+    <message>
+      <source>The number of stops must lie between 3 and 99.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός των στάσεων πρέπει να είναι μεταξύ 3 και 99.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera or no turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη δεν έχει κάμερα ή δεν έχει περιστρεφόμενο τραπέζι.</translation>
+    </message>
+    <message>
+      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει λήψη %1 για επανάληψη: αυτή η όψη έχει τις στάσεις 1 έως %2 και τις κάμερες A έως %3.</translation>
+    </message>
+    <message>
+      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 αυτής της παρτίδας ήταν η %2, αυτή εδώ είναι η %3· συνεχίστε με τις κάμερες που την άρχισαν ή δώστε άλλον φάκελο.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η θέση του τραπεζιού δεν είναι γνωστή: στρέψτε το σημάδι του μηδενός μπροστά και ορίστε το μηδέν.</translation>
+    </message>
+    <message>
+      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1, στάση %2: απέτυχε %3 φορές: %4.</translation>
+    </message>
+    <message>
+      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 παραδίδει μόνο παλιότερες ή κατεστραμμένες φωτογραφίες· κλείστε την και ανοίξτε την.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer as a %1; is it another one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν απαντά ως %1· μήπως είναι άλλο;</translation>
+    </message>
+    <message>
+      <source>Marlin controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ελεγκτής Marlin</translation>
+    </message>
+    <message>
+      <source>text controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ελεγκτής κειμένου</translation>
+    </message>
+    <message>
+      <source>This table has no zero switch: align it by eye.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το τραπέζι δεν έχει διακόπτη μηδενισμού: ευθυγραμμίστε το με το μάτι.</translation>
+    </message>
+    <message>
+      <source>The turntable refuses: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι αρνείται: %1.</translation>
+    </message>
+    <message>
+      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι βρίσκεται στις %1 μοίρες αντί για %2.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'move' πρέπει να περιέχει {target} ή {by}.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'accepted' πρέπει να λέει πώς απαντά.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: τα 'query' και 'position' πάνε μαζί.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'reply_s' πρέπει να είναι μεγαλύτερο από 0.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: '%1' is no regular expression.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το '%1' δεν είναι κανονική έκφραση.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις του περιστρεφόμενου τραπεζιού: το 'position' χρειάζεται μια ομάδα για τη γωνία.</translation>
+    </message>
+    <message>
+      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το 'dialect' του περιστρεφόμενου τραπεζιού πρέπει να είναι "marlin" ή οι λέξεις του.</translation>
+    </message>
+    <message>
+      <source>The turntable is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν είναι συνδεδεμένο.</translation>
+    </message>
+    <message>
+      <source>The turntable was unplugged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι αποσυνδέθηκε.</translation>
+    </message>
+    <message>
+      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σύνδεση USB του περιστρεφόμενου τραπεζιού απέτυχε (%1)· συνδέστε το ξανά.</translation>
+    </message>
+    <message>
+      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν επιτρέπεται η χρήση αυτής της συσκευής USB· εγκαταστήστε το packaging/udev/70-ostraka.rules και συνδέστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The turntable is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι χρησιμοποιείται από άλλο πρόγραμμα· κλείστε το.</translation>
+    </message>
+    <message>
+      <source>The turntable cannot be opened (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι δεν ανοίγει (%1).</translation>
+    </message>
+    <message>
+      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η συσκευή USB δεν είναι σειριακός ελεγκτής (CDC-ACM).</translation>
+    </message>
+    <message>
+      <source>The turntable of this serial number is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιστρεφόμενο τραπέζι με αυτόν τον σειριακό αριθμό δεν είναι συνδεδεμένο.</translation>
+    </message>
+    <message>
+      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα περιστρεφόμενο τραπέζι USB ονομάζεται με κατασκευαστή και προϊόν, όπως usb:1209:0001.</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η βιντεοκάμερα δεν ανοίγει: είναι συνδεδεμένη, και δεν τη χρησιμοποιεί άλλο πρόγραμμα;</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η βιντεοκάμερα δεν ανοίγει.</translation>
+    </message>
+    <message>
+      <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια βιντεοκάμερα έχει exposure (0,1 ms), focus, white_balance (K) και gain, ως αριθμούς· όχι %1 %2.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα κρατά το %1 στο %2 αντί για %3.</translation>
+    </message>
+    <message>
+      <source>It is not open.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι ανοιχτή.</translation>
+    </message>
+    <message>
+      <source>The video camera gives no pictures any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η βιντεοκάμερα δεν δίνει πια εικόνες.</translation>
+    </message>
+    <message>
+      <source>The video camera has taken no picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η βιντεοκάμερα δεν τράβηξε εικόνα.</translation>
+    </message>
+    <message>
+      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η βιντεοκάμερα δίνει εικόνες %1x%2 εικονοστοιχείων, όχι του μεγέθους που ορίστηκε.</translation>
+    </message>
+    <message>
+      <source>The video camera must be named.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η βιντεοκάμερα πρέπει να ονομαστεί.</translation>
+    </message>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το αρχείο είναι κομμένο ή δεν είναι εικόνα</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>οι δείκτες δείχνουν άλλη γωνία από αυτήν της στάσης</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η εικόνα έχει άλλο μέγεθος από τις άλλες της κάμερας</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φαίνονται πολύ λίγοι δείκτες για να βρεθεί η στάση: υπάρχει κάτι μπροστά τους, είναι θολή;</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η κάμερα παρέδωσε ξανά μια παλιότερη φωτογραφία</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φαίνονται πολύ λίγοι δείκτες του δίσκου: υπάρχει κάτι μπροστά τους;</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>είναι θολή: κουνιόταν ακόμη το τραπέζι, άλλαξε η εστίαση;</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τα όστρακα είναι πολύ σκοτεινά: δώστε περισσότερο φως ή μεγαλύτερη έκθεση</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τα όστρακα είναι υπερεκτεθειμένα: μικρότερη έκθεση</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το άκρο της εικόνας κόβει ένα όστρακο: μετακινήστε το ή την κάμερα</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>οι ρυθμίσεις της κάμερας άλλαξαν: επαναφέρετέ τες</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: επαναφέρετέ το</translation>
+    </message>
+    <message>
+      <source>A plate holds 1 to 60 sherds; 0 means not counted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας δίσκος χωρά 1 έως 60 όστρακα· 0 σημαίνει αμέτρητα.</translation>
+    </message>
+    <message>
+      <source>The number of a batch is also the name of its folder; use letters and digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός μιας παρτίδας είναι και το όνομα του φακέλου της· χρησιμοποιήστε γράμματα και ψηφία.</translation>
+    </message>
+    <message>
+      <source>The uuid of a batch is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το uuid μιας παρτίδας δεν είναι σωστά γραμμένο.</translation>
+    </message>
+    <message>
+      <source>There is a batch %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη παρτίδα %1.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η παρτίδα δεν είναι στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κωδικός του έργου πρέπει να έχει 2 έως 8 κεφαλαία ή ψηφία, όπως ARM.</translation>
+    </message>
+    <message>
+      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας όρος λεξιλογίου πρέπει να έχει γράμματα και όχι ';'.</translation>
+    </message>
+    <message>
+      <source>The term '%1' stands twice in the vocabulary.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο όρος '%1' υπάρχει δύο φορές στο λεξιλόγιο.</translation>
+    </message>
+    <message>
+      <source>Sherds with the term '%1': %2; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα με τον όρο «%1»: %2· αλλάξτε πρώτα αυτά.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος είναι κατεστραμμένος (%1)· επαναφέρετε το νεότερο αρχείο από τον φάκελο backups.</translation>
+    </message>
+    <message>
+      <source>a row of %1 points at nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μια γραμμή του %1 δεν δείχνει πουθενά</translation>
+    </message>
+    <message>
+      <source>the tables of the sherds do not fit together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>οι πίνακες των οστράκων δεν συμφωνούν μεταξύ τους</translation>
+    </message>
+    <message>
+      <source>the search does not know all sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η αναζήτηση δεν γνωρίζει όλα τα όστρακα</translation>
+    </message>
+    <message>
+      <source>The backup does not hold what was saved; try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αντίγραφο ασφαλείας δεν περιέχει όσα αποθηκεύτηκαν· δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+      <source>The backup cannot be given its name; check the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αντίγραφο ασφαλείας δεν μπορεί να πάρει το όνομά του· ελέγξτε τον φάκελο.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος δεν ανοίγει· ελέγξτε ότι ο φάκελος υπάρχει και επιτρέπει εγγραφή.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be written to; check the permissions of the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν γίνεται εγγραφή στον κατάλογο· ελέγξτε τα δικαιώματα του φακέλου.</translation>
+    </message>
+    <message>
+      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο σκληρός δίσκος δεν απαντά σωστά· ελέγξτε τον και ανοίξτε ξανά το έργο.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος είναι κατεστραμμένος· επαναφέρετε το νεότερο αρχείο από τον φάκελο backups.</translation>
+    </message>
+    <message>
+      <source>The catalogue does not take this (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος δεν το δέχεται (%1).</translation>
+    </message>
+    <message>
+      <source>The scan is no front of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση δεν είναι μπροστινή όψη αυτής της παρτίδας.</translation>
+    </message>
+    <message>
+      <source>The scan is no back of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση δεν είναι πίσω όψη αυτής της παρτίδας.</translation>
+    </message>
+    <message>
+      <source>its front has no back any more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η μπροστινή του όψη δεν έχει πια πίσω όψη</translation>
+    </message>
+    <message>
+      <source>A pair has a front and a back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα ζεύγος έχει μπροστινή και πίσω όψη.</translation>
+    </message>
+    <message>
+      <source>The decision to be taken back is not in this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση που θα ανακληθεί δεν είναι σε αυτή την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>A decision names a front, a back, or both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια απόφαση ονομάζει μπροστινή όψη, πίσω όψη ή και τις δύο.</translation>
+    </message>
+    <message>
+      <source>The uuid of a decision is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το uuid μιας απόφασης δεν είναι σωστά γραμμένο.</translation>
+    </message>
+    <message>
+      <source>This file does not lie in the project's folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο δεν βρίσκεται στον φάκελο του έργου.</translation>
+    </message>
+    <message>
+      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι προσχέδιο από πιο χονδρικές φωτογραφίες· υπολογίστε ξανά την παρτίδα για οριστικές μετρήσεις.</translation>
+    </message>
+    <message>
+      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι πλήρη αποτελέσματα του 'ostraka process'· εκτελέστε το ξανά.</translation>
+    </message>
+    <message>
+      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας των ζευγών ονομάζει τη σάρωση %1, που δεν υπάρχει· εκτελέστε ξανά το 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η παρτίδα δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This photograph is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η φωτογραφία δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This scan is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η σάρωση δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This file is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This person is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το άτομο δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This site is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η θέση δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This trench is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η τομή δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This context is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το πλαίσιο δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>This bag is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η σακούλα δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>The filter opens a quotation mark and does not close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το φίλτρο ανοίγει εισαγωγικά και δεν τα κλείνει.</translation>
+    </message>
+    <message>
+      <source>This is only a part of a sherd's label; read its code again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι μόνο μέρος της ετικέτας ενός οστράκου· διαβάστε ξανά τον κωδικό της.</translation>
+    </message>
+    <message>
+      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το φίλτρο δεν γνωρίζει πεδίο '%1'· βάλτε τη λέξη σε εισαγωγικά για να αναζητηθεί όπως είναι.</translation>
+    </message>
+    <message>
+      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μόνο μετρήσεις συγκρίνονται με &lt; και &gt;· γράψτε %1:value.</translation>
+    </message>
+    <message>
+      <source>The filter is not readable text.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το φίλτρο δεν είναι αναγνώσιμο κείμενο.</translation>
+    </message>
+    <message>
+      <source>There is no field '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει πεδίο '%1'.</translation>
+    </message>
+    <message>
+      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μερικές από τις αλλαγές μένουν, γιατί δεν αναιρέθηκαν: %1</translation>
+    </message>
+    <message>
+      <source>There is no measurement of this kind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει μέτρηση αυτού του είδους.</translation>
+    </message>
+    <message>
+      <source>A measurement is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια μέτρηση δεν είναι ποτέ κάτω από 0.</translation>
+    </message>
+    <message>
+      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο έγινε με νεότερο Ostraka (κατάλογος έκδοση %1, αυτό το πρόγραμμα γνωρίζει %2)· εγκαταστήστε εκείνο, δεν άλλαξε τίποτα.</translation>
+    </message>
+    <message>
+      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η αρίθμηση δεν μπορεί να περιέχει τον χαρακτήρα '%1'· ανάμεσα στα σύμβολα επιτρέπονται γράμματα, ψηφία, '.', '_', '/' και '-'.</translation>
+    </message>
+    <message>
+      <source>The numbering opens a token with { and does not close it with }.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η αρίθμηση ανοίγει ένα σύμβολο με { και δεν το κλείνει με }.</translation>
+    </message>
+    <message>
+      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η αρίθμηση δεν έχει σύμβολο {%1}· υπάρχουν site, trench, context, bag, batch, yyyy, yy και n.</translation>
+    </message>
+    <message>
+      <source>The width of {%1} must be written as :04, with 12 digits at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλάτος του {%1} πρέπει να γράφεται όπως :04, με 12 ψηφία το πολύ.</translation>
+    </message>
+    <message>
+      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο σύμβολα αγγίζονται· βάλτε ένα '-' ή άλλο σημείο ανάμεσα στο {%1} και το {%2}.</translation>
+    </message>
+    <message>
+      <source>The numbering must count the sherds with {n} exactly once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η αρίθμηση πρέπει να μετρά τα όστρακα με {n} ακριβώς μία φορά.</translation>
+    </message>
+    <message>
+      <source>The number needs the site of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός χρειάζεται τη θέση του οστράκου, που δεν έχει καταχωριστεί.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός χρειάζεται την τομή του οστράκου, που δεν έχει καταχωριστεί.</translation>
+    </message>
+    <message>
+      <source>The number needs the context of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός χρειάζεται το πλαίσιο του οστράκου, που δεν έχει καταχωριστεί.</translation>
+    </message>
+    <message>
+      <source>The number needs the bag of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός χρειάζεται τη σακούλα του οστράκου, που δεν έχει καταχωριστεί.</translation>
+    </message>
+    <message>
+      <source>The number needs the batch of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός χρειάζεται την παρτίδα του οστράκου, που δεν έχει καταχωριστεί.</translation>
+    </message>
+    <message>
+      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η θέση %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
+    </message>
+    <message>
+      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η τομή %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
+    </message>
+    <message>
+      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλαίσιο %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα του στον αριθμό.</translation>
+    </message>
+    <message>
+      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σακούλα %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
+    </message>
+    <message>
+      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα %1 περιέχει το σημείο '%2' που βρίσκεται δίπλα της στον αριθμό.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before; numbers are never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 έχει δοθεί παλιότερα· οι αριθμοί δεν ξαναχρησιμοποιούνται.</translation>
+    </message>
+    <message>
+      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σειρά αριθμών ως το %1 εξαντλήθηκε· δώστε σε αυτόν τον υπολογιστή νέα σειρά στις ρυθμίσεις.</translation>
+    </message>
+    <message>
+      <source>A decision needs the name of the person who takes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια απόφαση χρειάζεται το όνομα του ατόμου που την παίρνει.</translation>
+    </message>
+    <message>
+      <source>Two pieces or more are joined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ενώνονται δύο ή περισσότερα κομμάτια.</translation>
+    </message>
+    <message>
+      <source>One piece is cut.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κόβεται ένα κομμάτι.</translation>
+    </message>
+    <message>
+      <source>The name of a person must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα ενός ατόμου δεν πρέπει να είναι κενό.</translation>
+    </message>
+    <message>
+      <source>The person's initials must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αρχικά του ατόμου δεν πρέπει να είναι κενά.</translation>
+    </message>
+    <message>
+      <source>The code of a site must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κωδικός μιας θέσης δεν πρέπει να είναι κενός.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κωδικός μιας τομής δεν πρέπει να είναι κενός.</translation>
+    </message>
+    <message>
+      <source>The number of a context must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός ενός πλαισίου δεν πρέπει να είναι κενός.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός μιας σακούλας δεν πρέπει να είναι κενός.</translation>
+    </message>
+    <message>
+      <source>The name of a person must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα ενός ατόμου είναι πολύ μεγάλο· το πολύ 200 γράμματα.</translation>
+    </message>
+    <message>
+      <source>The person's initials must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αρχικά του ατόμου είναι πολύ μεγάλα· το πολύ 200 γράμματα.</translation>
+    </message>
+    <message>
+      <source>The code of a site must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κωδικός μιας θέσης είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κωδικός μιας τομής είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
+    </message>
+    <message>
+      <source>The number of a context must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός ενός πλαισίου είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός μιας σακούλας είναι πολύ μεγάλος· το πολύ 200 γράμματα.</translation>
+    </message>
+    <message>
+      <source>The uuid is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το uuid δεν είναι σωστά γραμμένο.</translation>
+    </message>
+    <message>
+      <source>The initials %1 belong to another person already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αρχικά %1 ανήκουν ήδη σε άλλο άτομο.</translation>
+    </message>
+    <message>
+      <source>The latitude lies between -90 and 90 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το γεωγραφικό πλάτος είναι μεταξύ -90 και 90 μοιρών.</translation>
+    </message>
+    <message>
+      <source>The longitude lies between -180 and 180 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το γεωγραφικό μήκος είναι μεταξύ -180 και 180 μοιρών.</translation>
+    </message>
+    <message>
+      <source>There is a site %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη θέση %1.</translation>
+    </message>
+    <message>
+      <source>A trench belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια τομή ανήκει σε μια θέση.</translation>
+    </message>
+    <message>
+      <source>A trench cannot lie in itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια τομή δεν μπορεί να βρίσκεται μέσα στον εαυτό της.</translation>
+    </message>
+    <message>
+      <source>There is a trench %1 in this site already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη τομή %1 σε αυτή τη θέση.</translation>
+    </message>
+    <message>
+      <source>A context belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα πλαίσιο ανήκει σε μια θέση.</translation>
+    </message>
+    <message>
+      <source>The trench belongs to another site than the context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η τομή ανήκει σε άλλη θέση από το πλαίσιο.</translation>
+    </message>
+    <message>
+      <source>There is a context %1 in this place already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη πλαίσιο %1 σε αυτό το σημείο.</translation>
+    </message>
+    <message>
+      <source>A bag belongs to a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια σακούλα ανήκει σε ένα πλαίσιο.</translation>
+    </message>
+    <message>
+      <source>The weight of a bag is above 0 g.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το βάρος μιας σακούλας είναι πάνω από 0 g.</translation>
+    </message>
+    <message>
+      <source>A count is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα πλήθος δεν είναι ποτέ κάτω από 0.</translation>
+    </message>
+    <message>
+      <source>There is a bag %1 in this context already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη σακούλα %1 σε αυτό το πλαίσιο.</translation>
+    </message>
+    <message>
+      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος βρίσκεται σε κοινόχρηστο δίκτυο (%1), όπου οι κατάλογοι καταστρέφονται· χρησιμοποιήστε φάκελο στον δίσκο αυτού του υπολογιστή και αντιγράψτε τα αντίγραφα ασφαλείας στο δίκτυο.</translation>
+    </message>
+    <message>
+      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος δεν είναι έργο Ostraka: δεν περιέχει catalogue.sqlite.</translation>
+    </message>
+    <message>
+      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα νέο έργο χρειάζεται νέο ή άδειο φάκελο· επιλέξτε άλλο όνομα.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος δεν μπορεί να δημιουργηθεί· επιλέξτε θέση όπου επιτρέπεται η εγγραφή.</translation>
+    </message>
+    <message>
+      <source>A uuid of the export is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα uuid της εξαγωγής δεν είναι σωστά γραμμένο.</translation>
+    </message>
+    <message>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση αποθηκεύτηκε με την παρτίδα, αλλά το %1 δεν είναι ακόμη στον κατάλογο· θα καταχωριστεί με τα επόμενα αποτελέσματα.</translation>
+    </message>
+    <message>
+      <source>The field %1 comes from the program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πεδίο %1 προέρχεται από το πρόγραμμα.</translation>
+    </message>
+    <message>
+      <source>A void sherd keeps its number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άκυρο όστρακο κρατά τον αριθμό του.</translation>
+    </message>
+    <message>
+      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας αριθμός δεν περιέχει αλλαγή γραμμής, στηλοθέτη ή '%'.</translation>
+    </message>
+    <message>
+      <source>A number has 120 letters at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας αριθμός έχει το πολύ 120 χαρακτήρες.</translation>
+    </message>
+    <message>
+      <source>The number %1 would be given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 θα δινόταν δύο φορές.</translation>
+    </message>
+    <message>
+      <source>The files of %1 would have the same names as those of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αρχεία του %1 θα είχαν τα ίδια ονόματα με εκείνα του %2.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before and is never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 έχει δοθεί παλιότερα και δεν ξαναχρησιμοποιείται.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 ανήκει σε άλλο όστρακο.</translation>
+    </message>
+    <message>
+      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το '%1' δεν είναι όρος του λεξιλογίου '%2'· επιλέξτε άλλον ή προσθέστε τον στις ρυθμίσεις.</translation>
+    </message>
+    <message>
+      <source>What follows the sign ± is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό που ακολουθεί το σημείο ± είναι πάνω από 0.</translation>
+    </message>
+    <message>
+      <source>A measurement is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια μέτρηση είναι πάνω από 0.</translation>
+    </message>
+    <message>
+      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα όστρακο δεν είναι μεγαλύτερο από 1000 mm· είναι σε χιλιοστά;</translation>
+    </message>
+    <message>
+      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα όστρακο δεν είναι βαρύτερο από 20 kg· είναι σε γραμμάρια;</translation>
+    </message>
+    <message>
+      <source>A share is 100 % at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα ποσοστό είναι το πολύ 100 %.</translation>
+    </message>
+    <message>
+      <source>There is no sherd %1 that it could join.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει όστρακο %1 με το οποίο θα μπορούσε να συνανήκει.</translation>
+    </message>
+    <message>
+      <source>A sherd does not join itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο δεν συνανήκει με τον εαυτό του.</translation>
+    </message>
+    <message>
+      <source>There is no context %1 in %2; add it first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει πλαίσιο %1 στο %2· προσθέστε το πρώτα.</translation>
+    </message>
+    <message>
+      <source>A numbered sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα αριθμημένο όστρακο χρειάζεται το πλαίσιό του.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει σακούλα %1 σε αυτό το πλαίσιο· προσθέστε την ή αλλάξτε και τη σακούλα.</translation>
+    </message>
+    <message>
+      <source>A sherd gets a number when its context is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο παίρνει αριθμό όταν το πλαίσιό του είναι γνωστό.</translation>
+    </message>
+    <message>
+      <source>The table cannot be ordered by '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας δεν ταξινομείται κατά '%1'.</translation>
+    </message>
+    <message>
+      <source>A sherd is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο δεν είναι πια στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>The uuid of a sherd is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το uuid ενός οστράκου δεν είναι σωστά γραμμένο.</translation>
+    </message>
+    <message>
+      <source>There is a sherd with this uuid already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη όστρακο με αυτό το uuid.</translation>
+    </message>
+    <message>
+      <source>A sherd is void for a reason; say which.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο είναι άκυρο για κάποιον λόγο· πείτε ποιον.</translation>
+    </message>
+    <message>
+      <source>The number %1 stands on two sherds of this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 υπάρχει σε δύο όστρακα αυτού του δίσκου.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 ανήκει ήδη σε άλλο όστρακο.</translation>
+    </message>
+    <message>
+      <source>The sherd of this label has no number yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο αυτής της ετικέτας δεν έχει ακόμη αριθμό.</translation>
+    </message>
+    <message>
+      <source>The text is longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το κείμενο είναι μεγαλύτερο από 1 MB.</translation>
+    </message>
+    <message>
+      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το κείμενο δεν είναι έγκυρο UTF-8 ή περιέχει μηδενικό byte.</translation>
+    </message>
+    <message>
+      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια ημέρα γράφεται 2026-07-14 (έτος-μήνας-ημέρα).</translation>
+    </message>
+    <message>
+      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια χρονολόγηση γράφεται σε EDTF, όπως -0599/-0549~ (600 έως περίπου 550 π.Χ.), -1149? ή 0350/..· τα έτη έχουν τέσσερα ψηφία.</translation>
+    </message>
+    <message>
+      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα χρώμα Munsell γράφεται 10YR 3/1 ή N 4/.</translation>
+    </message>
+    <message>
+      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το '%1' δεν είναι αριθμός· γράψτε 12.5 ή 12,5, χωρίς μονάδα.</translation>
+    </message>
+    <message>
+      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το '%1' δεν είναι διαδρομή μέσα στο έργο· πρέπει να είναι σχετική, με '/' και χωρίς '..'.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces to write.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλέγμα δεν έχει όψεις για εγγραφή.</translation>
+    </message>
+    <message>
+      <source>A face of the mesh names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια όψη του πλέγματος ονομάζει κορυφή που δεν υπάρχει.</translation>
+    </message>
+    <message>
+      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι αρχείο PLY· δώστε ένα ή εξαγάγετε ξανά τη σάρωση.</translation>
+    </message>
+    <message>
+      <source>The PLY header names no format; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κεφαλίδα PLY δεν δηλώνει μορφή· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κεφαλίδα PLY έχει λάθος στη γραμμή %1: %2· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>its format is not known</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η μορφή του δεν είναι γνωστή</translation>
+    </message>
+    <message>
+      <source>a count is no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ένα πλήθος δεν είναι αριθμός</translation>
+    </message>
+    <message>
+      <source>a property cannot be read</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μια ιδιότητα δεν διαβάζεται</translation>
+    </message>
+    <message>
+      <source>a property has an unknown type</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μια ιδιότητα έχει άγνωστο τύπο</translation>
+    </message>
+    <message>
+      <source>a list has no whole number as its length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το μήκος μιας λίστας δεν είναι ακέραιος αριθμός</translation>
+    </message>
+    <message>
+      <source>a line cannot be understood</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μια γραμμή δεν είναι κατανοητή</translation>
+    </message>
+    <message>
+      <source>The PLY header has no end; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κεφαλίδα PLY δεν έχει τέλος· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κεφαλίδα PLY δηλώνει %1 '%2', περισσότερα από όσα περιέχει το αρχείο· ίσως είναι κομμένο.</translation>
+    </message>
+    <message>
+      <source>The PLY file has two lists of vertices; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY έχει δύο λίστες κορυφών· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από τις κορυφές του PLY λείπει το x, το y ή το z· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY τελειώνει νωρίς ή περιέχει κάτι που δεν είναι αριθμός· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια όψη του PLY ονομάζει κορυφή που δεν υπάρχει· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within its faces; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY τελειώνει μέσα στις όψεις του· αντιγράψτε το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within '%1'; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY τελειώνει μέσα στο '%1'· αντιγράψτε το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY file has no vertices; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY δεν έχει κορυφές· εξαγάγετε ξανά τη σάρωση.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds more than its header claims; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY περιέχει περισσότερα από όσα δηλώνει η κεφαλίδα του· εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds no usable point; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY δεν περιέχει κανένα χρήσιμο σημείο· εξαγάγετε ξανά τη σάρωση.</translation>
+    </message>
+    <message>
+      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένα τμήμα της ακμής δεν μπορεί να είναι χείλος· σχεδιάστε αυτό το όστρακο ως όστρακο χωρίς χείλος.</translation>
+    </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό που θεωρήθηκε χείλος μόλις που του μοιάζει (%1 %)· ελέγξτε τη γραμμή του χείλους πριν εμπιστευτείτε τη διάμετρο.</translation>
+    </message>
+    <message>
+      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σχεδιάστηκε ως χείλος, που είναι πιθανό (%1 %)· ελέγξτε το.</translation>
+    </message>
+    <message>
+      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ίσως είναι χείλος (%1 %)· αν είναι, δηλώστε το και σχεδιάστε το ξανά.</translation>
+    </message>
+    <message>
+      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κλίμακα του σχεδίου πρέπει να είναι μεταξύ 1:20 και 5:1.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα σχέδιο χρειάζεται κλειστό μοντέλο (%1)· φτιάξτε το με το 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα σχέδιο χρειάζεται κλειστό μοντέλο· φτιάξτε το με το 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>This file is missing or cannot be read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο λείπει ή δεν διαβάζεται.</translation>
+    </message>
+    <message>
+      <source>The disk cannot read this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο σκληρός δίσκος δεν μπορεί να διαβάσει αυτό το αρχείο.</translation>
+    </message>
+    <message>
+      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λείπει ο κατάλογος των αρχείων (manifest)· δεν είναι εξαγωγή του Ostraka.</translation>
+    </message>
+    <message>
+      <source>The manifest has a line that cannot be read: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος των αρχείων (manifest) έχει άκυρη γραμμή: %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file outside the folder: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος των αρχείων (manifest) ονομάζει αρχείο έξω από τον φάκελο: %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file twice: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος των αρχείων (manifest) ονομάζει δύο φορές ένα αρχείο: %1</translation>
+    </message>
+    <message>
+      <source>This cannot be written; check the space left and the permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν γίνεται εγγραφή εδώ· ελέγξτε τον ελεύθερο χώρο και τα δικαιώματα.</translation>
+    </message>
+    <message>
+      <source>There is a folder of this name already; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
+    </message>
+    <message>
+      <source>A name in an export must not hold '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όνομα σε εξαγωγή δεν πρέπει να περιέχει '%'.</translation>
+    </message>
+    <message>
+      <source>Two files of the export would have the same name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο αρχεία της εξαγωγής θα είχαν το ίδιο όνομα.</translation>
+    </message>
+    <message>
+      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάποιος δημιούργησε εν τω μεταξύ φάκελο με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
+    </message>
+    <message>
+      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος δεν είναι εξαγωγή του Ostraka: λείπει το bagit.txt.</translation>
+    </message>
+    <message>
+      <source>This file is not in the manifest; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο δεν είναι στον κατάλογο των αρχείων (manifest)· δεν διαβάστηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>This is a link, not a file; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι σύνδεσμος, όχι αρχείο· δεν διαβάστηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read (%1); nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος δεν διαβάζεται (%1)· δεν διαβάστηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>This file is missing; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο λείπει· δεν διαβάστηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>This file was changed after the export; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο άλλαξε μετά την εξαγωγή· δεν διαβάστηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>There is no context %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει πλαίσιο %1· δημιουργήστε το ή αφήστε την εισαγωγή να το δημιουργήσει.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει σακούλα %1· δημιουργήστε την ή αφήστε την εισαγωγή να τη δημιουργήσει.</translation>
+    </message>
+    <message>
+      <source>The column closed takes yes or no.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η στήλη closed δέχεται yes ή no.</translation>
+    </message>
+    <message>
+      <source>The column count_written takes a whole number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η στήλη count_written δέχεται ακέραιο αριθμό.</translation>
+    </message>
+    <message>
+      <source>The row has %1 values, the header %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γραμμή έχει %1 τιμές, η επικεφαλίδα %2.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η στήλη '%1' δεν είναι γνωστή· οι τιμές της κρατιούνται ως δικό σας πεδίο.</translation>
+    </message>
+    <message>
+      <source>The file holds zero bytes; it is no table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο περιέχει μηδενικά byte· δεν είναι πίνακας.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γραμμή %1 δεν είναι σε UTF-8· αποθηκεύστε τον πίνακα ως 'CSV UTF-8' και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000,000 rows; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας έχει πάνω από 1.000.000 γραμμές· χωρίστε τον.</translation>
+    </message>
+    <message>
+      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γραμμή %1 ανοίγει εισαγωγικά που δεν κλείνουν ποτέ.</translation>
+    </message>
+    <message>
+      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γραμμή %1 έχει γράμματα μετά από εισαγωγικά που κλείνουν.</translation>
+    </message>
+    <message>
+      <source>Line %1 has a value longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γραμμή %1 έχει τιμή μεγαλύτερη από 1 MB.</translation>
+    </message>
+    <message>
+      <source>The table is empty; its first line must name the columns.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας είναι άδειος· η πρώτη του γραμμή πρέπει να ονομάζει τις στήλες.</translation>
+    </message>
+    <message>
+      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το όστρακο δεν έχει ακόμη μοντέλο και δεν μπορεί να σχεδιαστεί· υπολογίστε πρώτα την παρτίδα του.</translation>
+    </message>
+    <message>
+      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι μετρήσεις της παρτίδας του είναι αμφίβολες: το ίδιο και το μέγεθος αυτού του σχεδίου.</translation>
+    </message>
+    <message>
+      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δηλώθηκε ως χείλος, αλλά κανένα τμήμα της ακμής του δεν μπορεί να είναι· σχεδιάστηκε χωρίς αυτό.</translation>
+    </message>
+    <message>
+      <source>%1 is not there and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 δεν υπάρχει και παραλείφθηκε.</translation>
+    </message>
+    <message>
+      <source>%1 is not the photograph that was entered; check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 δεν είναι η φωτογραφία που καταχωρίστηκε· ελέγξτε την.</translation>
+    </message>
+    <message>
+      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το μοντέλο δεν είναι εκείνο που καταχωρίστηκε· καταχωρίστε ξανά τα αποτελέσματα της παρτίδας.</translation>
+    </message>
+    <message>
+      <source>%1 goes along whole: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 εξάγεται ολόκληρο: %2</translation>
+    </message>
+    <message>
+      <source>Not drawn: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν σχεδιάστηκε: %1</translation>
+    </message>
+    <message>
+      <source>No pictures with masks and poses of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς εικόνες με μάσκες και θέσεις της %1: %2</translation>
+    </message>
+    <message>
+      <source>There is no sherd to export; choose some first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει όστρακο για εξαγωγή· επιλέξτε πρώτα μερικά.</translation>
+    </message>
+    <message>
+      <source>The row has neither a number nor a uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γραμμή δεν έχει ούτε αριθμό ούτε uuid.</translation>
+    </message>
+    <message>
+      <source>This stands in two rows of the table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό υπάρχει σε δύο γραμμές του πίνακα.</translation>
+    </message>
+    <message>
+      <source>This is no uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι uuid.</translation>
+    </message>
+    <message>
+      <source>The number belongs to another sherd than the uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός ανήκει σε άλλο όστρακο από το uuid.</translation>
+    </message>
+    <message>
+      <source>A new sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα νέο όστρακο χρειάζεται το πλαίσιό του.</translation>
+    </message>
+    <message>
+      <source>A column of the table has no name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια στήλη του πίνακα δεν έχει όνομα.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is there twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η στήλη '%1' υπάρχει δύο φορές.</translation>
+    </message>
+    <message>
+      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας χρειάζεται στήλη 'number' (όστρακα) ή τις στήλες 'site' και 'context' (πλαίσια).</translation>
+    </message>
+    <message>
+      <source>These places and batches are not written as Ostraka writes them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτοί οι τόποι και οι παρτίδες δεν είναι γραμμένοι όπως τους γράφει το Ostraka.</translation>
+    </message>
+    <message>
+      <source>This is no PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι αρχείο PLY.</translation>
+    </message>
+    <message>
+      <source>This is no GLB file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι αρχείο GLB.</translation>
+    </message>
+    <message>
+      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η εξαγωγή δεν περιέχει εγγραφές (JSON) οστράκων· εξαγάγετέ την ξανά με αυτές.</translation>
+    </message>
+    <message>
+      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το έργο έχει αυτό το όστρακο με άλλες τιμές· αυτές μένουν, και ό,τι διαφέρει κρατιέται δίπλα τους σε πεδία που τελειώνουν σε _in_%1.</translation>
+    </message>
+    <message>
+      <source>This file is not among the files of the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο δεν είναι ανάμεσα στα αρχεία της εξαγωγής.</translation>
+    </message>
+    <message>
+      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το έργο έχει άλλο αρχείο με αυτό το όνομα· μετονομάστε την εξαγωγή και εισαγάγετέ την ξανά.</translation>
+    </message>
+    <message>
+      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι εγγραφή οστράκου (ostraka-sherd/1).</translation>
+    </message>
+    <message>
+      <source>The measurement %1 has another unit than %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μέτρηση %1 έχει άλλη μονάδα από %2.</translation>
+    </message>
+    <message>
+      <source>A value of the record has another type than it should.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια τιμή της εγγραφής έχει άλλον τύπο από αυτόν που πρέπει.</translation>
+    </message>
+    <message>
+      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι πολύ μεγάλο για ένα αρχείο ZIP· επιλέξτε λιγότερα όστρακα.</translation>
+    </message>
+    <message>
+      <source>The mask is missing; expected a mask of %1 x %2 pixels under this name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μάσκα λείπει· αναμένεται με αυτό το όνομα μια μάσκα %1 x %2 εικονοστοιχείων.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be read as a picture; expected a mask of %1 x %2 pixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μάσκα δεν διαβάζεται ως εικόνα· αναμένεται μάσκα %1 x %2 εικονοστοιχείων.</translation>
+    </message>
+    <message>
+      <source>The mask has %1 x %2 pixels; expected a mask of %3 x %4 pixels, the size of its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μάσκα έχει %1 x %2 εικονοστοιχεία· αναμένεται μάσκα %3 x %4 εικονοστοιχείων, όσο η φωτογραφία της.</translation>
+    </message>
+    <message>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι μάσκες από τον δίσκο χρειάζονται τουλάχιστον 3 φωτογραφίες μιας όψης· φωτογραφίστε περισσότερες στάσεις.</translation>
+    </message>
+    <message>
+      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η φωτογραφία δεν έχει το μέγεθος της κάμεράς της· χρησιμοποιήστε το αρχικό αρχείο.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν βρέθηκε όστρακο στον δίσκο· ελέγξτε ότι οι φωτογραφίες δείχνουν όστρακα που ξεχωρίζουν από τον δίσκο, ή δώστε μάσκες.</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 έχει άλλο μέγεθος από τις φωτογραφίες της κάμερας· οι μάσκες έγιναν χωρίς αυτόν</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 δεν δείχνει τον δίσκο σε καμία από τις στάσεις· τραβήξτε τον ξανά στην πρώτη· οι μάσκες έγιναν χωρίς αυτόν</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μάσκες: ο άδειος δίσκος της κάμερας %1 δείχνει δείκτες που κάτι τους καλύπτει στο %2· αφαιρέστε ό,τι είναι πάνω τους· οι μάσκες έγιναν χωρίς αυτόν</translation>
+    </message>
+    <message>
+      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μάσκες: μια σκιά που οι άλλες φωτογραφίες δεν έχουν πέφτει στον δίσκο στο %1· κρατήστε ανθρώπους και χέρια έξω από το φως, και τραβήξτε ξανά αυτές τις φωτογραφίες αν οι μάσκες τους φαίνονται λάθος</translation>
+    </message>
+    <message>
+      <source>%1 (%2 % of the bare plate)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (%2 % του γυμνού δίσκου)</translation>
+    </message>
+    <message>
+      <source>The front scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση της μπροστινής όψης δεν περιέχει σημεία.</translation>
+    </message>
+    <message>
+      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση της μπροστινής όψης δεν έχει κάθετα διανύσματα· ένα μοντέλο πρέπει να ξέρει τι είναι έξω.</translation>
+    </message>
+    <message>
+      <source>The back scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση της πίσω όψης δεν περιέχει σημεία.</translation>
+    </message>
+    <message>
+      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση της πίσω όψης δεν έχει κάθετα διανύσματα· ένα μοντέλο πρέπει να ξέρει τι είναι έξω.</translation>
+    </message>
+    <message>
+      <source>The scans enclose no body; their normals may point inward.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι σαρώσεις δεν περικλείουν σώμα· ίσως τα κάθετα διανύσματά τους δείχνουν προς τα μέσα.</translation>
+    </message>
+    <message>
+      <source>Only a closed mesh can be thinned out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μόνο ένα κλειστό πλέγμα μπορεί να αραιωθεί.</translation>
+    </message>
+    <message>
+      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόκλιση ενός αραιωμένου πλέγματος πρέπει να είναι πάνω από 0 mm.</translation>
+    </message>
+    <message>
+      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση είναι πολύ μεγάλη για μοντέλο με αυτή την πυκνότητα σημείων· δώστε μεγαλύτερη απόσταση.</translation>
+    </message>
+    <message>
+      <source>The scans hold too few points that agree with each other for a model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι σαρώσεις έχουν πολύ λίγα σημεία που συμφωνούν μεταξύ τους για ένα μοντέλο.</translation>
+    </message>
+    <message>
+      <source>Edge %1 is used more than once in the same direction.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ακμή %1 χρησιμοποιείται πάνω από μία φορά προς την ίδια κατεύθυνση.</translation>
+    </message>
+    <message>
+      <source>Edge %1 has a face on one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ακμή %1 έχει έδρα μόνο στη μία πλευρά.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 belongs to no face.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κορυφή %1 δεν ανήκει σε καμία έδρα.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 holds two fans of faces together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κορυφή %1 κρατά μαζί δύο βεντάλιες εδρών.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλέγμα δεν έχει έδρες.</translation>
+    </message>
+    <message>
+      <source>A face names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια έδρα ονομάζει κορυφή που δεν υπάρχει.</translation>
+    </message>
+    <message>
+      <source>A face has the same vertex twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια έδρα έχει δύο φορές την ίδια κορυφή.</translation>
+    </message>
+    <message>
+      <source>The scan's outline does not close.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περίγραμμα της σάρωσης δεν κλείνει.</translation>
+    </message>
+    <message>
+      <source>A scan of fewer than 20 points has no outline.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια σάρωση με λιγότερα από 20 σημεία δεν έχει περίγραμμα.</translation>
+    </message>
+    <message>
+      <source>A contour needs at least three points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα περίγραμμα χρειάζεται τουλάχιστον τρία σημεία.</translation>
+    </message>
+    <message>
+      <source>The evidence of a pair has no valid scans or figure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα στοιχεία ενός ζεύγους δεν έχουν έγκυρες σαρώσεις ή τιμή.</translation>
+    </message>
+    <message>
+      <source>pairing: %1 stays unpaired: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ζεύγη: το %1 μένει χωρίς ταίρι: %2</translation>
+    </message>
+    <message>
+      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχουν δύο όμοια περιγράμματα, οπότε τα μεγέθη των όψεων δεν συγκρίνονται· δώστε ένα γνωστό μήκος.</translation>
+    </message>
+    <message>
+      <source>A candidate names a scan that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας υποψήφιος ονομάζει σάρωση που δεν υπάρχει.</translation>
+    </message>
+    <message>
+      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό δεν είναι πίνακας υποψηφίων· υπολογίστε ξανά την παρτίδα, μόνο τα ζεύγη της γίνονται εκ νέου.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση %1 από %2 αφορά το %3, που η όψη του φωτογραφήθηκε ξανά στο μεταξύ· αποφασίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση %1 από %2 αφορά το %3, που δεν είναι πια πάνω στον δίσκο· αποφασίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση %1 από %2 δεν ισχύει: η απόφαση %3 από %4, που είναι νεότερη, αφορά την ίδια σάρωση· ανακαλέστε μία από τις δύο.</translation>
+    </message>
+    <message>
+      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια απόφαση είναι είδους που αυτό το πρόγραμμα δεν γνωρίζει· την έγραψε νεότερο.</translation>
+    </message>
+    <message>
+      <source>A pair needs one front and one back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα ζεύγος χρειάζεται μία μπροστινή και μία πίσω όψη.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be set aside or shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν ονομάστηκε τίποτα για να μπει στην άκρη ή να φωτογραφηθεί ξανά.</translation>
+    </message>
+    <message>
+      <source>Pieces to be joined must be of one side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα κομμάτια που ενώνονται πρέπει να είναι της ίδιας όψης.</translation>
+    </message>
+    <message>
+      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια κοπή χρειάζεται ένα κομμάτι και μια γραμμή τουλάχιστον ενός χιλιοστού.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be withdrawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν ονομάστηκε τίποτα για ανάκληση.</translation>
+    </message>
+    <message>
+      <source>These decisions were written by a newer program; use that one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτές οι αποφάσεις γράφτηκαν από νεότερο πρόγραμμα· χρησιμοποιήστε εκείνο.</translation>
+    </message>
+    <message>
+      <source>Decision %1 cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση %1 δεν χρησιμοποιείται.</translation>
+    </message>
+    <message>
+      <source>Mend it, or put a copy of the file back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διορθώστε την, ή επαναφέρετε ένα αντίγραφο του αρχείου.</translation>
+    </message>
+    <message>
+      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτές δεν είναι αποφάσεις αυτού του προγράμματος· μετακινήστε το αρχείο, ή επαναφέρετε ένα αντίγραφό του.</translation>
+    </message>
+    <message>
+      <source>This decision does not hold any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η απόφαση δεν ισχύει πια.</translation>
+    </message>
+    <message>
+      <source>There is no photograph of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει φωτογραφία αυτής της όψης.</translation>
+    </message>
+    <message>
+      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα περιγράμματα αυτών των δύο όψεων δεν μπαίνουν το ένα πάνω στο άλλο.</translation>
+    </message>
+    <message>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 ίσως είναι δύο όστρακα που αγγίζονται, τα %2 και %3 της άλλης όψης: κόψτε το στον έλεγχο, ή απομακρύνετέ τα και φωτογραφίστε ξανά την όψη του.</translation>
+    </message>
+    <message>
+      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό δεν είναι λίστα πινελιών σε μάσκες· επαναφέρετε μια παλιότερη ή αφαιρέστε την.</translation>
+    </message>
+    <message>
+      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχουν ακόμη μάσκες αυτής της παρτίδας· αφήστε πρώτα να υπολογιστεί.</translation>
+    </message>
+    <message>
+      <source>This file does not say how well the rig fitted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο δεν λέει πόσο καλά ταίριαξε η διάταξη.</translation>
+    </message>
+    <message>
+      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η βαθμονόμηση είναι άλλων καμερών από εκείνες που φωτογράφισαν την παρτίδα· βαθμονομήστε τη διάταξη με τις δικές της φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς plate.json οι μάσκες δεν βρίσκονται· βάλτε μάσκες δίπλα στις φωτογραφίες, ή ονομάστε ένα δίκτυο (--masks MODEL.onnx).</translation>
+    </message>
+    <message>
+      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αποτέλεσμα δεν έχει κλίμακα: χωρίς plate.json κανένα μήκος δεν είναι γνωστό, και ό,τι δίνεται σε mm είναι εικασία για το μέγεθος ενός εικονοστοιχείου· φωτογραφίστε πάνω σε δίσκο με δείκτες, βάλτε τον πίνακα βαθμονόμησης του board.json δίπλα στα όστρακα και στις δύο όψεις, ή σημειώστε και στις δύο ένα γνωστό μήκος στο scale.json.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος εξόδου περιέχει κάτι που δεν είναι αυτού του προγράμματος· επιλέξτε άλλον ή έναν άδειο.</translation>
+    </message>
+    <message>
+      <source>The output folder holds another batch; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος εξόδου περιέχει άλλη παρτίδα· επιλέξτε άλλον φάκελο.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something else; name a new or empty folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος εξόδου περιέχει κάτι άλλο· ονομάστε έναν νέο ή άδειο φάκελο.</translation>
+    </message>
+    <message>
+      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα ζεύγος ονομάζει σάρωση που δεν υπάρχει· διαγράψτε αυτό το αρχείο και ξεκινήστε ξανά.</translation>
+    </message>
+    <message>
+      <source>This is no table of pairs; delete it and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό δεν είναι πίνακας ζευγών· διαγράψτε τον και ξεκινήστε ξανά.</translation>
+    </message>
+    <message>
+      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα %1 και %2 ενώθηκαν σε ζεύγος με το χέρι, αλλά τίποτα δεν λέει πώς βρίσκονται μεταξύ τους· στρέψτε την πίσω όψη με το χέρι στον έλεγχο: %3</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Η φωτογραφία είναι θολή: οι άκρες της έχουν πλάτος %2 εικονοστοιχεία, της πιο ευκρινούς της κάμερας %3· παραλείπεται, τραβήξτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Η φωτογραφία είναι θολή: οι άκρες της έχουν πλάτος %2 εικονοστοιχεία, της πιο ευκρινούς της κάμερας %3· τραβήξτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της μπροστινής όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της πίσω όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση %1 από %2 ενώνει κομμάτια που δεν υπάρχουν πια· αποφασίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η απόφαση %1 από %2 κόβει κομμάτι που δεν υπάρχει, ή δίπλα του· αποφασίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα %1 δεν είναι εγκατεστημένο, και η στερεοσκοπία που επιλέχθηκε το χρειάζεται· εγκαταστήστε το, ή χρησιμοποιήστε την ενσωματωμένη.</translation>
+    </message>
+    <message>
+      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες δεν δείχνουν δίσκο με δείκτες, οπότε το πρόγραμμα %1 πρέπει να βρει τις κάμερες, και δεν είναι εγκατεστημένο.</translation>
+    </message>
+    <message>
+      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό χρειάζεται περίπου %1 GB μνήμης, και μόνο %2 GB είναι ελεύθερα: ο υπολογιστής μπορεί να το σταματήσει ή να γίνει πολύ αργός.</translation>
+    </message>
+    <message>
+      <source>Close other programs, or compute a draft.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλείστε άλλα προγράμματα, ή υπολογίστε ένα προσχέδιο.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στη μπροστινή όψη: από τη στάση %3 και μετά (pos%4) βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στην πίσω όψη: από τη στάση %3 και μετά (pos%4) βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
+    </message>
+    <message>
+      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος εξόδου είναι μέσα στον φάκελο της παρτίδας, όπου δεν γράφεται ποτέ τίποτα· επιλέξτε έναν δίπλα του.</translation>
+    </message>
+    <message>
+      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες δεν μειώνονται κάτω από 0,3 μεγαπίξελ.</translation>
+    </message>
+    <message>
+      <source>There is no such segmentation network; masks are 'auto', 'given' or an ONNX file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει τέτοιο δίκτυο τμηματοποίησης· οι μάσκες είναι 'auto', 'given' ή ένα αρχείο ONNX.</translation>
+    </message>
+    <message>
+      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι μπροστινές όψεις δεν είναι σε mm: τα μήκη του αποτελέσματος, που λέγονται mm, είναι στη μονάδα των μπροστινών όψεων.</translation>
+    </message>
+    <message>
+      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα ζεύγη αυτής της παρτίδας δεν έχουν υπολογιστεί ακόμη ή υπολογίστηκαν από παλαιότερο πρόγραμμα· υπολογίστε ξανά την παρτίδα: ό,τι είναι πλήρες διατηρείται.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κλίμακα δεν είναι σωστή: %1, οπότε όλα τα μέτρα θα ήταν %2 % πολύ μικρά· μετρήστε τον χάρακα πάνω στον δίσκο και δώστε στο plate.json το πραγματικό του μέγεθος με 'ostraka plate --ruler-measured', ή τυπώστε ξανά τον δίσκο στο 100 %· αν ο δίσκος είναι σωστός, μετρήστε το μήκος και βάλτε ξανά τα σημάδια του.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κλίμακα δεν είναι σωστή: %1, οπότε όλα τα μέτρα θα ήταν %2 % πολύ μεγάλα· μετρήστε τον χάρακα πάνω στον δίσκο και δώστε στο plate.json το πραγματικό του μέγεθος με 'ostraka plate --ruler-measured', ή τυπώστε ξανά τον δίσκο στο 100 %· αν ο δίσκος είναι σωστός, μετρήστε το μήκος και βάλτε ξανά τα σημάδια του.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the front side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το μήκος %1 mm που σημειώθηκε στη μπροστινή όψη μετρά %2 ± %3 mm στις φωτογραφίες (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μήκος %1 mm στο scale.json δεν συγκρίθηκε: σημειώστε κάθε άκρο του σε δύο ή περισσότερες φωτογραφίες της μπροστινής όψης, τραβηγμένες από διαφορετικές κατευθύνσεις.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το μήκος %1 mm που σημειώθηκε στην πίσω όψη μετρά %2 ± %3 mm στις φωτογραφίες (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μήκος %1 mm στο scale.json δεν συγκρίθηκε: σημειώστε κάθε άκρο του σε δύο ή περισσότερες φωτογραφίες της πίσω όψης, τραβηγμένες από διαφορετικές κατευθύνσεις.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος δεν διαβάζεται· ονομάστε έναν φάκελο με αρχεία PLY.</translation>
+    </message>
+    <message>
+      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει αρχείο PLY σε αυτόν τον φάκελο· η σάρωση κάθε οστράκου πρέπει να είναι ένα αρχείο PLY.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point without finite coordinates was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: 1 σημείο χωρίς πεπερασμένες συντεταγμένες παραλείφθηκε· ελέγξτε την εξαγωγή.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points without finite coordinates were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 σημεία χωρίς πεπερασμένες συντεταγμένες παραλείφθηκαν· ελέγξτε την εξαγωγή.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point far from all others, or at 0, 0, 0, was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: 1 σημείο μακριά από όλα τα άλλα, ή στο 0, 0, 0, παραλείφθηκε· ελέγξτε την εξαγωγή.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points far from all others, or at 0, 0, 0, were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 σημεία μακριά από όλα τα άλλα, ή στο 0, 0, 0, παραλείφθηκαν· ελέγξτε την εξαγωγή.</translation>
+    </message>
+    <message>
+      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση έχει λιγότερα από 100 σημεία· σαρώστε ξανά αυτή την όψη.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with nx, ny and nz.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση δεν έχει κάθετα διανύσματα· εξαγάγετέ την με nx, ny και nz.</translation>
+    </message>
+    <message>
+      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση απέχει %1 φορές το μήκος της από το 0, 0, 0, οπότε οι συντεταγμένες της στρογγυλεύονται· μετακινήστε την εκεί και εξαγάγετέ την ξανά.</translation>
+    </message>
+    <message>
+      <source>None of the scans can be used: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία από τις σαρώσεις δεν χρησιμοποιείται: %1</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτές οι σαρώσεις έχουν διάμεσο μήκος %1 mm· μοιάζουν με %2: %3.</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτές οι σαρώσεις έχουν διάμεσο μήκος %1 mm· δεν υπάρχουν όστρακα τέτοιου μεγέθους: %2.</translation>
+    </message>
+    <message>
+      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι μπροστινές όψεις έχουν διάμεσο μήκος %1 mm, οι πίσω %2 mm, οπότε οι μονάδες τους διαφέρουν: %3.</translation>
+    </message>
+    <message>
+      <source>centimetres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εκατοστά</translation>
+    </message>
+    <message>
+      <source>metres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μέτρα</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μικρόμετρα</translation>
+    </message>
+    <message>
+      <source>export them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εξαγάγετέ τις σε mm</translation>
+    </message>
+    <message>
+      <source>export them in mm, or use --scale free</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εξαγάγετέ τις σε mm, ή χρησιμοποιήστε --scale free</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no model: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο %1 δεν έχει μοντέλο: %2</translation>
+    </message>
+    <message>
+      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ονομάζει το %1, που δεν είναι στην παρτίδα· διαγράψτε αυτό το αρχείο, και οι κάμερες θα βρεθούν ξανά.</translation>
+    </message>
+    <message>
+      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η φωτογραφία δεν έχει μάσκα· δώστε μία για καθεμία που θα χρησιμοποιηθεί.</translation>
+    </message>
+    <message>
+      <source>This photograph is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η φωτογραφία δεν χρησιμοποιείται.</translation>
+    </message>
+    <message>
+      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 φωτογραφίες της μπροστινής όψης δεν πήραν θέση από το COLMAP και παραλείπονται.</translation>
+    </message>
+    <message>
+      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 φωτογραφίες της πίσω όψης δεν πήραν θέση από το COLMAP και παραλείπονται.</translation>
+    </message>
+    <message>
+      <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη δεν χρησιμοποιήθηκε: χωρίς plate.json οι θέσεις έρχονται από το COLMAP.</translation>
+    </message>
+    <message>
+      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Κανένα όστρακο δεν είναι σημειωμένο σε αυτή τη φωτογραφία· παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>If sherds are on it, take it again or mend its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αν έχει όστρακα, τραβήξτε την ξανά ή διορθώστε τη μάσκα της.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της μπροστινής όψης· χρειάζονται 3.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα είναι σημειωμένα σε %1 φωτογραφίες της πίσω όψης· χρειάζονται 3.</translation>
+    </message>
+    <message>
+      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δείτε τις μάσκες, και αν υπήρχαν όστρακα πάνω στον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος δεν δημιουργείται (%1).</translation>
+    </message>
+    <message>
+      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συναντιούνται λιγότερα από 10 σημεία των θραύσεων· ξεκινήστε από καλύτερη θέση.</translation>
+    </message>
+    <message>
+      <source>No start pose was given for the registration.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε αρχική θέση για την ένωση των όψεων.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σάρωση δεν έχει κάθετα διανύσματα· εξαγάγετέ την με αυτά.</translation>
+    </message>
+    <message>
+      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λιγότερα από 50 σημεία βρίσκονται στη θραύση· σαρώστε ξανά το όστρακο μαζί με την ακμή του.</translation>
+    </message>
+    <message>
+      <source>%1: The board is not seen; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Ο πίνακας βαθμονόμησης δεν φαίνεται· αυτή η εικόνα παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το λεξικό %1 έχει πολύ λίγους δείκτες για τον πίνακα βαθμονόμησης.</translation>
+    </message>
+    <message>
+      <source>A grid of markers needs 'dictionary', 'markers_x', 'markers_y', 'marker_length' and 'marker_separation'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα πλέγμα δεικτών χρειάζεται 'dictionary', 'markers_x', 'markers_y', 'marker_length' και 'marker_separation'.</translation>
+    </message>
+    <message>
+      <source>The grid's markers have no valid number or size, or no gap between them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες του πλέγματος δεν έχουν έγκυρο αριθμό ή μέγεθος, ή δεν έχουν κενό μεταξύ τους.</translation>
+    </message>
+    <message>
+      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει τίποτα για βαθμονόμηση: φωτογραφίστε τον δίσκο σε κάθε στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) και τον πίνακα βαθμονόμησης στο 'calib', και αντιγράψτε δίπλα τους τα plate.json και board.json.</translation>
+    </message>
+    <message>
+      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχουν εικόνες του πίνακα βαθμονόμησης· βάλτε τες εδώ ή στο 'calib'.</translation>
+    </message>
+    <message>
+      <source>It is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μπαίνει στην άκρη.</translation>
+    </message>
+    <message>
+      <source>%1: its size is not that of the first; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: το μέγεθός της δεν είναι ίδιο με της πρώτης· μπαίνει στην άκρη.</translation>
+    </message>
+    <message>
+      <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η προσαρμογή της διάταξης δεν συνέκλινε· ελέγξτε ότι τα plate.json και board.json περιγράφουν ό,τι φωτογραφήθηκε.</translation>
+    </message>
+    <message>
+      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει plate.json, οπότε οι δείκτες του δίσκου δεν χρησιμοποιούνται· αντιγράψτε εδώ εκείνο που έγραψε το 'ostraka plate' μαζί με τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γνωστή διάταξη δεν έχει κάμερα %1 με εικόνες %2 x %3 εικονοστοιχείων· βαθμονομείται από αυτή την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>Its lens is estimated from the plate's markers instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φακός της εκτιμάται από τους δείκτες του δίσκου.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φακός της κάμερας %1 δεν είναι γνωστός: δεν υπάρχουν ούτε χρήσιμες εικόνες του πίνακα βαθμονόμησης ούτε δείκτες του δίσκου· προσθέστε εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φακός της κάμερας %1 εκτιμήθηκε μόνο από τους δείκτες του δίσκου· για ακριβή μέτρα προσθέστε 12 εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
+    </message>
+    <message>
+      <source>The plate's markers were found in %1 of %2 photographs, too few for a pose of each side; check that plate.json belongs to this plate and that the markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες του δίσκου βρέθηκαν σε %1 από %2 φωτογραφίες, πολύ λίγες για τη θέση κάθε όψης· ελέγξτε ότι το plate.json ανήκει σε αυτόν τον δίσκο και ότι οι δείκτες φωτίζονται και είναι μέσα στην εικόνα.</translation>
+    </message>
+    <message>
+      <source>No photograph of camera %1 shows two markers of the plate; all its photographs are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία φωτογραφία της κάμερας %1 δεν δείχνει δύο δείκτες του δίσκου· όλες οι φωτογραφίες της παραλείπονται.</translation>
+    </message>
+    <message>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γνωστή διάταξη δεν ταιριάζει πια: η κάμερα %1 χάνει τους δείκτες κατά %2 px· οι θέσεις των καμερών εκτιμώνται εκ νέου για αυτή την παρτίδα, βαθμονομήστε ξανά τη διάταξη.</translation>
+    </message>
+    <message>
+      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: κανένας από τους %2 δείκτες της δεν βρίσκεται εκεί όπου τους βλέπει αυτή η κάμερα σε αυτή τη στάση.</translation>
+    </message>
+    <message>
+      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Έχει το όνομα άλλης φωτογραφίας ή τραβήχτηκε ενώ ο δίσκος γύριζε· παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: δεν φαίνεται κανένας δείκτης· δείχνει αυτή τη στάση; Αν όχι, τραβήξτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μόνο %1 φωτογραφίες της μπροστινής όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μόνο %1 φωτογραφίες της πίσω όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
+    </message>
+    <message>
+      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 βλέπει λιγότερους από έξι δείκτες του δίσκου στη στάση %2· ελέγξτε εκεί φως και εστίαση, και ότι τίποτα δεν είναι πάνω στους δείκτες.</translation>
+    </message>
+    <message>
+      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφήθηκαν μόνο %1 στάσεις· πάρτε τουλάχιστον τέσσερις σε όλη τη στροφή, για να βρεθεί ο άξονας.</translation>
+    </message>
+    <message>
+      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάνηκαν λιγότεροι από οκτώ δείκτες, οπότε καμία απόσταση δεν κρατήθηκε για έλεγχο: η κλίμακα δεν ελέγχθηκε.</translation>
+    </message>
+    <message>
+      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ανάμεσα στους δείκτες %1 και %2 μετρήσατε %3 mm, κατά το plate.json είναι %4 mm (%5 %)· μετρήστε τον χάρακα του δίσκου και φτιάξτε ξανά το plate.json με 'ostraka plate --ruler-measured'.</translation>
+    </message>
+    <message>
+      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μη χρησιμοποιήσιμη: η κάμερα %1 χάνει τους δείκτες του δίσκου κατά %2 px (διάμεσος)· μήπως αγγίχτηκε ανάμεσα στις φωτογραφίες, ή το plate.json είναι άλλου δίσκου;</translation>
+    </message>
+    <message>
+      <source>Not usable: the scale is not right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μη χρησιμοποιήσιμη: η κλίμακα δεν είναι σωστή.</translation>
+    </message>
+    <message>
+      <source>Good: lenses, places and scale are determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καλή: φακοί, θέσεις και κλίμακα είναι καθορισμένα.</translation>
+    </message>
+    <message>
+      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρησιμοποιήσιμη μόνο για δοκιμή: ο φακός της κάμερας %1 προκύπτει μόνο από τους δείκτες του δίσκου.</translation>
+    </message>
+    <message>
+      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρησιμοποιήσιμη, αλλά μια εστιακή απόσταση δεν είναι γνωστή καλύτερα από ένα χιλιοστό της τιμής της.</translation>
+    </message>
+    <message>
+      <source>Usable; what is named below would make it better.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρησιμοποιήσιμη· όσα αναφέρονται παρακάτω θα τη βελτίωναν.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %).</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), %4 εικόνες του πίνακα βαθμονόμησης με %5 px, χειρότερη η %6 με %7 px, κλίση ως %8 μοίρες.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), οι δείκτες του δίσκου με διάμεσο %4 px.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: εστιακή απόσταση %2 px (%3 %), %4 εικόνες του πίνακα βαθμονόμησης με %5 px, χειρότερη η %6 με %7 px, κλίση ως %8 μοίρες, οι δείκτες του δίσκου με διάμεσο %9 px.</translation>
+    </message>
+    <message>
+      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: τραβήξτε 12 εικόνες του πίνακα βαθμονόμησης, από κοντά και από μακριά, σε όλες τις γωνίες της εικόνας, με κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: μόνο 1 εικόνα δείχνει τον πίνακα βαθμονόμησης· τραβήξτε τουλάχιστον 8, καλύτερα 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: μόνο %2 εικόνες δείχνουν τον πίνακα βαθμονόμησης· τραβήξτε τουλάχιστον 8, καλύτερα 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: ο πίνακας βαθμονόμησης μόλις φτάνει σε αυτά τα μέρη της εικόνας: %2· προσθέστε εικόνες με τον πίνακα βαθμονόμησης εκεί.</translation>
+    </message>
+    <message>
+      <source>upper left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάνω αριστερά</translation>
+    </message>
+    <message>
+      <source>upper middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάνω στη μέση</translation>
+    </message>
+    <message>
+      <source>upper right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πάνω δεξιά</translation>
+    </message>
+    <message>
+      <source>left middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στη μέση αριστερά</translation>
+    </message>
+    <message>
+      <source>middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στη μέση</translation>
+    </message>
+    <message>
+      <source>right middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στη μέση δεξιά</translation>
+    </message>
+    <message>
+      <source>lower left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάτω αριστερά</translation>
+    </message>
+    <message>
+      <source>lower middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάτω στη μέση</translation>
+    </message>
+    <message>
+      <source>lower right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάτω δεξιά</translation>
+    </message>
+    <message>
+      <source>Camera %1: no picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 20 μοίρες· τραβήξτε τουλάχιστον τέσσερις, με κλίση προς διαφορετικές πλευρές.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: μόνο 1 εικόνα δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 20 μοίρες· τραβήξτε τουλάχιστον τέσσερις, με κλίση προς διαφορετικές πλευρές.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: μόνο %2 εικόνες δείχνουν τον πίνακα βαθμονόμησης με κλίση πάνω από 20 μοίρες· τραβήξτε τουλάχιστον τέσσερις, με κλίση προς διαφορετικές πλευρές.</translation>
+    </message>
+    <message>
+      <source>Reprojection error %1 px over the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σφάλμα επαναπροβολής %1 px στους δείκτες του δίσκου.</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: οι δείκτες %1 και %2, που κρατήθηκαν για έλεγχο, απέχουν %3 mm αντί για %4 (%5 mm, %6 %).</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: οι δείκτες %1 και %2, με το χέρι %3 mm ανάμεσα στα μέσα των εξωτερικών πλευρών τους, απέχουν %4 mm στις φωτογραφίες (%5 %).</translation>
+    </message>
+    <message>
+      <source>Set aside: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στην άκρη: %1</translation>
+    </message>
+    <message>
+      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φακός είναι γνωστός, οι θέσεις των καμερών όχι: δεν μπορεί να αποθηκευτεί διάταξη.</translation>
+    </message>
+    <message>
+      <source>Not usable: the focal length is not determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μη χρησιμοποιήσιμη: η εστιακή απόσταση δεν καθορίστηκε.</translation>
+    </message>
+    <message>
+      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίστε και τον δίσκο με τους δείκτες του: βάλτε μία εικόνα ανά κάμερα και στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) δίπλα στο plate.json, τις εικόνες του πίνακα βαθμονόμησης στο 'calib'.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δείκτης %1 του γνωστού μήκους δεν φαίνεται δύο φορές· ονομάστε δύο δείκτες του δίσκου που δείχνουν οι φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>A known length needs two different markers and millimetres above zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα γνωστό μήκος χρειάζεται δύο διαφορετικούς δείκτες και χιλιοστά πάνω από το μηδέν.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει τέτοιος φάκελος· ονομάστε έναν με φωτογραφίες του δίσκου ή του πίνακα βαθμονόμησης.</translation>
+    </message>
+    <message>
+      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Περισσότεροι από πέντε όροι παραμόρφωσης για το '%1' δεν γίνονται κατανοητοί· διορθώστε πρώτα την παραμόρφωση των φωτογραφιών του.</translation>
+    </message>
+    <message>
+      <source>The camera of '%1' has no valid K, R, t or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα του '%1' δεν έχει έγκυρο K, R, t ή μέγεθος.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από μια εικόνα λείπει file, width, height, K, R ή t.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από μια εικόνα λείπει file, width, height, K, R ή t (%1).</translation>
+    </message>
+    <message>
+      <source>The camera file holds no list 'images'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο των καμερών δεν περιέχει λίστα 'images'.</translation>
+    </message>
+    <message>
+      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 του COLMAP έχει το μοντέλο '%2' ή τιμές που δεν χρησιμοποιούνται εδώ· χρησιμοποιήστε OPENCV.</translation>
+    </message>
+    <message>
+      <source>COLMAP's model has no camera for the image '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μοντέλο του COLMAP δεν έχει κάμερα για την εικόνα '%1'.</translation>
+    </message>
+    <message>
+      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο έχει βλάβη ή δεν είναι όπως το γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η γραμμή %1 δεν είναι όπως τη γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
+    </message>
+    <message>
+      <source>COLMAP's workspace cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν γίνεται εγγραφή στον φάκελο εργασίας του COLMAP (%1).</translation>
+    </message>
+    <message>
+      <source>This photograph is posed without its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η θέση αυτής της φωτογραφίας προσδιορίζεται χωρίς τη μάσκα της.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μάσκα δεν γράφεται.</translation>
+    </message>
+    <message>
+      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς plate.json οι θέσεις έρχονται από το COLMAP, που δεν είναι εγκατεστημένο· εγκαταστήστε το πακέτο 'colmap' ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
+    </message>
+    <message>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το COLMAP βρήκε θέση για %1 από %2 φωτογραφίες, πολύ λίγες· δώστε μάσκες ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κλίμακα δεν είναι σωστή: οι δείκτες %1 και %2, που κρατήθηκαν για έλεγχο, απέχουν %3 mm αντί για %4 (%5 mm, %6 %)· ελέγξτε ότι το plate.json ανήκει σε αυτόν τον δίσκο, ότι ο δίσκος είναι σωστά τυπωμένος και κολλημένος, και ότι η γνωστή διάταξη βαθμονομήθηκε με αυτόν.</translation>
+    </message>
+    <message>
+      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε σχέση με την κάμερα %1, η κάμερα %2 μετακινήθηκε κατά %3 mm και στράφηκε κατά %4 μοίρες από τη βαθμονόμηση της διάταξης.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
+    </message>
+    <message>
+      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
+    </message>
+    <message>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
+    </message>
+    <message>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
+    </message>
+    <message>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
+    </message>
+    <message>
+      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
+    </message>
+    <message>
+      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
+    </message>
+    <message>
+      <source>camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
+    </message>
+    <message>
+      <source>%1: the board is not seen in it; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: ο πίνακας βαθμονόμησης δεν φαίνεται σε αυτήν· μπαίνει στην άκρη.</translation>
+    </message>
+    <message>
+      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το λεξικό δεικτών '%1' δεν είναι γνωστό· χρησιμοποιήστε ένα όπως το DICT_4X4_100.</translation>
+    </message>
+    <message>
+      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πλευρά των δεικτών πρέπει να είναι μεταξύ 5 και 200 mm.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάμετρος του δίσκου πρέπει να είναι μεταξύ 1 και 2000 mm.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε δίσκο %2 mm χωρούν λιγότεροι από έξι δείκτες %1 mm· χωρούν δείκτες %3 mm.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε δίσκο %2 mm χωρούν λιγότεροι από έξι δείκτες %1 mm· κάντε τον δίσκο μεγαλύτερο.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δείκτες %1 mm δεν αφήνουν χώρο για όστρακο σε δίσκο %2 mm· χωρούν δείκτες %3 mm.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δείκτες %1 mm δεν αφήνουν χώρο για όστρακο σε δίσκο %2 mm· κάντε τον δίσκο μεγαλύτερο.</translation>
+    </message>
+    <message>
+      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το περιθώριο του εκτυπωτή πρέπει να είναι μεταξύ 0 και 40 mm.</translation>
+    </message>
+    <message>
+      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η επικάλυψη των φύλλων πρέπει να είναι μεταξύ 5 και 40 mm.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το λεξικό %1 έχει πολύ λίγους δείκτες για αυτόν τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όσο μετρά ο χάρακας πρέπει να είναι μήκος σε mm μέσα στον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο χάρακας αυτού του δίσκου σχεδιάστηκε με μήκος %1 mm, τα %2 mm διαφέρουν πάνω από ένα δέκατο· τυπώστε το αρχείο στο 100 %, χωρίς 'προσαρμογή στη σελίδα', και μετρήστε ξανά.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 έχει συνδιακύμανση άλλου μεγέθους· βαθμονομήστε ξανά τη διάταξη.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 δεν έχει έγκυρο μέγεθος, K ή dist· βαθμονομήστε ξανά τη διάταξη.</translation>
+    </message>
+    <message>
+      <source>This rig was written by another version; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η διάταξη γράφτηκε από άλλη έκδοση· βαθμονομήστε ξανά τη διάταξη.</translation>
+    </message>
+    <message>
+      <source>Camera %1 stands twice in the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 υπάρχει δύο φορές στη διάταξη.</translation>
+    </message>
+    <message>
+      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό δεν είναι αρχείο διάταξης (RIG.json)· βαθμονομήστε ξανά τη διάταξη.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη δεν έχει κάμερα· βαθμονομήστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>This file is there already and is no rig; name another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο υπάρχει ήδη και δεν είναι διάταξη· ονομάστε άλλο.</translation>
+    </message>
+    <message>
+      <source>The log cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το ημερολόγιο δεν γράφεται.</translation>
+    </message>
+    <message>
+      <source>No process can be started.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν ξεκινά καμία διεργασία.</translation>
+    </message>
+    <message>
+      <source>The program was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα χάθηκε.</translation>
+    </message>
+    <message>
+      <source>The program cannot be started; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα δεν ξεκινά· εγκαταστήστε το.</translation>
+    </message>
+    <message>
+      <source>%1 ended with an error; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 τελείωσε με σφάλμα· τα μηνύματά του είναι σε αυτό το αρχείο.</translation>
+    </message>
+    <message>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα ψίχουλο %1 mm στο x %2, y %3 mm έμεινε στην άκρη· αν είναι όστρακο, φωτογραφίστε το μόνο του.</translation>
+    </message>
+    <message>
+      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάτι επίπεδο στο x %1, y %2 mm έμεινε στην άκρη· ίσως είναι δείκτης ή βρωμιά πάνω στον δίσκο.</translation>
+    </message>
+    <message>
+      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο όστρακα αγγίζονται στο x %1, y %2 mm και χωρίστηκαν εκεί· αφήνετε απόσταση ενός δακτύλου ανάμεσα στα όστρακα.</translation>
+    </message>
+    <message>
+      <source>The cloud of the plate has no normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το νέφος σημείων του δίσκου δεν έχει κάθετα διανύσματα.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the front side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν βρέθηκε όστρακο στη μπροστινή όψη· ελέγξτε τις μάσκες και τις φωτογραφίες της.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the back side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν βρέθηκε όστρακο στην πίσω όψη· ελέγξτε τις μάσκες και τις φωτογραφίες της.</translation>
+    </message>
+    <message>
+      <source>The working folder cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν γίνεται εγγραφή στον φάκελο εργασίας (%1).</translation>
+    </message>
+    <message>
+      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το colmap χτίστηκε χωρίς CUDA, που το χρειάζεται η πυκνή στερεοσκοπία του· εγκαταστήστε ένα με CUDA, ή χρησιμοποιήστε --dense builtin, που δεν χρειάζεται τίποτα.</translation>
+    </message>
+    <message>
+      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι μάσκες των λήψεων δεν έχουν κοινό αντικείμενο· ελέγξτε μάσκες, κάμερες και όρια.</translation>
+    </message>
+    <message>
+      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το InterfaceCOLMAP δεν άφησε σκηνή· τα μηνύματά του είναι σε αυτό το αρχείο.</translation>
+    </message>
+    <message>
+      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το βάθος χρειάζεται τουλάχιστον 3 φωτογραφίες με γνωστές κάμερες.</translation>
+    </message>
+    <message>
+      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η φωτογραφία ή η μάσκα της έχει άλλο μέγεθος από αυτό της κάμερας· δώστε τη φωτογραφία με την οποία βαθμονομήθηκε η κάμερα.</translation>
+    </message>
+    <message>
+      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η φωτογραφία έχει άλλο μέγεθος από αυτό της κάμερας· δώστε τη φωτογραφία με την οποία βαθμονομήθηκε η κάμερα.</translation>
+    </message>
+    <message>
+      <source>The mask has another size than its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μάσκα έχει άλλο μέγεθος από τη φωτογραφία της.</translation>
+    </message>
+    <message>
+      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 δεν βρήκε σημεία του αντικειμένου· τα μηνύματά του είναι σε αυτό το αρχείο, και το --dense builtin δεν χρειάζεται άλλο πρόγραμμα.</translation>
+    </message>
+    <message>
+      <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 έγραψε σημεία χωρίς κάθετα διανύσματα· εγκαταστήστε νεότερη έκδοση, ή χρησιμοποιήστε --dense builtin.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα %1 δεν είναι στο PATH, αλλά το --dense %2 το χρειάζεται· εγκαταστήστε το, ή χρησιμοποιήστε --dense builtin, που δεν χρειάζεται τίποτα.</translation>
+    </message>
+    <message>
+      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν βρέθηκε σημείο της επιφάνειας στο οποίο συμφωνούν δύο λήψεις· ελέγξτε κάμερες και μάσκες.</translation>
+    </message>
+    <message>
+      <source>The picture could not be encoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικόνα δεν κωδικοποιήθηκε.</translation>
+    </message>
+    <message>
+      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα %1 όστρακα δεν χωρούν στον δίσκο· ζητήστε λιγότερα, ή άλλον αρχικό αριθμό.</translation>
+    </message>
+    <message>
+      <source>sherds must lie between 1 and 40.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός των οστράκων πρέπει να είναι μεταξύ 1 και 40.</translation>
+    </message>
+    <message>
+      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλάτος πρέπει να είναι μεταξύ 160 και 8192 εικονοστοιχείων και να διαιρείται με το 4.</translation>
+    </message>
+    <message>
+      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όμοια όστρακα είναι ομάδες των δύο: το πολύ ο μισός αριθμός των οστράκων.</translation>
+    </message>
+    <message>
+      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη χρειάζεται μία κάμερα και τουλάχιστον τέσσερις στάσεις· βαθμονομήστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος περιέχει ήδη αρχεία· ονομάστε έναν νέο ή άδειο για την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>The virtual camera has no setting %1 of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εικονική κάμερα δεν έχει ρύθμιση %1 με τιμή %2.</translation>
+    </message>
+    <message>
+      <source>The camera has taken no photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα δεν τράβηξε φωτογραφία.</translation>
+    </message>
   </context>
 </TS>

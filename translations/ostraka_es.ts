@@ -4800,5 +4800,3395 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
     </message>
+    <message>
+      <source>No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna cámara explica las imágenes de calibración.</translation>
+    </message>
+    <message>
+      <source>No photograph of this camera shows the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna foto de esta cámara muestra las marcas del plato.</translation>
+    </message>
+    <message>
+      <source>No batch folder was given.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se indicó ninguna carpeta de tanda.</translation>
+    </message>
+    <message>
+      <source>The angle is no number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El ángulo no es un número.</translation>
+    </message>
+    <message>
+      <source>This program is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este programa no está instalado.</translation>
+    </message>
+    <message>
+      <source>The picture cannot be decoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen no se puede descodificar.</translation>
+    </message>
+    <message>
+      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se encontró ningún cuerpo en el que coincidan las fotos; revise las cámaras o dé máscaras.</translation>
+    </message>
+    <message>
+      <source>Each photograph needs one pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cada foto necesita una pose.</translation>
+    </message>
+    <message>
+      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una envolvente necesita al menos 3 fotos; fotografíe la pieza desde más lados.</translation>
+    </message>
+    <message>
+      <source>The cameras do not look at a common place; check their poses.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las cámaras no miran a un lugar común; revise sus poses.</translation>
+    </message>
+    <message>
+      <source>The network needs a colour photograph of 8 bits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La red necesita una foto en color de 8 bits.</translation>
+    </message>
+    <message>
+      <source>There is no scale to draw it at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se indicó ninguna escala para dibujarlo.</translation>
+    </message>
+    <message>
+      <source>A preview is taken back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una vista previa se deshace.</translation>
+    </message>
+    <message>
+      <source>An archive must not lie in the project itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un archivo no debe estar dentro del propio proyecto.</translation>
+    </message>
+    <message>
+      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un proyecto se restaura en una carpeta nueva o vacía; elija otro nombre.</translation>
+    </message>
+    <message>
+      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto no es el archivo de un proyecto entero; léalo como una exportación.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir aquí (%1); elija otro lugar o revise sus permisos.</translation>
+    </message>
+    <message>
+      <source>There is no such file; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No existe ese archivo; revise su nombre.</translation>
+    </message>
+    <message>
+      <source>The file cannot be opened (%1); check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo no se puede abrir (%1); revise sus permisos.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un archivo normal; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo es mayor que los %1 bytes que se leen aquí; ¿es el correcto?</translation>
+    </message>
+    <message>
+      <source>The file cannot be read (%1); copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo no se puede leer (%1); cópielo otra vez.</translation>
+    </message>
+    <message>
+      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro proceso está escribiendo aquí; espere a que termine o elija otra carpeta.</translation>
+    </message>
+    <message>
+      <source>The JSON text is larger than 64 MiB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El texto JSON supera los 64 MiB.</translation>
+    </message>
+    <message>
+      <source>The JSON is nested deeper than 64 levels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El JSON está anidado en más de 64 niveles.</translation>
+    </message>
+    <message>
+      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es JSON válido (línea %1); corríjalo ahí o copie otra vez el archivo.</translation>
+    </message>
+    <message>
+      <source>The JSON holds a number that is too large; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El JSON contiene un número demasiado grande; corríjalo.</translation>
+    </message>
+    <message>
+      <source>A transform must be a 4x4 matrix.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una transformación debe ser una matriz 4x4.</translation>
+    </message>
+    <message>
+      <source>A transform holds something not a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una transformación contiene algo que no es un número.</translation>
+    </message>
+    <message>
+      <source>A transform is not rigid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una transformación no es rígida.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No existe esa carpeta; indique la carpeta de una tanda.</translation>
+    </message>
+    <message>
+      <source>The front side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Falta el anverso; ponga sus fotos en la carpeta '%1'.</translation>
+    </message>
+    <message>
+      <source>The back side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Falta el reverso; ponga sus fotos en la carpeta '%1'.</translation>
+    </message>
+    <message>
+      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es una tanda: no tiene las carpetas 'front' y 'back' ni 'top_images' y 'bottom_images'; indique la carpeta de una tanda.</translation>
+    </message>
+    <message>
+      <source>The name is not of the form %1; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre no tiene la forma %1; esta foto se omite.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otra foto tiene la misma cámara y la misma parada; esta se omite.</translation>
+    </message>
+    <message>
+      <source>This photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta foto se omite.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aquí faltan fotos: %1 y %2 más; lo que solo ellas ven se rellenará, así que repítalas si importan.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aquí faltan fotos: %1; lo que solo ellas ven se rellenará, así que repítalas si importan.</translation>
+    </message>
+    <message>
+      <source>This mask is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta máscara no se usa.</translation>
+    </message>
+    <message>
+      <source>The mask's size is not its photograph's; it is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La máscara no tiene el tamaño de su foto; no se usa.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen tiene %1 x %2 píxeles, las demás de su cámara %3 x %4; esta foto se omite.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El anverso tiene %1 fotos utilizables, hacen falta al menos %2; ponga ahí fotos con nombre %3.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El reverso tiene %1 fotos utilizables, hacen falta al menos %2; ponga ahí fotos con nombre %3.</translation>
+    </message>
+    <message>
+      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre no es cam&lt;C&gt;_cal&lt;NN&gt;.jpg ni empty_cam&lt;C&gt;.jpg; esta imagen se omite.</translation>
+    </message>
+    <message>
+      <source>This picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta imagen se omite.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen tiene %1 x %2 píxeles, las fotos de su cámara %3 x %4; esta imagen se omite.</translation>
+    </message>
+    <message>
+      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen declara un tamaño de %1 x %2 píxeles, que no se puede usar.</translation>
+    </message>
+    <message>
+      <source>The JPEG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen JPEG está dañada; cópiela otra vez.</translation>
+    </message>
+    <message>
+      <source>The JPEG image has no picture in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen JPEG no contiene ninguna imagen.</translation>
+    </message>
+    <message>
+      <source>The PNG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen PNG está dañada; cópiela otra vez.</translation>
+    </message>
+    <message>
+      <source>The TIFF image has no size in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen TIFF no indica su tamaño.</translation>
+    </message>
+    <message>
+      <source>The file is empty; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo está vacío; cópielo otra vez de la cámara.</translation>
+    </message>
+    <message>
+      <source>This is no JPEG, PNG or TIFF image.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es una imagen JPEG, PNG ni TIFF.</translation>
+    </message>
+    <message>
+      <source>The known lengths cannot be used: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las longitudes conocidas no se pueden usar: %1.</translation>
+    </message>
+    <message>
+      <source>'side' must be 'front' or 'back'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'side' debe ser 'front' o 'back'</translation>
+    </message>
+    <message>
+      <source>'length' must lie between 0 and 10000 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'length' debe estar entre 0 y 10000 mm</translation>
+    </message>
+    <message>
+      <source>'ends' must be two lists of marks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'ends' debe ser dos listas de marcas</translation>
+    </message>
+    <message>
+      <source>each end must be marked on two photographs at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cada extremo debe estar marcado en dos fotos como mínimo</translation>
+    </message>
+    <message>
+      <source>their unit must be mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su unidad debe ser mm</translation>
+    </message>
+    <message>
+      <source>each needs 'side', 'length' and 'ends' with 'file' and 'pixel'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cada una necesita 'side', 'length' y 'ends' con 'file' y 'pixel'</translation>
+    </message>
+    <message>
+      <source>The mask cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La máscara no se puede descodificar; cópiela otra vez.</translation>
+    </message>
+    <message>
+      <source>The image cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La imagen no se puede descodificar; cópiela otra vez.</translation>
+    </message>
+    <message>
+      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La unidad del plato debe ser mm; genere otra vez el archivo del plato.</translation>
+    </message>
+    <message>
+      <source>The plate names more than 1024 markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El plato nombra más de 1024 marcas.</translation>
+    </message>
+    <message>
+      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El plato necesita 'dictionary' y 'markers' con un id y cuatro esquinas de tres números cada una; 'diameter', si se da, es un número en mm.</translation>
+    </message>
+    <message>
+      <source>The plate names no marker.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El plato no nombra ninguna marca.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate has no valid corners.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marca %1 del plato no tiene esquinas válidas.</translation>
+    </message>
+    <message>
+      <source>Marker %1 stands twice on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marca %1 está dos veces en el plato.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter is no length in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El diámetro del plato no es una longitud en mm.</translation>
+    </message>
+    <message>
+      <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El tablero necesita 'dictionary', 'squares_x', 'squares_y', 'square_mm' y 'marker_mm'.</translation>
+    </message>
+    <message>
+      <source>The board's squares and markers have no valid number or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número o el tamaño de los cuadros y marcas del tablero no es válido.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir aquí (%1); elija otra carpeta para la tanda o revise sus permisos.</translation>
+    </message>
+    <message>
+      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay un archivo con este nombre y no se sobrescribe; indique otra tanda.</translation>
+    </message>
+    <message>
+      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tanda se empezó en otro plato; indique otra carpeta para esta.</translation>
+    </message>
+    <message>
+      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tanda se empezó con %1 cámaras y %2 paradas, no con %3 y %4; indique otra carpeta.</translation>
+    </message>
+    <message>
+      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La foto se modificó después de tomarla; vuelva a poner el original o indique otra carpeta para la tanda.</translation>
+    </message>
+    <message>
+      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta foto no se tomó aquí; indique otra carpeta para la tanda.</translation>
+    </message>
+    <message>
+      <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 solo entrega archivos raw; ponga su formato de imagen en JPEG o en ambos.</translation>
+    </message>
+    <message>
+      <source>%1 is %2, the rig says %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 es %2, el equipo dice %3</translation>
+    </message>
+    <message>
+      <source>%1 is %2, at the first photograph it was %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 es %2, en la primera foto era %3</translation>
+    </message>
+    <message>
+      <source>The turntable did not reach its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no llegó a su cero.</translation>
+    </message>
+    <message>
+      <source>The turntable did not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no respondió.</translation>
+    </message>
+    <message>
+      <source>The turntable does not tell where it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no dice dónde está.</translation>
+    </message>
+    <message>
+      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria rechazó una orden (error %1): tipo de mesa equivocado o cable defectuoso.</translation>
+    </message>
+    <message>
+      <source>The table's speed must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La velocidad de la mesa debe ser mayor que 0.</translation>
+    </message>
+    <message>
+      <source>The line to the turntable is broken (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se cortó la conexión con la mesa giratoria (%1).</translation>
+    </message>
+    <message>
+      <source>is not open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>no está abierta</translation>
+    </message>
+    <message>
+      <source>takes no more bytes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>no acepta más bytes</translation>
+    </message>
+    <message>
+      <source>was closed at the other end</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>se cerró en el otro extremo</translation>
+    </message>
+    <message>
+      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No tiene permiso para usar este puerto serie; instale las reglas udev de Ostraka o únase al grupo dialout y vuelva a iniciar sesión.</translation>
+    </message>
+    <message>
+      <source>The serial port is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro programa está usando el puerto serie; ciérrelo.</translation>
+    </message>
+    <message>
+      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El puerto serie no está; ¿está conectada y encendida la mesa giratoria?</translation>
+    </message>
+    <message>
+      <source>This is no serial port.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un puerto serie.</translation>
+    </message>
+    <message>
+      <source>The serial port does not take its settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El puerto serie no acepta sus ajustes.</translation>
+    </message>
+    <message>
+      <source>The turntable's address is not known in this network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La dirección de la mesa giratoria no se conoce en esta red.</translation>
+    </message>
+    <message>
+      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un puerto serie no puede trabajar a %1 baudios; lo habitual es 9600 y 115200.</translation>
+    </message>
+    <message>
+      <source>A network address looks like 192.168.0.7:23.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una dirección de red tiene la forma 192.168.0.7:23.</translation>
+    </message>
+    <message>
+      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escritorio no suelta la cámara: todavía la retiene %1; cierre su ventana de archivos e inténtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una carpeta vigilada no tiene el ajuste %1; ajústelo en la cámara.</translation>
+    </message>
+    <message>
+      <source>A watched folder shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una carpeta vigilada no muestra imagen en directo.</translation>
+    </message>
+    <message>
+      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No llegó ninguna foto nueva en %1 segundos; ¿escribe el programa de la cámara en esta carpeta?</translation>
+    </message>
+    <message>
+      <source>The watched folder cannot be read (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta vigilada no se puede leer (%1).</translation>
+    </message>
+    <message>
+      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Llegaron dos fotos para una toma, %1 y %2; una cámara por carpeta, una foto por parada.</translation>
+    </message>
+    <message>
+      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara con este número de serie no está conectada; hay: %1.</translation>
+    </message>
+    <message>
+      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no ofrece %1 para %2; está en %3.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara mantiene %1 en %2 en vez de %3; mire su dial de modos.</translation>
+    </message>
+    <message>
+      <source>The camera has no setting %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no tiene el ajuste %1.</translation>
+    </message>
+    <message>
+      <source>The camera reports: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara comunica: %1.</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa no tiene interruptor de cero.</translation>
+    </message>
+    <message>
+      <source>It did not answer while homing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No respondió mientras iba a cero.</translation>
+    </message>
+    <message>
+      <source>It did not unlock.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se desbloqueó.</translation>
+    </message>
+    <message>
+      <source>It did not answer when the shutters were to be fired.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No respondió cuando había que disparar.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no responde.</translation>
+    </message>
+    <message>
+      <source>The turntable does not come to rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no se detiene.</translation>
+    </message>
+    <message>
+      <source>The turntable does not take its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no acepta su cero.</translation>
+    </message>
+    <message>
+      <source>The controller counts from anew; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El controlador cuenta desde el principio; no se conoce la posición de la mesa.</translation>
+    </message>
+    <message>
+      <source>The turntable does not move.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no se mueve.</translation>
+    </message>
+    <message>
+      <source>The turntable did not arrive in time; it was stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no llegó a tiempo; se detuvo.</translation>
+    </message>
+    <message>
+      <source>The shutter output must be M8, M7, M3 or M62 Pn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La salida del disparador debe ser M8, M7, M3 o M62 Pn.</translation>
+    </message>
+    <message>
+      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa se detuvo en movimiento y su posición se perdió: alinee la marca de cero (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El controlador de la mesa dice que el giro excede su recorrido: desactive $20 (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudo llevar a cero: revise el interruptor de cero y su cable (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El controlador de la mesa dio una alarma (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El controlador no entiende la orden: tipo de controlador equivocado o cable defectuoso (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa no tiene interruptor de cero (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is still moving (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa todavía se mueve (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa está bloqueada: llévela a cero o desbloquéela (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller refused a command (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El controlador de la mesa rechazó una orden (error:%1).</translation>
+    </message>
+    <message>
+      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gire la mesa en sentido antihorario hasta %1 grados y retire la mano.</translation>
+    </message>
+    <message>
+      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es una lista de fotos de Ostraka; indique otra carpeta para la tanda.</translation>
+    </message>
+    <message>
+      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se conoce el controlador %1 de la mesa giratoria; hay: grbl, comxim1, comxim2, text, hand.</translation>
+    </message>
+    <message>
+      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se conoce el controlador de cámara %1; hay: folder, gphoto2, uvc.</translation>
+    </message>
+    <message>
+      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo no nombra ningún dispositivo; 'ostraka devices' dice qué está conectado y cómo escribirlo ahí.</translation>
+    </message>
+    <message>
+      <source>The rig names no camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo no nombra ninguna cámara.</translation>
+    </message>
+    <message>
+      <source>settle_s and speed_deg_s must be positive.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>settle_s y speed_deg_s deben ser positivos.</translation>
+    </message>
+    <message>
+      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La parte 'devices' no se puede leer; compárela con el capítulo del README sobre dispositivos.</translation>
+    </message>
+    <message>
+      <source>The number of stops must lie between 3 and 99.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de paradas debe estar entre 3 y 99.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera or no turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo no tiene cámara o no tiene mesa giratoria.</translation>
+    </message>
+    <message>
+      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay una toma %1 que repetir: esta cara tiene las paradas 1 a %2 y las cámaras A a %3.</translation>
+    </message>
+    <message>
+      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 de esta tanda era %2, la de aquí es %3; siga con las cámaras con que empezó o indique otra carpeta.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se conoce la posición de la mesa: gire su marca de cero hacia delante y fije el cero.</translation>
+    </message>
+    <message>
+      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1, parada %2: falló %3 veces: %4.</translation>
+    </message>
+    <message>
+      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 solo entrega fotos anteriores o dañadas; apáguela y enciéndala.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer as a %1; is it another one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no responde como un %1; ¿es otra?</translation>
+    </message>
+    <message>
+      <source>Marlin controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>controlador Marlin</translation>
+    </message>
+    <message>
+      <source>text controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>controlador de texto</translation>
+    </message>
+    <message>
+      <source>This table has no zero switch: align it by eye.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta mesa no tiene interruptor de cero: alinéela a ojo.</translation>
+    </message>
+    <message>
+      <source>The turntable refuses: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria se niega: %1.</translation>
+    </message>
+    <message>
+      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria está en %1 grados en vez de %2.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras de la mesa giratoria: 'move' debe contener {target} o {by}.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras de la mesa giratoria: 'accepted' debe decir cómo responde.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras de la mesa giratoria: 'query' y 'position' van juntas.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras de la mesa giratoria: 'reply_s' debe ser mayor que 0.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: '%1' is no regular expression.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras de la mesa giratoria: '%1' no es una expresión regular.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras de la mesa giratoria: 'position' necesita un grupo para el ángulo.</translation>
+    </message>
+    <message>
+      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'dialect' de la mesa giratoria debe ser "marlin" o sus palabras.</translation>
+    </message>
+    <message>
+      <source>The turntable is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no está conectada.</translation>
+    </message>
+    <message>
+      <source>The turntable was unplugged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria se desconectó.</translation>
+    </message>
+    <message>
+      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Falló la conexión USB de la mesa giratoria (%1); vuelva a conectarla.</translation>
+    </message>
+    <message>
+      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No tiene permiso para usar este dispositivo USB; instale packaging/udev/70-ostraka.rules y vuelva a conectarlo.</translation>
+    </message>
+    <message>
+      <source>The turntable is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro programa está usando la mesa giratoria; ciérrelo.</translation>
+    </message>
+    <message>
+      <source>The turntable cannot be opened (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria no se puede abrir (%1).</translation>
+    </message>
+    <message>
+      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este dispositivo USB no es un controlador serie (CDC-ACM).</translation>
+    </message>
+    <message>
+      <source>The turntable of this serial number is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesa giratoria con este número de serie no está conectada.</translation>
+    </message>
+    <message>
+      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una mesa giratoria USB se nombra por fabricante y producto, como usb:1209:0001.</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara de vídeo no se puede abrir: ¿está conectada y no la usa otro programa?</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara de vídeo no se puede abrir.</translation>
+    </message>
+    <message>
+      <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cámara de vídeo tiene exposure (0,1 ms), focus, white_balance (K) y gain, como números; no %1 %2.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara mantiene %1 en %2 en vez de %3.</translation>
+    </message>
+    <message>
+      <source>It is not open.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No está abierta.</translation>
+    </message>
+    <message>
+      <source>The video camera gives no pictures any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara de vídeo ya no da imágenes.</translation>
+    </message>
+    <message>
+      <source>The video camera has taken no picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara de vídeo no tomó ninguna imagen.</translation>
+    </message>
+    <message>
+      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara de vídeo da imágenes de %1x%2 píxeles, no del tamaño ajustado.</translation>
+    </message>
+    <message>
+      <source>The video camera must be named.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay que nombrar la cámara de vídeo.</translation>
+    </message>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>el archivo está cortado o no es una imagen</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>las marcas muestran otro ángulo que el de esta parada</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la imagen tiene otro tamaño que las demás de la cámara</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>se ven muy pocas marcas para saber la parada: ¿hay algo delante, está borrosa?</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la cámara entregó otra vez una foto anterior</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>se ven muy pocas marcas del plato: ¿hay algo delante?</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>está borrosa: ¿se movía aún la mesa, cambió el enfoque?</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>los fragmentos están muy oscuros: dé más luz o exponga más tiempo</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>los fragmentos están sobreexpuestos: exponga menos tiempo</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>el borde de la imagen corta un fragmento: muévalo, o mueva la cámara</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>los ajustes de la cámara no son los de antes: restablézcalos</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: restablézcalo</translation>
+    </message>
+    <message>
+      <source>A plate holds 1 to 60 sherds; 0 means not counted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un plato lleva de 1 a 60 fragmentos; 0 significa sin contar.</translation>
+    </message>
+    <message>
+      <source>The number of a batch is also the name of its folder; use letters and digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de una tanda es también el nombre de su carpeta; use letras y cifras.</translation>
+    </message>
+    <message>
+      <source>The uuid of a batch is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El uuid de una tanda está mal formado.</translation>
+    </message>
+    <message>
+      <source>There is a batch %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay una tanda %1.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El código del proyecto debe tener de 2 a 8 mayúsculas o cifras, como ARM.</translation>
+    </message>
+    <message>
+      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un término de un vocabulario debe tener letras y ningún ';'.</translation>
+    </message>
+    <message>
+      <source>The term '%1' stands twice in the vocabulary.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El término '%1' está dos veces en el vocabulario.</translation>
+    </message>
+    <message>
+      <source>Sherds with the term '%1': %2; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos con el término «%1»: %2; cámbielos primero.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El catálogo está dañado (%1); recupere el archivo más reciente de la carpeta backups.</translation>
+    </message>
+    <message>
+      <source>a row of %1 points at nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>una fila de %1 no apunta a nada</translation>
+    </message>
+    <message>
+      <source>the tables of the sherds do not fit together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>las tablas de los fragmentos no concuerdan</translation>
+    </message>
+    <message>
+      <source>the search does not know all sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la búsqueda no conoce todos los fragmentos</translation>
+    </message>
+    <message>
+      <source>The backup does not hold what was saved; try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La copia de seguridad no contiene lo que se guardó; inténtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The backup cannot be given its name; check the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede dar su nombre a la copia de seguridad; revise la carpeta.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El catálogo no se puede abrir; compruebe que la carpeta existe y que se puede escribir en ella.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be written to; check the permissions of the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir en el catálogo; revise los permisos de la carpeta.</translation>
+    </message>
+    <message>
+      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El disco no responde bien; revíselo y vuelva a abrir el proyecto.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El catálogo está dañado; recupere el archivo más reciente de la carpeta backups.</translation>
+    </message>
+    <message>
+      <source>The catalogue does not take this (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El catálogo no acepta esto (%1).</translation>
+    </message>
+    <message>
+      <source>The scan is no front of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo no es un anverso de esta tanda.</translation>
+    </message>
+    <message>
+      <source>The scan is no back of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo no es un reverso de esta tanda.</translation>
+    </message>
+    <message>
+      <source>its front has no back any more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su anverso ya no tiene reverso</translation>
+    </message>
+    <message>
+      <source>A pair has a front and a back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una pareja tiene un anverso y un reverso.</translation>
+    </message>
+    <message>
+      <source>The decision to be taken back is not in this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión que se quiere retirar no está en esta tanda.</translation>
+    </message>
+    <message>
+      <source>A decision names a front, a back, or both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una decisión nombra un anverso, un reverso o ambos.</translation>
+    </message>
+    <message>
+      <source>The uuid of a decision is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El uuid de una decisión está mal formado.</translation>
+    </message>
+    <message>
+      <source>This file does not lie in the project's folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo no está en la carpeta del proyecto.</translation>
+    </message>
+    <message>
+      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un borrador a partir de fotos con menos detalle; calcule otra vez la tanda para tener medidas definitivas.</translation>
+    </message>
+    <message>
+      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No son resultados completos de 'ostraka process'; ejecútelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tabla de parejas nombra el escaneo %1, que no existe; ejecute otra vez 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This photograph is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta foto ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This scan is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este escaneo ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This file is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This person is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta persona ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This site is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este yacimiento ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This trench is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este corte ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This context is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este contexto ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>This bag is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta bolsa ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>The filter opens a quotation mark and does not close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El filtro abre unas comillas y no las cierra.</translation>
+    </message>
+    <message>
+      <source>This is only a part of a sherd's label; read its code again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es solo una parte de la etiqueta de un fragmento; lea otra vez su código.</translation>
+    </message>
+    <message>
+      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El filtro no conoce ningún campo '%1'; ponga la palabra entre comillas para buscarla tal cual.</translation>
+    </message>
+    <message>
+      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo las medidas se comparan con &lt; y &gt;; escriba %1:value.</translation>
+    </message>
+    <message>
+      <source>The filter is not readable text.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El filtro no es un texto legible.</translation>
+    </message>
+    <message>
+      <source>There is no field '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ningún campo '%1'.</translation>
+    </message>
+    <message>
+      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Algunos de los cambios quedan, porque no se pudieron deshacer: %1</translation>
+    </message>
+    <message>
+      <source>There is no measurement of this kind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ninguna medida de este tipo.</translation>
+    </message>
+    <message>
+      <source>A measurement is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una medida nunca es menor que 0.</translation>
+    </message>
+    <message>
+      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto se hizo con un Ostraka más nuevo (catálogo versión %1, este programa conoce %2); instálelo, no se cambió nada.</translation>
+    </message>
+    <message>
+      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numeración no puede contener el carácter '%1'; entre las marcas se permiten letras, cifras, '.', '_', '/' y '-'.</translation>
+    </message>
+    <message>
+      <source>The numbering opens a token with { and does not close it with }.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numeración abre una marca con { y no la cierra con }.</translation>
+    </message>
+    <message>
+      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numeración no tiene la marca {%1}; hay site, trench, context, bag, batch, yyyy, yy y n.</translation>
+    </message>
+    <message>
+      <source>The width of {%1} must be written as :04, with 12 digits at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La anchura de {%1} debe escribirse como :04, con 12 cifras como máximo.</translation>
+    </message>
+    <message>
+      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos marcas se tocan; ponga un '-' u otro signo entre {%1} y {%2}.</translation>
+    </message>
+    <message>
+      <source>The numbering must count the sherds with {n} exactly once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numeración debe contar los fragmentos con {n} exactamente una vez.</translation>
+    </message>
+    <message>
+      <source>The number needs the site of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número necesita el yacimiento del fragmento, que no está registrado.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número necesita el corte del fragmento, que no está registrado.</translation>
+    </message>
+    <message>
+      <source>The number needs the context of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número necesita el contexto del fragmento, que no está registrado.</translation>
+    </message>
+    <message>
+      <source>The number needs the bag of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número necesita la bolsa del fragmento, que no está registrada.</translation>
+    </message>
+    <message>
+      <source>The number needs the batch of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número necesita la tanda del fragmento, que no está registrada.</translation>
+    </message>
+    <message>
+      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El yacimiento %1 contiene el signo '%2' que está a su lado en el número.</translation>
+    </message>
+    <message>
+      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El corte %1 contiene el signo '%2' que está a su lado en el número.</translation>
+    </message>
+    <message>
+      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El contexto %1 contiene el signo '%2' que está a su lado en el número.</translation>
+    </message>
+    <message>
+      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La bolsa %1 contiene el signo '%2' que está a su lado en el número.</translation>
+    </message>
+    <message>
+      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tanda %1 contiene el signo '%2' que está a su lado en el número.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before; numbers are never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 ya se dio antes; los números nunca se reutilizan.</translation>
+    </message>
+    <message>
+      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El bloque de números hasta %1 está agotado; dé a este ordenador un bloque nuevo en los ajustes.</translation>
+    </message>
+    <message>
+      <source>A decision needs the name of the person who takes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una decisión necesita el nombre de la persona que la toma.</translation>
+    </message>
+    <message>
+      <source>Two pieces or more are joined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se unen dos piezas o más.</translation>
+    </message>
+    <message>
+      <source>One piece is cut.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se corta una sola pieza.</translation>
+    </message>
+    <message>
+      <source>The name of a person must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre de una persona no puede estar vacío.</translation>
+    </message>
+    <message>
+      <source>The person's initials must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las iniciales de la persona no pueden estar vacías.</translation>
+    </message>
+    <message>
+      <source>The code of a site must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El código de un yacimiento no puede estar vacío.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El código de un corte no puede estar vacío.</translation>
+    </message>
+    <message>
+      <source>The number of a context must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de un contexto no puede estar vacío.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de una bolsa no puede estar vacío.</translation>
+    </message>
+    <message>
+      <source>The name of a person must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre de una persona es demasiado largo; 200 letras como máximo.</translation>
+    </message>
+    <message>
+      <source>The person's initials must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las iniciales de la persona son demasiado largas; 200 letras como máximo.</translation>
+    </message>
+    <message>
+      <source>The code of a site must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El código de un yacimiento es demasiado largo; 200 letras como máximo.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El código de un corte es demasiado largo; 200 letras como máximo.</translation>
+    </message>
+    <message>
+      <source>The number of a context must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de un contexto es demasiado largo; 200 letras como máximo.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de una bolsa es demasiado largo; 200 letras como máximo.</translation>
+    </message>
+    <message>
+      <source>The uuid is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El uuid está mal formado.</translation>
+    </message>
+    <message>
+      <source>The initials %1 belong to another person already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las iniciales %1 ya pertenecen a otra persona.</translation>
+    </message>
+    <message>
+      <source>The latitude lies between -90 and 90 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La latitud está entre -90 y 90 grados.</translation>
+    </message>
+    <message>
+      <source>The longitude lies between -180 and 180 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La longitud está entre -180 y 180 grados.</translation>
+    </message>
+    <message>
+      <source>There is a site %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay un yacimiento %1.</translation>
+    </message>
+    <message>
+      <source>A trench belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un corte pertenece a un yacimiento.</translation>
+    </message>
+    <message>
+      <source>A trench cannot lie in itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un corte no puede estar dentro de sí mismo.</translation>
+    </message>
+    <message>
+      <source>There is a trench %1 in this site already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay un corte %1 en este yacimiento.</translation>
+    </message>
+    <message>
+      <source>A context belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un contexto pertenece a un yacimiento.</translation>
+    </message>
+    <message>
+      <source>The trench belongs to another site than the context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El corte pertenece a otro yacimiento que el contexto.</translation>
+    </message>
+    <message>
+      <source>There is a context %1 in this place already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay un contexto %1 en este lugar.</translation>
+    </message>
+    <message>
+      <source>A bag belongs to a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una bolsa pertenece a un contexto.</translation>
+    </message>
+    <message>
+      <source>The weight of a bag is above 0 g.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El peso de una bolsa es mayor que 0 g.</translation>
+    </message>
+    <message>
+      <source>A count is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cantidad nunca es menor que 0.</translation>
+    </message>
+    <message>
+      <source>There is a bag %1 in this context already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay una bolsa %1 en este contexto.</translation>
+    </message>
+    <message>
+      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta está en un recurso de red (%1), donde los catálogos se dañan; use una carpeta del disco de este ordenador y copie las copias de seguridad al recurso.</translation>
+    </message>
+    <message>
+      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta no es un proyecto de Ostraka: no contiene catalogue.sqlite.</translation>
+    </message>
+    <message>
+      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un proyecto nuevo necesita una carpeta nueva o vacía; elija otro nombre.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta no se puede crear; elija un lugar en el que pueda escribir.</translation>
+    </message>
+    <message>
+      <source>A uuid of the export is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un uuid de la exportación está mal formado.</translation>
+    </message>
+    <message>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión está guardada con la tanda, pero %1 aún no está en el catálogo; se anotará con los próximos resultados.</translation>
+    </message>
+    <message>
+      <source>The field %1 comes from the program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El campo %1 viene del programa.</translation>
+    </message>
+    <message>
+      <source>A void sherd keeps its number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento anulado conserva su número.</translation>
+    </message>
+    <message>
+      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un número no contiene saltos de línea, tabuladores ni '%'.</translation>
+    </message>
+    <message>
+      <source>A number has 120 letters at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un número tiene 120 caracteres como máximo.</translation>
+    </message>
+    <message>
+      <source>The number %1 would be given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 se daría dos veces.</translation>
+    </message>
+    <message>
+      <source>The files of %1 would have the same names as those of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los archivos de %1 tendrían los mismos nombres que los de %2.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before and is never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 ya se dio antes y no se vuelve a usar.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 pertenece a otro fragmento.</translation>
+    </message>
+    <message>
+      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' no es un término del vocabulario '%2'; elija otro o añádalo en los ajustes.</translation>
+    </message>
+    <message>
+      <source>What follows the sign ± is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que sigue al signo ± es mayor que 0.</translation>
+    </message>
+    <message>
+      <source>A measurement is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una medida es mayor que 0.</translation>
+    </message>
+    <message>
+      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ningún fragmento mide más de 1000 mm; ¿está en milímetros?</translation>
+    </message>
+    <message>
+      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ningún fragmento pesa más de 20 kg; ¿está en gramos?</translation>
+    </message>
+    <message>
+      <source>A share is 100 % at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una proporción es de 100 % como máximo.</translation>
+    </message>
+    <message>
+      <source>There is no sherd %1 that it could join.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ningún fragmento %1 con el que pueda unirse.</translation>
+    </message>
+    <message>
+      <source>A sherd does not join itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento no se une consigo mismo.</translation>
+    </message>
+    <message>
+      <source>There is no context %1 in %2; add it first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ningún contexto %1 en %2; añádalo primero.</translation>
+    </message>
+    <message>
+      <source>A numbered sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento numerado necesita su contexto.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ninguna bolsa %1 en este contexto; añádala o cambie también la bolsa.</translation>
+    </message>
+    <message>
+      <source>A sherd gets a number when its context is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento recibe número cuando se conoce su contexto.</translation>
+    </message>
+    <message>
+      <source>The table cannot be ordered by '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tabla no se puede ordenar por '%1'.</translation>
+    </message>
+    <message>
+      <source>A sherd is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento ya no está en el catálogo.</translation>
+    </message>
+    <message>
+      <source>The uuid of a sherd is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El uuid de un fragmento está mal formado.</translation>
+    </message>
+    <message>
+      <source>There is a sherd with this uuid already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay un fragmento con este uuid.</translation>
+    </message>
+    <message>
+      <source>A sherd is void for a reason; say which.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento se anula por algún motivo; diga cuál.</translation>
+    </message>
+    <message>
+      <source>The number %1 stands on two sherds of this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 está en dos fragmentos de este plato.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 ya pertenece a otro fragmento.</translation>
+    </message>
+    <message>
+      <source>The sherd of this label has no number yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El fragmento de esta etiqueta aún no tiene número.</translation>
+    </message>
+    <message>
+      <source>The text is longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El texto supera 1 MB.</translation>
+    </message>
+    <message>
+      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El texto no es UTF-8 válido o contiene un byte nulo.</translation>
+    </message>
+    <message>
+      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un día se escribe 2026-07-14 (año-mes-día).</translation>
+    </message>
+    <message>
+      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una fecha se escribe en EDTF, como -0599/-0549~ (600 a hacia 550 a. C.), -1149? o 0350/..; los años tienen cuatro cifras.</translation>
+    </message>
+    <message>
+      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un color Munsell se escribe 10YR 3/1 o N 4/.</translation>
+    </message>
+    <message>
+      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' no es un número; escriba 12.5 o 12,5, sin unidad.</translation>
+    </message>
+    <message>
+      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' no es una ruta dentro del proyecto; debe ser relativa, con '/' y sin '..'.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces to write.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La malla no tiene caras que escribir.</translation>
+    </message>
+    <message>
+      <source>A face of the mesh names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cara de la malla nombra un vértice que no existe.</translation>
+    </message>
+    <message>
+      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un archivo PLY; indique uno o exporte otra vez el escaneo.</translation>
+    </message>
+    <message>
+      <source>The PLY header names no format; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cabecera PLY no nombra ningún formato; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cabecera PLY está mal en la línea %1: %2; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>its format is not known</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su formato no se conoce</translation>
+    </message>
+    <message>
+      <source>a count is no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>una cantidad no es un número</translation>
+    </message>
+    <message>
+      <source>a property cannot be read</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>una propiedad no se puede leer</translation>
+    </message>
+    <message>
+      <source>a property has an unknown type</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>una propiedad tiene un tipo desconocido</translation>
+    </message>
+    <message>
+      <source>a list has no whole number as its length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longitud de una lista no es un número entero</translation>
+    </message>
+    <message>
+      <source>a line cannot be understood</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>una línea no se entiende</translation>
+    </message>
+    <message>
+      <source>The PLY header has no end; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cabecera PLY no tiene final; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cabecera PLY declara %1 de '%2', más de lo que contiene el archivo; puede estar cortado.</translation>
+    </message>
+    <message>
+      <source>The PLY file has two lists of vertices; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY tiene dos listas de vértices; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A los vértices del PLY les falta x, y o z; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY acaba antes de tiempo o contiene algo que no es un número; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cara del PLY nombra un vértice que no existe; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within its faces; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY acaba en medio de sus caras; cópielo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within '%1'; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY acaba en medio de '%1'; cópielo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY file has no vertices; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY no tiene vértices; exporte otra vez el escaneo.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds more than its header claims; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY contiene más de lo que declara su cabecera; expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds no usable point; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY no contiene ningún punto utilizable; exporte otra vez el escaneo.</translation>
+    </message>
+    <message>
+      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ningún tramo del contorno puede ser parte de un borde; dibuje este fragmento como uno sin borde.</translation>
+    </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que se tomó por el labio apenas lo parece (%1 %); revise la línea del borde antes de fiarse del diámetro.</translation>
+    </message>
+    <message>
+      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dibujado como borde, lo que es probable (%1 %); compruébelo.</translation>
+    </message>
+    <message>
+      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Puede ser un borde (%1 %); si lo es, indíquelo y dibújelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La escala del dibujo debe estar entre 1:20 y 5:1.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dibujo necesita un modelo cerrado (%1); hágalo con 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dibujo necesita un modelo cerrado; hágalo con 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>This file is missing or cannot be read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo falta o no se puede leer.</translation>
+    </message>
+    <message>
+      <source>The disk cannot read this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El disco no puede leer este archivo.</translation>
+    </message>
+    <message>
+      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Falta el manifiesto; no es una exportación de Ostraka.</translation>
+    </message>
+    <message>
+      <source>The manifest has a line that cannot be read: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El manifiesto tiene una línea ilegible: %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file outside the folder: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El manifiesto nombra un archivo fuera de la carpeta: %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file twice: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El manifiesto nombra dos veces un archivo: %1</translation>
+    </message>
+    <message>
+      <source>This cannot be written; check the space left and the permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir aquí; revise el espacio libre y los permisos.</translation>
+    </message>
+    <message>
+      <source>There is a folder of this name already; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay una carpeta con este nombre; elija otro nombre.</translation>
+    </message>
+    <message>
+      <source>A name in an export must not hold '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un nombre de una exportación no puede contener '%'.</translation>
+    </message>
+    <message>
+      <source>Two files of the export would have the same name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos archivos de la exportación tendrían el mismo nombre.</translation>
+    </message>
+    <message>
+      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alguien creó entretanto una carpeta con este nombre; elija otro nombre.</translation>
+    </message>
+    <message>
+      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta no es una exportación de Ostraka: falta bagit.txt.</translation>
+    </message>
+    <message>
+      <source>This file is not in the manifest; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo no está en el manifiesto; no se leyó nada.</translation>
+    </message>
+    <message>
+      <source>This is a link, not a file; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un enlace, no un archivo; no se leyó nada.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read (%1); nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta no se puede leer (%1); no se leyó nada.</translation>
+    </message>
+    <message>
+      <source>This file is missing; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo falta; no se leyó nada.</translation>
+    </message>
+    <message>
+      <source>This file was changed after the export; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo se modificó después de la exportación; no se leyó nada.</translation>
+    </message>
+    <message>
+      <source>There is no context %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ningún contexto %1; créelo o deje que lo cree la importación.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ninguna bolsa %1; créela o deje que la cree la importación.</translation>
+    </message>
+    <message>
+      <source>The column closed takes yes or no.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La columna closed admite yes o no.</translation>
+    </message>
+    <message>
+      <source>The column count_written takes a whole number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La columna count_written admite un número entero.</translation>
+    </message>
+    <message>
+      <source>The row has %1 values, the header %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La fila tiene %1 valores, el encabezado %2.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La columna '%1' no se conoce; sus valores se guardan como un campo propio.</translation>
+    </message>
+    <message>
+      <source>The file holds zero bytes; it is no table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo contiene bytes nulos; no es una tabla.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La línea %1 no está en UTF-8; guarde la tabla como 'CSV UTF-8' e inténtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000,000 rows; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tabla tiene más de 1 000 000 de filas; divídala.</translation>
+    </message>
+    <message>
+      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La línea %1 abre unas comillas que nunca se cierran.</translation>
+    </message>
+    <message>
+      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La línea %1 tiene letras detrás de unas comillas de cierre.</translation>
+    </message>
+    <message>
+      <source>Line %1 has a value longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La línea %1 tiene un valor de más de 1 MB.</translation>
+    </message>
+    <message>
+      <source>The table is empty; its first line must name the columns.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tabla está vacía; su primera línea debe nombrar las columnas.</translation>
+    </message>
+    <message>
+      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este fragmento aún no tiene modelo y no se puede dibujar; calcule antes su tanda.</translation>
+    </message>
+    <message>
+      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las medidas de su tanda son dudosas: también el tamaño de este dibujo.</translation>
+    </message>
+    <message>
+      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se dice que es un borde, pero ningún tramo de su contorno puede serlo; dibujado sin él.</translation>
+    </message>
+    <message>
+      <source>%1 is not there and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 no está y se omitió.</translation>
+    </message>
+    <message>
+      <source>%1 is not the photograph that was entered; check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 no es la foto que se registró; compruébela.</translation>
+    </message>
+    <message>
+      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este modelo no es el que se registró; registre otra vez los resultados de la tanda.</translation>
+    </message>
+    <message>
+      <source>%1 goes along whole: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 va entero: %2</translation>
+    </message>
+    <message>
+      <source>Not drawn: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No dibujado: %1</translation>
+    </message>
+    <message>
+      <source>No pictures with masks and poses of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sin imágenes con máscaras y poses de %1: %2</translation>
+    </message>
+    <message>
+      <source>There is no sherd to export; choose some first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ningún fragmento que exportar; elija antes algunos.</translation>
+    </message>
+    <message>
+      <source>The row has neither a number nor a uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La fila no tiene ni número ni uuid.</translation>
+    </message>
+    <message>
+      <source>This stands in two rows of the table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto está en dos filas de la tabla.</translation>
+    </message>
+    <message>
+      <source>This is no uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un uuid.</translation>
+    </message>
+    <message>
+      <source>The number belongs to another sherd than the uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número pertenece a otro fragmento que el uuid.</translation>
+    </message>
+    <message>
+      <source>A new sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento nuevo necesita su contexto.</translation>
+    </message>
+    <message>
+      <source>A column of the table has no name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una columna de la tabla no tiene nombre.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is there twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La columna '%1' está dos veces.</translation>
+    </message>
+    <message>
+      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tabla necesita una columna 'number' (fragmentos) o las columnas 'site' y 'context' (contextos).</translation>
+    </message>
+    <message>
+      <source>These places and batches are not written as Ostraka writes them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos lugares y tandas no están escritos como los escribe Ostraka.</translation>
+    </message>
+    <message>
+      <source>This is no PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un archivo PLY.</translation>
+    </message>
+    <message>
+      <source>This is no GLB file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un archivo GLB.</translation>
+    </message>
+    <message>
+      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta exportación no contiene fichas (JSON) de fragmentos; expórtela otra vez con ellas.</translation>
+    </message>
+    <message>
+      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El proyecto tiene este fragmento con otros valores; se quedan, y lo que difiere se guarda al lado en campos que acaban en _in_%1.</translation>
+    </message>
+    <message>
+      <source>This file is not among the files of the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo no está entre los archivos de la exportación.</translation>
+    </message>
+    <message>
+      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El proyecto tiene otro archivo con este nombre; cambie el nombre de la exportación e impórtela otra vez.</translation>
+    </message>
+    <message>
+      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es la ficha de un fragmento (ostraka-sherd/1).</translation>
+    </message>
+    <message>
+      <source>The measurement %1 has another unit than %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La medida %1 tiene otra unidad que %2.</translation>
+    </message>
+    <message>
+      <source>A value of the record has another type than it should.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un valor de la ficha es de otro tipo del debido.</translation>
+    </message>
+    <message>
+      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es demasiado grande para un solo archivo ZIP; elija menos fragmentos.</translation>
+    </message>
+    <message>
+      <source>The mask is missing; expected a mask of %1 x %2 pixels under this name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Falta la máscara; se esperaba con este nombre una máscara de %1 x %2 píxeles.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be read as a picture; expected a mask of %1 x %2 pixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La máscara no se puede leer como imagen; se esperaba una máscara de %1 x %2 píxeles.</translation>
+    </message>
+    <message>
+      <source>The mask has %1 x %2 pixels; expected a mask of %3 x %4 pixels, the size of its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La máscara tiene %1 x %2 píxeles; se esperaba una máscara de %3 x %4 píxeles, el tamaño de su foto.</translation>
+    </message>
+    <message>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las máscaras a partir del plato necesitan al menos 3 fotos de una cara; fotografíe más paradas.</translation>
+    </message>
+    <message>
+      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La foto no tiene el tamaño de su cámara; use el archivo original.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se encontró ningún fragmento en el plato; compruebe que las fotos muestran fragmentos distintos del plato, o dé máscaras.</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>máscaras: el plato vacío de la cámara %1 tiene otro tamaño que las fotos de la cámara; enmascarado sin él</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>máscaras: el plato vacío de la cámara %1 no muestra el plato en ninguna de las paradas; repítalo en la primera; enmascarado sin él</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>máscaras: el plato vacío de la cámara %1 muestra marcas que algo tapa en %2; retire lo que está encima de ellas; enmascarado sin él</translation>
+    </message>
+    <message>
+      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>máscaras: una sombra que las demás fotos no tienen cae sobre el plato en %1; mantenga personas y manos fuera de la luz, y repita estas fotos si sus máscaras parecen mal</translation>
+    </message>
+    <message>
+      <source>%1 (%2 % of the bare plate)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (%2 % del plato libre)</translation>
+    </message>
+    <message>
+      <source>The front scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo del anverso no contiene puntos.</translation>
+    </message>
+    <message>
+      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo del anverso no tiene normales; un modelo necesita saber qué es el exterior.</translation>
+    </message>
+    <message>
+      <source>The back scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo del reverso no contiene puntos.</translation>
+    </message>
+    <message>
+      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo del reverso no tiene normales; un modelo necesita saber qué es el exterior.</translation>
+    </message>
+    <message>
+      <source>The scans enclose no body; their normals may point inward.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los escaneos no encierran ningún cuerpo; quizá sus normales apuntan hacia dentro.</translation>
+    </message>
+    <message>
+      <source>Only a closed mesh can be thinned out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo se puede aligerar una malla cerrada.</translation>
+    </message>
+    <message>
+      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La desviación de una malla aligerada debe ser mayor que 0 mm.</translation>
+    </message>
+    <message>
+      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo es demasiado grande para un modelo con este espaciado; dé uno mayor.</translation>
+    </message>
+    <message>
+      <source>The scans hold too few points that agree with each other for a model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los escaneos tienen muy pocos puntos que concuerden entre sí para un modelo.</translation>
+    </message>
+    <message>
+      <source>Edge %1 is used more than once in the same direction.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La arista %1 se usa más de una vez en el mismo sentido.</translation>
+    </message>
+    <message>
+      <source>Edge %1 has a face on one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La arista %1 tiene una cara solo a un lado.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 belongs to no face.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El vértice %1 no pertenece a ninguna cara.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 holds two fans of faces together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El vértice %1 une dos abanicos de caras.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La malla no tiene caras.</translation>
+    </message>
+    <message>
+      <source>A face names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cara nombra un vértice que no existe.</translation>
+    </message>
+    <message>
+      <source>A face has the same vertex twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cara tiene dos veces el mismo vértice.</translation>
+    </message>
+    <message>
+      <source>The scan's outline does not close.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El contorno del escaneo no se cierra.</translation>
+    </message>
+    <message>
+      <source>A scan of fewer than 20 points has no outline.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un escaneo de menos de 20 puntos no tiene contorno.</translation>
+    </message>
+    <message>
+      <source>A contour needs at least three points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un contorno necesita al menos tres puntos.</translation>
+    </message>
+    <message>
+      <source>The evidence of a pair has no valid scans or figure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los datos de un par no tienen escaneos o cifra válidos.</translation>
+    </message>
+    <message>
+      <source>pairing: %1 stays unpaired: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>emparejamiento: %1 queda sin pareja: %2</translation>
+    </message>
+    <message>
+      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay dos contornos parecidos, así que no se pueden comparar los tamaños de los lados; dé una longitud conocida.</translation>
+    </message>
+    <message>
+      <source>A candidate names a scan that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un candidato nombra un escaneo que no existe.</translation>
+    </message>
+    <message>
+      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto no es una tabla de candidatos; calcule la tanda otra vez, solo se rehacen sus pares.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión %1 de %2 trata de %3, cuyo lado se fotografió de nuevo desde entonces; decida otra vez.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión %1 de %2 trata de %3, que ya no está en el plato; decida otra vez.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión %1 de %2 no vale: la decisión %3 de %4, que es posterior, trata del mismo escaneo; retire una de las dos.</translation>
+    </message>
+    <message>
+      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una decisión es de un tipo que este programa no conoce; la escribió uno más nuevo.</translation>
+    </message>
+    <message>
+      <source>A pair needs one front and one back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un par necesita un anverso y un reverso.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be set aside or shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se nombró nada que apartar o fotografiar otra vez.</translation>
+    </message>
+    <message>
+      <source>Pieces to be joined must be of one side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las piezas que se unen deben ser del mismo lado.</translation>
+    </message>
+    <message>
+      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un corte necesita una pieza y una línea de al menos un milímetro.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be withdrawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se nombró nada que retirar.</translation>
+    </message>
+    <message>
+      <source>These decisions were written by a newer program; use that one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estas decisiones las escribió un programa más nuevo; use ese.</translation>
+    </message>
+    <message>
+      <source>Decision %1 cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión %1 no se puede usar.</translation>
+    </message>
+    <message>
+      <source>Mend it, or put a copy of the file back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Corríjala, o restablezca una copia del archivo.</translation>
+    </message>
+    <message>
+      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estas no son decisiones de este programa; aparte el archivo, o restablezca una copia.</translation>
+    </message>
+    <message>
+      <source>This decision does not hold any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta decisión ya no vale.</translation>
+    </message>
+    <message>
+      <source>There is no photograph of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ninguna foto de este lado.</translation>
+    </message>
+    <message>
+      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los contornos de estos dos lados no se pueden superponer.</translation>
+    </message>
+    <message>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 pueden ser dos fragmentos que se tocan, %2 y %3 del otro lado: córtelo en la revisión, o sepárelos y fotografíe otra vez su lado.</translation>
+    </message>
+    <message>
+      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto no es una lista de trazos en máscaras; restablezca una anterior o quítela.</translation>
+    </message>
+    <message>
+      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda aún no tiene máscaras; deje que se calcule antes.</translation>
+    </message>
+    <message>
+      <source>This file does not say how well the rig fitted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo no dice lo bien que coincidía el equipo.</translation>
+    </message>
+    <message>
+      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta calibración es de otras cámaras que las que fotografiaron la tanda; calibre el equipo con sus propias fotos.</translation>
+    </message>
+    <message>
+      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sin plate.json no se pueden hallar las máscaras; ponga máscaras junto a las fotos, o nombre una red (--masks MODEL.onnx).</translation>
+    </message>
+    <message>
+      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El resultado no tiene escala: sin plate.json no se conoce ninguna longitud, y lo que se da en mm parte de un tamaño de píxel supuesto; fotografíe sobre un plato con marcas, ponga el tablero de board.json junto a los fragmentos en ambos lados, o marque en ambos una longitud conocida en scale.json.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta de salida contiene algo que no es de este programa; elija otra o una vacía.</translation>
+    </message>
+    <message>
+      <source>The output folder holds another batch; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta de salida contiene otra tanda; elija otra carpeta.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something else; name a new or empty folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta de salida contiene otra cosa; nombre una carpeta nueva o vacía.</translation>
+    </message>
+    <message>
+      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un par nombra un escaneo que no existe; borre este archivo y empiece otra vez.</translation>
+    </message>
+    <message>
+      <source>This is no table of pairs; delete it and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto no es una tabla de pares; bórrela y empiece otra vez.</translation>
+    </message>
+    <message>
+      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 y %2 se emparejaron a mano, pero nada dice cómo se sitúan uno respecto al otro; gire el reverso a mano en la revisión: %3</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; se omite, tómela otra vez.</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; tómela otra vez.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de las %2 marcas del plato no están en ninguna foto del anverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de las %2 marcas del plato no están en ninguna foto del reverso (%3); las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión %1 de %2 une piezas que ya no existen; decida otra vez.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La decisión %1 de %2 corta una pieza que no existe, o al lado de ella; decida otra vez.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El programa %1 no está instalado, y el estéreo elegido lo necesita; instálelo, o use el estéreo integrado.</translation>
+    </message>
+    <message>
+      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotos no muestran un plato con marcas, así que el programa %1 tiene que hallar las cámaras, y no está instalado.</translation>
+    </message>
+    <message>
+      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto necesitará unos %1 GB de memoria, y solo hay %2 GB libres: el ordenador puede detenerlo o volverse muy lento.</translation>
+    </message>
+    <message>
+      <source>Close other programs, or compute a draft.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cierre otros programas, o calcule un borrador.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se desplazó unos %2 mm en el anverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se desplazó unos %2 mm en el reverso: desde la parada %3 (pos%4) está en otro lugar; fotografíe otra vez este lado.</translation>
+    </message>
+    <message>
+      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta de salida está dentro de la carpeta de la tanda, donde nunca se escribe nada; elija una al lado.</translation>
+    </message>
+    <message>
+      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotos no se pueden reducir a menos de 0,3 megapíxeles.</translation>
+    </message>
+    <message>
+      <source>There is no such segmentation network; masks are 'auto', 'given' or an ONNX file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esa red de segmentación no existe; las máscaras son 'auto', 'given' o un archivo ONNX.</translation>
+    </message>
+    <message>
+      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los anversos no están en mm: las longitudes del resultado, llamadas mm, están en la unidad propia de los anversos.</translation>
+    </message>
+    <message>
+      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los pares de esta tanda aún no están calculados, o los calculó un programa más antiguo; vuelva a calcular la tanda: lo que está completo se conserva.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La escala no es correcta: %1, así que todas las medidas serían un %2 % demasiado pequeñas; mida la regla del plato y dé a plate.json su tamaño verdadero con 'ostraka plate --ruler-measured', o imprima otra vez el plato al 100 %; si el plato está bien, mida la longitud y ponga de nuevo sus marcas.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La escala no es correcta: %1, así que todas las medidas serían un %2 % demasiado grandes; mida la regla del plato y dé a plate.json su tamaño verdadero con 'ostraka plate --ruler-measured', o imprima otra vez el plato al 100 %; si el plato está bien, mida la longitud y ponga de nuevo sus marcas.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the front side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longitud de %1 mm marcada en el anverso mide %2 ± %3 mm en las fotos (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La longitud de %1 mm en scale.json no se pudo comparar: marque cada uno de sus extremos en dos o más fotos del anverso, tomadas desde distintas direcciones.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longitud de %1 mm marcada en el reverso mide %2 ± %3 mm en las fotos (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La longitud de %1 mm en scale.json no se pudo comparar: marque cada uno de sus extremos en dos o más fotos del reverso, tomadas desde distintas direcciones.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede leer la carpeta; nombre una carpeta con archivos PLY.</translation>
+    </message>
+    <message>
+      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay ningún archivo PLY en esta carpeta; el escaneo de cada fragmento debe ser un archivo PLY.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point without finite coordinates was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: se omitió 1 punto sin coordenadas finitas; revise la exportación.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points without finite coordinates were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: se omitieron %2 puntos sin coordenadas finitas; revise la exportación.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point far from all others, or at 0, 0, 0, was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: se omitió 1 punto lejos de todos los demás, o en 0, 0, 0; revise la exportación.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points far from all others, or at 0, 0, 0, were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: se omitieron %2 puntos lejos de todos los demás, o en 0, 0, 0; revise la exportación.</translation>
+    </message>
+    <message>
+      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo tiene menos de 100 puntos; escanee otra vez este lado.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with nx, ny and nz.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo no tiene normales; expórtelo con nx, ny y nz.</translation>
+    </message>
+    <message>
+      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo está a %1 veces su longitud de 0, 0, 0, así que sus coordenadas están redondeadas; llévelo allí y expórtelo otra vez.</translation>
+    </message>
+    <message>
+      <source>None of the scans can be used: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguno de los escaneos se puede usar: %1</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos escaneos miden %1 mm de mediana; parecen %2: %3.</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos escaneos miden %1 mm de mediana; no hay fragmentos de ese tamaño: %2.</translation>
+    </message>
+    <message>
+      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los anversos miden %1 mm de mediana, los reversos %2 mm, así que sus unidades difieren: %3.</translation>
+    </message>
+    <message>
+      <source>centimetres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centímetros</translation>
+    </message>
+    <message>
+      <source>metres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>metros</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>micrómetros</translation>
+    </message>
+    <message>
+      <source>export them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>expórtelos en mm</translation>
+    </message>
+    <message>
+      <source>export them in mm, or use --scale free</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>expórtelos en mm, o use --scale free</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no model: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El fragmento %1 no tiene modelo: %2</translation>
+    </message>
+    <message>
+      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nombra %1, que no está en la tanda; borre este archivo y las cámaras se hallarán de nuevo.</translation>
+    </message>
+    <message>
+      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta foto no tiene máscara; dé una para cada foto que se vaya a usar.</translation>
+    </message>
+    <message>
+      <source>This photograph is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta foto no se usa.</translation>
+    </message>
+    <message>
+      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 fotos del anverso no recibieron pose de COLMAP y se omiten.</translation>
+    </message>
+    <message>
+      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 fotos del reverso no recibieron pose de COLMAP y se omiten.</translation>
+    </message>
+    <message>
+      <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo no se usó: sin plate.json las poses vienen de COLMAP.</translation>
+    </message>
+    <message>
+      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: no hay ningún fragmento marcado en esta foto; se omite.</translation>
+    </message>
+    <message>
+      <source>If sherds are on it, take it again or mend its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Si hay fragmentos en ella, tómela otra vez o corrija su máscara.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay fragmentos marcados en %1 fotos del anverso; se necesitan 3.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay fragmentos marcados en %1 fotos del reverso; se necesitan 3.</translation>
+    </message>
+    <message>
+      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mire las máscaras, y si había fragmentos en el plato.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede crear la carpeta (%1).</translation>
+    </message>
+    <message>
+      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se encuentran menos de 10 puntos de las fracturas; parta de una posición mejor.</translation>
+    </message>
+    <message>
+      <source>No start pose was given for the registration.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se dio ninguna posición inicial para unir los lados.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El escaneo no tiene normales; expórtelo con normales.</translation>
+    </message>
+    <message>
+      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su borde.</translation>
+    </message>
+    <message>
+      <source>%1: The board is not seen; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: no se ve el tablero; esta imagen se omite.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El diccionario %1 tiene muy pocas marcas para el tablero.</translation>
+    </message>
+    <message>
+      <source>A grid of markers needs 'dictionary', 'markers_x', 'markers_y', 'marker_length' and 'marker_separation'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cuadrícula de marcas necesita 'dictionary', 'markers_x', 'markers_y', 'marker_length' y 'marker_separation'.</translation>
+    </message>
+    <message>
+      <source>The grid's markers have no valid number or size, or no gap between them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas de la cuadrícula no tienen número o tamaño válido, o no hay hueco entre ellas.</translation>
+    </message>
+    <message>
+      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay nada con que calibrar: fotografíe el plato en cada parada en 'front' (cam0_pos00.jpg, etc.) y el tablero en 'calib', y copie plate.json y board.json al lado.</translation>
+    </message>
+    <message>
+      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay imágenes del tablero; póngalas aquí o en 'calib'.</translation>
+    </message>
+    <message>
+      <source>It is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se aparta.</translation>
+    </message>
+    <message>
+      <source>%1: its size is not that of the first; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: su tamaño no es el de la primera; se aparta.</translation>
+    </message>
+    <message>
+      <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El ajuste del equipo no llegó a una solución; compruebe que plate.json y board.json describen lo que se fotografió.</translation>
+    </message>
+    <message>
+      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay plate.json, así que no se pueden usar las marcas del plato; copie aquí el que 'ostraka plate' escribió con el plato.</translation>
+    </message>
+    <message>
+      <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo conocido no tiene una cámara %1 con imágenes de %2 x %3 píxeles; se calibra con esta tanda.</translation>
+    </message>
+    <message>
+      <source>Its lens is estimated from the plate's markers instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Su objetivo se estima con las marcas del plato.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se conoce el objetivo de la cámara %1: no hay imágenes útiles del tablero ni marcas del plato; añada imágenes del tablero a 'calib'.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El objetivo de la cámara %1 se estimó solo con las marcas del plato; para medidas exactas, añada 12 imágenes del tablero a 'calib'.</translation>
+    </message>
+    <message>
+      <source>The plate's markers were found in %1 of %2 photographs, too few for a pose of each side; check that plate.json belongs to this plate and that the markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas del plato se encontraron en %1 de %2 fotos, muy pocas para la pose de cada lado; compruebe que plate.json es de este plato y que las marcas están iluminadas y dentro de la imagen.</translation>
+    </message>
+    <message>
+      <source>No photograph of camera %1 shows two markers of the plate; all its photographs are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna foto de la cámara %1 muestra dos marcas del plato; se omiten todas sus fotos.</translation>
+    </message>
+    <message>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo conocido ya no coincide: la cámara %1 yerra las marcas por %2 px; los lugares de las cámaras se estiman de nuevo para esta tanda, calibre otra vez el equipo.</translation>
+    </message>
+    <message>
+      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: ninguna de sus %2 marcas está donde esta cámara las ve en esta parada.</translation>
+    </message>
+    <message>
+      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lleva el nombre de otra foto, o se tomó mientras el plato giraba; se omite.</translation>
+    </message>
+    <message>
+      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: no se ve en ella ninguna marca; ¿muestra esta parada? Si no, tómela otra vez.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo %1 fotos del anverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo %1 fotos del reverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
+    </message>
+    <message>
+      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 ve menos de seis marcas del plato en la parada %2; revise allí la luz y el enfoque, y que no haya nada sobre las marcas.</translation>
+    </message>
+    <message>
+      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo se fotografiaron %1 paradas; tome al menos cuatro en toda la vuelta, para que se encuentre el eje.</translation>
+    </message>
+    <message>
+      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se vieron menos de ocho marcas, así que no se pudo reservar ninguna distancia para el control: la escala no está comprobada.</translation>
+    </message>
+    <message>
+      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entre las marcas %1 y %2 usted midió %3 mm, según plate.json son %4 mm (%5 %); mida la regla del plato y haga de nuevo plate.json con 'ostraka plate --ruler-measured'.</translation>
+    </message>
+    <message>
+      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No utilizable: la cámara %1 yerra las marcas del plato por %2 px de mediana; ¿se tocó entre las fotos, o plate.json es de otro plato?</translation>
+    </message>
+    <message>
+      <source>Not usable: the scale is not right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No utilizable: la escala no es correcta.</translation>
+    </message>
+    <message>
+      <source>Good: lenses, places and scale are determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bien: objetivos, lugares y escala están determinados.</translation>
+    </message>
+    <message>
+      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utilizable solo para una prueba: el objetivo de la cámara %1 procede solo de las marcas del plato.</translation>
+    </message>
+    <message>
+      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utilizable, pero una distancia focal no se conoce con más precisión que una milésima.</translation>
+    </message>
+    <message>
+      <source>Usable; what is named below would make it better.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utilizable; lo que se nombra abajo la mejoraría.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: distancia focal %2 px (%3 %).</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: distancia focal %2 px (%3 %), las marcas del plato con %4 px de mediana.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: distancia focal %2 px (%3 %), %4 imágenes del tablero con %5 px, la peor %6 con %7 px, inclinadas hasta %8 grados, las marcas del plato con %9 px de mediana.</translation>
+    </message>
+    <message>
+      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: tome 12 imágenes del tablero, de cerca y de lejos, en todas las esquinas de la imagen, inclinado de 20 a 45 grados en distintas direcciones.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: solo 1 imagen muestra el tablero; tome al menos 8, mejor 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: solo %2 imágenes muestran el tablero; tome al menos 8, mejor 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: el tablero apenas llega a estas partes de la imagen: %2; añada imágenes con el tablero allí.</translation>
+    </message>
+    <message>
+      <source>upper left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arriba a la izquierda</translation>
+    </message>
+    <message>
+      <source>upper middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arriba en el centro</translation>
+    </message>
+    <message>
+      <source>upper right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arriba a la derecha</translation>
+    </message>
+    <message>
+      <source>left middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en el centro a la izquierda</translation>
+    </message>
+    <message>
+      <source>middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en el centro</translation>
+    </message>
+    <message>
+      <source>right middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en el centro a la derecha</translation>
+    </message>
+    <message>
+      <source>lower left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abajo a la izquierda</translation>
+    </message>
+    <message>
+      <source>lower middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abajo en el centro</translation>
+    </message>
+    <message>
+      <source>lower right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abajo a la derecha</translation>
+    </message>
+    <message>
+      <source>Camera %1: no picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 20 grados; tome al menos cuatro, inclinadas hacia distintos lados.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: solo 1 imagen muestra el tablero inclinado más de 20 grados; tome al menos cuatro, inclinadas hacia distintos lados.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: solo %2 imágenes muestran el tablero inclinado más de 20 grados; tome al menos cuatro, inclinadas hacia distintos lados.</translation>
+    </message>
+    <message>
+      <source>Reprojection error %1 px over the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Error de reproyección %1 px en las marcas del plato.</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %).</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: las marcas %1 y %2, a mano %3 mm entre los centros de sus bordes exteriores, están a %4 mm en las fotos (%5 %).</translation>
+    </message>
+    <message>
+      <source>Set aside: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Apartado: %1</translation>
+    </message>
+    <message>
+      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se conoce el objetivo, pero no los lugares de las cámaras: no se puede guardar ningún equipo.</translation>
+    </message>
+    <message>
+      <source>Not usable: the focal length is not determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No utilizable: la distancia focal no está determinada.</translation>
+    </message>
+    <message>
+      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografíe también el plato con sus marcas: ponga una imagen por cámara y parada en 'front' (cam0_pos00.jpg, etc.) junto a plate.json, y las imágenes del tablero en 'calib'.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marca %1 de la longitud conocida no se ve dos veces; nombre dos marcas del plato que muestren las fotos.</translation>
+    </message>
+    <message>
+      <source>A known length needs two different markers and millimetres above zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una longitud conocida necesita dos marcas distintas y milímetros mayores que cero.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esa carpeta no existe; nombre una con fotos del plato o del tablero.</translation>
+    </message>
+    <message>
+      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se entienden más de cinco términos de distorsión para '%1'; corrija antes la distorsión de sus fotos.</translation>
+    </message>
+    <message>
+      <source>The camera of '%1' has no valid K, R, t or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara de '%1' no tiene K, R, t o tamaño válido.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A una imagen le falta file, width, height, K, R o t.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A una imagen le falta file, width, height, K, R o t (%1).</translation>
+    </message>
+    <message>
+      <source>The camera file holds no list 'images'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo de cámaras no contiene una lista 'images'.</translation>
+    </message>
+    <message>
+      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 de COLMAP tiene el modelo '%2' o valores que aquí no se pueden usar; use OPENCV.</translation>
+    </message>
+    <message>
+      <source>COLMAP's model has no camera for the image '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El modelo de COLMAP no tiene cámara para la imagen '%1'.</translation>
+    </message>
+    <message>
+      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo está dañado o no es como lo escribe COLMAP; ejecute COLMAP otra vez.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La línea %1 no es como la escribe COLMAP; ejecute COLMAP otra vez.</translation>
+    </message>
+    <message>
+      <source>COLMAP's workspace cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir en la carpeta de trabajo de COLMAP (%1).</translation>
+    </message>
+    <message>
+      <source>This photograph is posed without its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La pose de esta foto se determina sin su máscara.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir la máscara.</translation>
+    </message>
+    <message>
+      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sin plate.json las poses vienen de COLMAP, que no está instalado; instale el paquete 'colmap' o fotografíe sobre un plato con marcas.</translation>
+    </message>
+    <message>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP encontró la pose de %1 de %2 fotos, muy pocas; dé máscaras o fotografíe sobre un plato con marcas.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La escala no es correcta: las marcas %1 y %2, reservadas para el control, están a %3 mm en vez de %4 (%5 mm, %6 %); compruebe que plate.json es de este plato, que está impreso y pegado con exactitud, y que un equipo conocido se calibró con él.</translation>
+    </message>
+    <message>
+      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Respecto a la cámara %1, la cámara %2 se ha movido %3 mm y ha girado %4 grados desde que se calibró el equipo.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
+    </message>
+    <message>
+      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
+    </message>
+    <message>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
+    </message>
+    <message>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
+    </message>
+    <message>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
+    </message>
+    <message>
+      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: la peor imagen es %2 con %3 px; tómela otra vez o quítela.</translation>
+    </message>
+    <message>
+      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
+    </message>
+    <message>
+      <source>camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: ninguna cámara explica las imágenes de calibración.</translation>
+    </message>
+    <message>
+      <source>%1: the board is not seen in it; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: no se ve en ella el tablero; se aparta.</translation>
+    </message>
+    <message>
+      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El diccionario de marcas '%1' no se conoce; use uno como DICT_4X4_100.</translation>
+    </message>
+    <message>
+      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El lado de las marcas debe estar entre 5 y 200 mm.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El diámetro del plato debe estar entre 1 y 2000 mm.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En un plato de %2 mm caben menos de seis marcas de %1 mm; caben marcas de %3 mm.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En un plato de %2 mm caben menos de seis marcas de %1 mm; haga el plato más grande.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marcas de %1 mm no dejan sitio para un fragmento en un plato de %2 mm; caben marcas de %3 mm.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marcas de %1 mm no dejan sitio para un fragmento en un plato de %2 mm; haga el plato más grande.</translation>
+    </message>
+    <message>
+      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El margen de la impresora debe estar entre 0 y 40 mm.</translation>
+    </message>
+    <message>
+      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El solape de las hojas debe estar entre 5 y 40 mm.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El diccionario %1 tiene muy pocas marcas para este plato.</translation>
+    </message>
+    <message>
+      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que mide la regla debe ser una longitud en mm que quepa en el plato.</translation>
+    </message>
+    <message>
+      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La regla de este plato está dibujada con %1 mm, %2 mm se aparta más de una décima parte; imprima el archivo al 100 %, sin 'ajustar a la página', y mida otra vez.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 tiene una covarianza de otro tamaño; calibre otra vez el equipo.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 no tiene tamaño, K o dist válido; calibre otra vez el equipo.</translation>
+    </message>
+    <message>
+      <source>This rig was written by another version; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este equipo lo escribió otra versión; calibre otra vez el equipo.</translation>
+    </message>
+    <message>
+      <source>Camera %1 stands twice in the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 aparece dos veces en el equipo.</translation>
+    </message>
+    <message>
+      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto no es un archivo de equipo (RIG.json); calibre otra vez el equipo.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo no tiene cámara; calíbrelo otra vez.</translation>
+    </message>
+    <message>
+      <source>This file is there already and is no rig; name another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo ya existe y no es un equipo; nombre otro.</translation>
+    </message>
+    <message>
+      <source>The log cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir el registro.</translation>
+    </message>
+    <message>
+      <source>No process can be started.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede iniciar ningún proceso.</translation>
+    </message>
+    <message>
+      <source>The program was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se perdió el programa.</translation>
+    </message>
+    <message>
+      <source>The program cannot be started; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede iniciar el programa; instálelo.</translation>
+    </message>
+    <message>
+      <source>%1 ended with an error; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 terminó con un error; sus mensajes están en este archivo.</translation>
+    </message>
+    <message>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una migaja de %1 mm en x %2, y %3 mm se dejó aparte; si es un fragmento, fotografíelo solo.</translation>
+    </message>
+    <message>
+      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Algo plano en x %1, y %2 mm se dejó aparte; puede ser una marca o suciedad en el plato.</translation>
+    </message>
+    <message>
+      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos fragmentos se tocan en x %1, y %2 mm y se separaron ahí; deje un dedo de separación entre fragmentos.</translation>
+    </message>
+    <message>
+      <source>The cloud of the plate has no normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La nube de puntos del plato no tiene normales.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the front side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se encontró ningún fragmento en el anverso; revise sus máscaras y fotos.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the back side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se encontró ningún fragmento en el reverso; revise sus máscaras y fotos.</translation>
+    </message>
+    <message>
+      <source>The working folder cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede escribir en la carpeta de trabajo (%1).</translation>
+    </message>
+    <message>
+      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este colmap se compiló sin CUDA, que su estéreo denso necesita; instale uno con CUDA, o use --dense builtin, que no necesita nada.</translation>
+    </message>
+    <message>
+      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las máscaras de las vistas no tienen un objeto común; revise máscaras, cámaras y límites.</translation>
+    </message>
+    <message>
+      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>InterfaceCOLMAP no dejó ninguna escena; sus mensajes están en este archivo.</translation>
+    </message>
+    <message>
+      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La profundidad necesita al menos 3 fotos con cámaras conocidas.</translation>
+    </message>
+    <message>
+      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La foto o su máscara tiene otro tamaño que el de su cámara; dé la foto con la que se calibró la cámara.</translation>
+    </message>
+    <message>
+      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La foto tiene otro tamaño que el de su cámara; dé la foto con la que se calibró la cámara.</translation>
+    </message>
+    <message>
+      <source>The mask has another size than its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La máscara tiene otro tamaño que su foto.</translation>
+    </message>
+    <message>
+      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 no encontró puntos del objeto; sus mensajes están en este archivo, y --dense builtin no necesita otro programa.</translation>
+    </message>
+    <message>
+      <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 escribió puntos sin normales; instale una versión más nueva, o use --dense builtin.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El programa %1 no está en el PATH, pero --dense %2 lo necesita; instálelo, o use --dense builtin, que no necesita nada.</translation>
+    </message>
+    <message>
+      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se encontró ningún punto de la superficie en que coincidan dos vistas; revise cámaras y máscaras.</translation>
+    </message>
+    <message>
+      <source>The picture could not be encoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudo codificar la imagen.</translation>
+    </message>
+    <message>
+      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los %1 fragmentos no caben en el plato; pida menos, u otra semilla.</translation>
+    </message>
+    <message>
+      <source>sherds must lie between 1 and 40.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de fragmentos debe estar entre 1 y 40.</translation>
+    </message>
+    <message>
+      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El ancho debe estar entre 160 y 8192 píxeles y ser divisible entre 4.</translation>
+    </message>
+    <message>
+      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los fragmentos parecidos son grupos de dos: como mucho la mitad del número de fragmentos.</translation>
+    </message>
+    <message>
+      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo necesita una cámara y al menos cuatro paradas; calíbrelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta ya contiene archivos; nombre una nueva o vacía para la tanda.</translation>
+    </message>
+    <message>
+      <source>The virtual camera has no setting %1 of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara virtual no tiene un ajuste %1 de %2.</translation>
+    </message>
+    <message>
+      <source>The camera has taken no photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara no ha tomado ninguna foto.</translation>
+    </message>
   </context>
 </TS>

@@ -4800,5 +4800,3395 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image est coupée avant sa fin ; copiez-la à nouveau depuis l’appareil.</translation>
     </message>
+    <message>
+      <source>No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun appareil n’explique les images de calibration.</translation>
+    </message>
+    <message>
+      <source>No photograph of this camera shows the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune photo de cet appareil ne montre les marques du plateau.</translation>
+    </message>
+    <message>
+      <source>No batch folder was given.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun dossier de lot n’a été indiqué.</translation>
+    </message>
+    <message>
+      <source>The angle is no number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’angle n’est pas un nombre.</translation>
+    </message>
+    <message>
+      <source>This program is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce programme n’est pas installé.</translation>
+    </message>
+    <message>
+      <source>The picture cannot be decoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image ne peut pas être décodée.</translation>
+    </message>
+    <message>
+      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun corps sur lequel les photos s’accordent n’a été trouvé ; vérifiez les appareils, ou donnez des masques.</translation>
+    </message>
+    <message>
+      <source>Each photograph needs one pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Chaque photo a besoin d’une pose.</translation>
+    </message>
+    <message>
+      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une enveloppe demande au moins 3 photos ; photographiez l’objet de plus de côtés.</translation>
+    </message>
+    <message>
+      <source>The cameras do not look at a common place; check their poses.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les appareils ne regardent pas un même endroit ; vérifiez leurs poses.</translation>
+    </message>
+    <message>
+      <source>The network needs a colour photograph of 8 bits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le réseau a besoin d’une photo en couleurs de 8 bits.</translation>
+    </message>
+    <message>
+      <source>There is no scale to draw it at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune échelle de dessin n’est indiquée.</translation>
+    </message>
+    <message>
+      <source>A preview is taken back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un aperçu est annulé.</translation>
+    </message>
+    <message>
+      <source>An archive must not lie in the project itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une archive ne doit pas se trouver dans le projet lui-même.</translation>
+    </message>
+    <message>
+      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un projet se restaure dans un dossier nouveau ou vide ; choisissez un autre nom.</translation>
+    </message>
+    <message>
+      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas l’archive d’un projet entier ; lisez-la plutôt comme un export.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’écriture est impossible ici (%1) ; choisissez un autre endroit, ou vérifiez ses droits d’accès.</translation>
+    </message>
+    <message>
+      <source>There is no such file; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier n’existe pas ; vérifiez son nom.</translation>
+    </message>
+    <message>
+      <source>The file cannot be opened (%1); check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier ne peut pas être ouvert (%1) ; vérifiez ses droits d’accès.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un fichier ordinaire ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier dépasse les %1 octets qui sont lus ici ; est-ce le bon ?</translation>
+    </message>
+    <message>
+      <source>The file cannot be read (%1); copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier ne peut pas être lu (%1) ; copiez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre calcul écrit ici ; attendez qu’il soit terminé, ou choisissez un autre dossier.</translation>
+    </message>
+    <message>
+      <source>The JSON text is larger than 64 MiB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le texte JSON dépasse 64 Mio.</translation>
+    </message>
+    <message>
+      <source>The JSON is nested deeper than 64 levels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le JSON est imbriqué sur plus de 64 niveaux.</translation>
+    </message>
+    <message>
+      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas du JSON valide (ligne %1) ; corrigez-le là, ou copiez à nouveau le fichier.</translation>
+    </message>
+    <message>
+      <source>The JSON holds a number that is too large; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le JSON contient un nombre trop grand ; corrigez-le.</translation>
+    </message>
+    <message>
+      <source>A transform must be a 4x4 matrix.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une transformation doit être une matrice 4x4.</translation>
+    </message>
+    <message>
+      <source>A transform holds something not a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une transformation contient autre chose qu’un nombre.</translation>
+    </message>
+    <message>
+      <source>A transform is not rigid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une transformation n’est pas rigide.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier n’existe pas ; indiquez le dossier d’un lot.</translation>
+    </message>
+    <message>
+      <source>The front side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face avant manque ; mettez ses photos dans le dossier '%1'.</translation>
+    </message>
+    <message>
+      <source>The back side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face arrière manque ; mettez ses photos dans le dossier '%1'.</translation>
+    </message>
+    <message>
+      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un lot : il n’y a ni les dossiers 'front' et 'back', ni 'top_images' et 'bottom_images' ; indiquez le dossier d’un lot.</translation>
+    </message>
+    <message>
+      <source>The name is not of the form %1; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom n’a pas la forme %1 ; cette photo est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une autre photo a le même appareil et le même arrêt ; celle-ci est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>This photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette photo est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il manque des photos ici : %1 et %2 autres ; ce qu’elles seules voient sera comblé, reprenez-les donc si elles importent.</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il manque des photos ici : %1 ; ce qu’elles seules voient sera comblé, reprenez-les donc si elles importent.</translation>
+    </message>
+    <message>
+      <source>This mask is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce masque n’est pas utilisé.</translation>
+    </message>
+    <message>
+      <source>The mask's size is not its photograph's; it is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le masque n’a pas la taille de sa photo ; il n’est pas utilisé.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image a %1 x %2 pixels, les autres de cet appareil %3 x %4 ; cette photo est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face avant a %1 photos utilisables, il en faut au moins %2 ; mettez-y des photos nommées %3.</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face arrière a %1 photos utilisables, il en faut au moins %2 ; mettez-y des photos nommées %3.</translation>
+    </message>
+    <message>
+      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom n’est ni cam&lt;C&gt;_cal&lt;NN&gt;.jpg ni empty_cam&lt;C&gt;.jpg ; cette image est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>This picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette image est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image a %1 x %2 pixels, les photos de son appareil %3 x %4 ; cette image est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image annonce une taille de %1 x %2 pixels, inutilisable.</translation>
+    </message>
+    <message>
+      <source>The JPEG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image JPEG est endommagée ; copiez-la à nouveau.</translation>
+    </message>
+    <message>
+      <source>The JPEG image has no picture in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image JPEG ne contient pas d’image.</translation>
+    </message>
+    <message>
+      <source>The PNG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image PNG est endommagée ; copiez-la à nouveau.</translation>
+    </message>
+    <message>
+      <source>The TIFF image has no size in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image TIFF n’indique pas de taille.</translation>
+    </message>
+    <message>
+      <source>The file is empty; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier est vide ; copiez-le à nouveau depuis l’appareil.</translation>
+    </message>
+    <message>
+      <source>This is no JPEG, PNG or TIFF image.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas une image JPEG, PNG ou TIFF.</translation>
+    </message>
+    <message>
+      <source>The known lengths cannot be used: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les longueurs connues ne peuvent pas servir : %1.</translation>
+    </message>
+    <message>
+      <source>'side' must be 'front' or 'back'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'side' doit être 'front' ou 'back'</translation>
+    </message>
+    <message>
+      <source>'length' must lie between 0 and 10000 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'length' doit être compris entre 0 et 10000 mm</translation>
+    </message>
+    <message>
+      <source>'ends' must be two lists of marks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'ends' doit être deux listes de repères</translation>
+    </message>
+    <message>
+      <source>each end must be marked on two photographs at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>chaque extrémité doit être marquée sur au moins deux photos</translation>
+    </message>
+    <message>
+      <source>their unit must be mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>leur unité doit être mm</translation>
+    </message>
+    <message>
+      <source>each needs 'side', 'length' and 'ends' with 'file' and 'pixel'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>il faut pour chacune 'side', 'length' et 'ends' avec 'file' et 'pixel'</translation>
+    </message>
+    <message>
+      <source>The mask cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le masque ne peut pas être décodé ; copiez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The image cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image ne peut pas être décodée ; copiez-la à nouveau.</translation>
+    </message>
+    <message>
+      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’unité du plateau doit être mm ; générez à nouveau le fichier du plateau.</translation>
+    </message>
+    <message>
+      <source>The plate names more than 1024 markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le plateau indique plus de 1024 marques.</translation>
+    </message>
+    <message>
+      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il faut au plateau 'dictionary' et 'markers' avec un id et quatre coins de trois nombres chacun ; 'diameter', s’il est donné, est un nombre en mm.</translation>
+    </message>
+    <message>
+      <source>The plate names no marker.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le plateau n’indique aucune marque.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate has no valid corners.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marque %1 du plateau n’a pas de coins valides.</translation>
+    </message>
+    <message>
+      <source>Marker %1 stands twice on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marque %1 figure deux fois sur le plateau.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter is no length in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le diamètre du plateau n’est pas une longueur en mm.</translation>
+    </message>
+    <message>
+      <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il faut à la mire 'dictionary', 'squares_x', 'squares_y', 'square_mm' et 'marker_mm'.</translation>
+    </message>
+    <message>
+      <source>The board's squares and markers have no valid number or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nombre ou la taille des carrés et des marques de la mire n’est pas valable.</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’écriture est impossible ici (%1) ; choisissez un autre dossier pour le lot, ou vérifiez ses droits d’accès.</translation>
+    </message>
+    <message>
+      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fichier de ce nom existe déjà et n’est pas écrasé ; indiquez un autre lot.</translation>
+    </message>
+    <message>
+      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le lot a été commencé sur un autre plateau ; indiquez un autre dossier pour celui-ci.</translation>
+    </message>
+    <message>
+      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le lot a été commencé avec %1 appareils et %2 arrêts, pas avec %3 et %4 ; indiquez un autre dossier.</translation>
+    </message>
+    <message>
+      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photo a été modifiée depuis la prise de vue ; remettez l’original, ou indiquez un autre dossier pour le lot.</translation>
+    </message>
+    <message>
+      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette photo n’a pas été prise ici ; indiquez un autre dossier pour le lot.</translation>
+    </message>
+    <message>
+      <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 ne livre que des fichiers raw ; réglez son format d’image sur JPEG, ou sur les deux.</translation>
+    </message>
+    <message>
+      <source>%1 is %2, the rig says %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 vaut %2, le banc dit %3</translation>
+    </message>
+    <message>
+      <source>%1 is %2, at the first photograph it was %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 vaut %2, à la première photo c’était %3</translation>
+    </message>
+    <message>
+      <source>The turntable did not reach its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante n’a pas atteint son zéro.</translation>
+    </message>
+    <message>
+      <source>The turntable did not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante n’a pas répondu.</translation>
+    </message>
+    <message>
+      <source>The turntable does not tell where it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante ne dit pas où elle est.</translation>
+    </message>
+    <message>
+      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante a refusé une commande (erreur %1) : mauvais type de table, ou câble défectueux.</translation>
+    </message>
+    <message>
+      <source>The table's speed must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La vitesse de la table doit être supérieure à 0.</translation>
+    </message>
+    <message>
+      <source>The line to the turntable is broken (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La liaison avec la table tournante est rompue (%1).</translation>
+    </message>
+    <message>
+      <source>is not open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>n’est pas ouverte</translation>
+    </message>
+    <message>
+      <source>takes no more bytes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>n’accepte plus d’octets</translation>
+    </message>
+    <message>
+      <source>was closed at the other end</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>a été fermée à l’autre bout</translation>
+    </message>
+    <message>
+      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous n’avez pas le droit d’utiliser ce port série ; installez les règles udev d’Ostraka, ou entrez dans le groupe dialout, et reconnectez-vous.</translation>
+    </message>
+    <message>
+      <source>The serial port is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le port série est utilisé par un autre programme ; fermez-le.</translation>
+    </message>
+    <message>
+      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le port série n’est pas là ; la table tournante est-elle branchée et allumée ?</translation>
+    </message>
+    <message>
+      <source>This is no serial port.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un port série.</translation>
+    </message>
+    <message>
+      <source>The serial port does not take its settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le port série n’accepte pas ses réglages.</translation>
+    </message>
+    <message>
+      <source>The turntable's address is not known in this network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’adresse de la table tournante n’est pas connue sur ce réseau.</translation>
+    </message>
+    <message>
+      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un port série ne peut pas fonctionner à %1 bauds ; les vitesses usuelles sont 9600 et 115200.</translation>
+    </message>
+    <message>
+      <source>A network address looks like 192.168.0.7:23.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une adresse réseau ressemble à 192.168.0.7:23.</translation>
+    </message>
+    <message>
+      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bureau ne lâche pas l’appareil : %1 le tient encore ; fermez sa fenêtre de fichiers et réessayez.</translation>
+    </message>
+    <message>
+      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dossier surveillé n’a pas de réglage %1 ; réglez-le sur l’appareil.</translation>
+    </message>
+    <message>
+      <source>A watched folder shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dossier surveillé ne montre pas d’image en direct.</translation>
+    </message>
+    <message>
+      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune nouvelle photo n’est arrivée en %1 secondes ; le logiciel de l’appareil écrit-il dans ce dossier ?</translation>
+    </message>
+    <message>
+      <source>The watched folder cannot be read (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier surveillé ne peut pas être lu (%1).</translation>
+    </message>
+    <message>
+      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux photos sont arrivées pour une prise de vue, %1 et %2 ; un appareil par dossier, une photo par arrêt.</translation>
+    </message>
+    <message>
+      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil portant ce numéro de série n’est pas branché ; il y a : %1.</translation>
+    </message>
+    <message>
+      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil n’offre pas %1 pour %2 ; il est sur %3.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil garde %1 à %2 au lieu de %3 ; regardez sa molette de mode.</translation>
+    </message>
+    <message>
+      <source>The camera has no setting %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil n’a pas de réglage %1.</translation>
+    </message>
+    <message>
+      <source>The camera reports: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil signale : %1.</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table n’a pas d’interrupteur de zéro.</translation>
+    </message>
+    <message>
+      <source>It did not answer while homing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle n’a pas répondu pendant la remise à zéro.</translation>
+    </message>
+    <message>
+      <source>It did not unlock.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle ne s’est pas déverrouillée.</translation>
+    </message>
+    <message>
+      <source>It did not answer when the shutters were to be fired.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle n’a pas répondu au moment du déclenchement.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante ne répond pas.</translation>
+    </message>
+    <message>
+      <source>The turntable does not come to rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante ne s’arrête pas.</translation>
+    </message>
+    <message>
+      <source>The turntable does not take its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante n’accepte pas son zéro.</translation>
+    </message>
+    <message>
+      <source>The controller counts from anew; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contrôleur recompte depuis le début ; la position de la table n’est pas connue.</translation>
+    </message>
+    <message>
+      <source>The turntable does not move.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante ne bouge pas.</translation>
+    </message>
+    <message>
+      <source>The turntable did not arrive in time; it was stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante n’est pas arrivée à temps ; elle a été arrêtée.</translation>
+    </message>
+    <message>
+      <source>The shutter output must be M8, M7, M3 or M62 Pn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La sortie du déclencheur doit être M8, M7, M3 ou M62 Pn.</translation>
+    </message>
+    <message>
+      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table a été arrêtée en mouvement et sa position est perdue : alignez le repère de zéro (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contrôleur de la table dit que la rotation dépasse sa course : désactivez $20 (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La remise à zéro a échoué : regardez l’interrupteur de zéro et son câble (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contrôleur de la table a déclenché une alarme (ALARM:%1).</translation>
+    </message>
+    <message>
+      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contrôleur ne comprend pas la commande : mauvais type de contrôleur, ou câble défectueux (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table n’a pas d’interrupteur de zéro (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is still moving (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table bouge encore (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table est verrouillée : remettez-la à zéro ou déverrouillez-la (error:%1).</translation>
+    </message>
+    <message>
+      <source>The table's controller refused a command (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contrôleur de la table a refusé une commande (error:%1).</translation>
+    </message>
+    <message>
+      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tournez la table dans le sens antihoraire jusqu’à %1 degrés, et retirez la main.</translation>
+    </message>
+    <message>
+      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas une liste de photos d’Ostraka ; indiquez un autre dossier pour le lot.</translation>
+    </message>
+    <message>
+      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le pilote %1 de la table tournante n’est pas connu ; il y a : grbl, comxim1, comxim2, text, hand.</translation>
+    </message>
+    <message>
+      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le pilote d’appareil %1 n’est pas connu ; il y a : folder, gphoto2, uvc.</translation>
+    </message>
+    <message>
+      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc n’indique aucun matériel ; 'ostraka devices' dit ce qui est branché et comment l’y inscrire.</translation>
+    </message>
+    <message>
+      <source>The rig names no camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc n’indique aucun appareil.</translation>
+    </message>
+    <message>
+      <source>settle_s and speed_deg_s must be positive.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>settle_s et speed_deg_s doivent être positifs.</translation>
+    </message>
+    <message>
+      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La partie 'devices' est illisible ; comparez-la avec le chapitre du README sur le matériel.</translation>
+    </message>
+    <message>
+      <source>The number of stops must lie between 3 and 99.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nombre d’arrêts doit être compris entre 3 et 99.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera or no turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc n’a pas d’appareil ou pas de table tournante.</translation>
+    </message>
+    <message>
+      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de prise %1 à refaire : cette face a les arrêts 1 à %2 et les appareils A à %3.</translation>
+    </message>
+    <message>
+      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 de ce lot était %2, celui d’ici est %3 ; continuez avec les appareils du début, ou indiquez un autre dossier.</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La position de la table n’est pas connue : tournez son repère de zéro vers l’avant et fixez le zéro.</translation>
+    </message>
+    <message>
+      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1, arrêt %2 : échec %3 fois : %4.</translation>
+    </message>
+    <message>
+      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 ne livre que des photos antérieures ou abîmées ; éteignez-le et rallumez-le.</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer as a %1; is it another one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante ne répond pas comme un %1 ; est-ce une autre ?</translation>
+    </message>
+    <message>
+      <source>Marlin controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contrôleur Marlin</translation>
+    </message>
+    <message>
+      <source>text controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contrôleur à texte</translation>
+    </message>
+    <message>
+      <source>This table has no zero switch: align it by eye.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette table n’a pas d’interrupteur de zéro : alignez-la à l’œil.</translation>
+    </message>
+    <message>
+      <source>The turntable refuses: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante refuse : %1.</translation>
+    </message>
+    <message>
+      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante est à %1 degrés au lieu de %2.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots de la table tournante : 'move' doit contenir {target} ou {by}.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots de la table tournante : 'accepted' doit dire comment elle répond.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots de la table tournante : 'query' et 'position' vont ensemble.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots de la table tournante : 'reply_s' doit être supérieur à 0.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: '%1' is no regular expression.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots de la table tournante : '%1' n’est pas une expression rationnelle.</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots de la table tournante : il faut à 'position' un groupe pour l’angle.</translation>
+    </message>
+    <message>
+      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'dialect' de la table tournante doit être "marlin" ou ses mots.</translation>
+    </message>
+    <message>
+      <source>The turntable is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante n’est pas branchée.</translation>
+    </message>
+    <message>
+      <source>The turntable was unplugged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante a été débranchée.</translation>
+    </message>
+    <message>
+      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La liaison USB de la table tournante a failli (%1) ; rebranchez-la.</translation>
+    </message>
+    <message>
+      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous n’avez pas le droit d’utiliser ce périphérique USB ; installez packaging/udev/70-ostraka.rules et rebranchez-le.</translation>
+    </message>
+    <message>
+      <source>The turntable is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante est utilisée par un autre programme ; fermez-le.</translation>
+    </message>
+    <message>
+      <source>The turntable cannot be opened (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante ne peut pas être ouverte (%1).</translation>
+    </message>
+    <message>
+      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce périphérique USB n’est pas un contrôleur série (CDC-ACM).</translation>
+    </message>
+    <message>
+      <source>The turntable of this serial number is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table tournante portant ce numéro de série n’est pas branchée.</translation>
+    </message>
+    <message>
+      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une table tournante USB se désigne par fabricant et produit, comme usb:1209:0001.</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra vidéo ne peut pas être ouverte : est-elle branchée, et aucun autre programme ne l’utilise-t-il ?</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra vidéo ne peut pas être ouverte.</translation>
+    </message>
+    <message>
+      <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une caméra vidéo a exposure (0,1 ms), focus, white_balance (K) et gain, en nombres ; pas %1 %2.</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil garde %1 à %2 au lieu de %3.</translation>
+    </message>
+    <message>
+      <source>It is not open.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle n’est pas ouverte.</translation>
+    </message>
+    <message>
+      <source>The video camera gives no pictures any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra vidéo ne donne plus d’images.</translation>
+    </message>
+    <message>
+      <source>The video camera has taken no picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra vidéo n’a pris aucune image.</translation>
+    </message>
+    <message>
+      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra vidéo donne des images de %1x%2 pixels, pas de la taille réglée.</translation>
+    </message>
+    <message>
+      <source>The video camera must be named.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La caméra vidéo doit être indiquée.</translation>
+    </message>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>le fichier est tronqué ou n’est pas une image</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les marques montrent un autre angle que celui de cet arrêt</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l’image a une autre taille que les autres de cet appareil</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>trop peu de marques sont visibles pour reconnaître l’arrêt : quelque chose est-il devant, est-ce flou ?</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l’appareil a livré une photo précédente une seconde fois</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>trop peu de marques du plateau sont visibles : quelque chose est-il devant ?</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>elle est floue : la table bougeait-elle encore, la mise au point a-t-elle changé ?</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les tessons sont trop sombres : donnez plus de lumière ou posez plus longtemps</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les tessons sont surexposés : posez moins longtemps</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>le bord de l’image coupe un tesson : déplacez-le, ou l’appareil</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les réglages de l’appareil ne sont plus les mêmes : rétablissez-les</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : rétablissez-le</translation>
+    </message>
+    <message>
+      <source>A plate holds 1 to 60 sherds; 0 means not counted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un plateau porte de 1 à 60 tessons ; 0 signifie non compté.</translation>
+    </message>
+    <message>
+      <source>The number of a batch is also the name of its folder; use letters and digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro d’un lot est aussi le nom de son dossier ; utilisez des lettres et des chiffres.</translation>
+    </message>
+    <message>
+      <source>The uuid of a batch is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’uuid d’un lot est mal formé.</translation>
+    </message>
+    <message>
+      <source>There is a batch %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un lot %1.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot n’est pas dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le code du projet doit avoir 2 à 8 majuscules ou chiffres, comme ARM.</translation>
+    </message>
+    <message>
+      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un terme d’un vocabulaire doit avoir des lettres et pas de ';'.</translation>
+    </message>
+    <message>
+      <source>The term '%1' stands twice in the vocabulary.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le terme '%1' figure deux fois dans le vocabulaire.</translation>
+    </message>
+    <message>
+      <source>Sherds with the term '%1': %2; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tessons avec le terme « %1 » : %2 ; modifiez-les d’abord.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le catalogue est endommagé (%1) ; remettez le fichier le plus récent du dossier backups.</translation>
+    </message>
+    <message>
+      <source>a row of %1 points at nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>une ligne de %1 ne renvoie à rien</translation>
+    </message>
+    <message>
+      <source>the tables of the sherds do not fit together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les tables des tessons ne concordent pas</translation>
+    </message>
+    <message>
+      <source>the search does not know all sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la recherche ne connaît pas tous les tessons</translation>
+    </message>
+    <message>
+      <source>The backup does not hold what was saved; try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La sauvegarde ne contient pas ce qui a été enregistré ; réessayez.</translation>
+    </message>
+    <message>
+      <source>The backup cannot be given its name; check the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La sauvegarde ne peut pas recevoir son nom ; vérifiez le dossier.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le catalogue ne peut pas être ouvert ; vérifiez que le dossier existe et qu’on peut y écrire.</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be written to; check the permissions of the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>On ne peut pas écrire dans le catalogue ; vérifiez les droits d’accès du dossier.</translation>
+    </message>
+    <message>
+      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le disque ne répond pas correctement ; vérifiez-le, puis rouvrez le projet.</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le catalogue est endommagé ; remettez le fichier le plus récent du dossier backups.</translation>
+    </message>
+    <message>
+      <source>The catalogue does not take this (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le catalogue n’accepte pas cela (%1).</translation>
+    </message>
+    <message>
+      <source>The scan is no front of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation n’est pas une face avant de ce lot.</translation>
+    </message>
+    <message>
+      <source>The scan is no back of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation n’est pas une face arrière de ce lot.</translation>
+    </message>
+    <message>
+      <source>its front has no back any more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sa face avant n’a plus de face arrière</translation>
+    </message>
+    <message>
+      <source>A pair has a front and a back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une paire a une face avant et une face arrière.</translation>
+    </message>
+    <message>
+      <source>The decision to be taken back is not in this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision à annuler n’est pas dans ce lot.</translation>
+    </message>
+    <message>
+      <source>A decision names a front, a back, or both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une décision nomme une face avant, une face arrière, ou les deux.</translation>
+    </message>
+    <message>
+      <source>The uuid of a decision is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’uuid d’une décision est mal formé.</translation>
+    </message>
+    <message>
+      <source>This file does not lie in the project's folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier n’est pas dans le dossier du projet.</translation>
+    </message>
+    <message>
+      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est une ébauche d’après des photos plus grossières ; recalculez le lot pour des mesures définitives.</translation>
+    </message>
+    <message>
+      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce ne sont pas des résultats complets de 'ostraka process' ; relancez-le.</translation>
+    </message>
+    <message>
+      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La table des paires nomme la numérisation %1, qui n’existe pas ; relancez 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This photograph is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette photo n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This scan is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette numérisation n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This file is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This person is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette personne n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This site is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce site n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This trench is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette tranchée n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This context is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce contexte n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>This bag is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce sac n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>The filter opens a quotation mark and does not close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le filtre ouvre un guillemet et ne le ferme pas.</translation>
+    </message>
+    <message>
+      <source>This is only a part of a sherd's label; read its code again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est qu’une partie de l’étiquette d’un tesson ; relisez son code.</translation>
+    </message>
+    <message>
+      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le filtre ne connaît pas de champ '%1' ; mettez le mot entre guillemets pour le chercher tel quel.</translation>
+    </message>
+    <message>
+      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seules les mesures se comparent avec &lt; et &gt; ; écrivez %1:value.</translation>
+    </message>
+    <message>
+      <source>The filter is not readable text.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le filtre n’est pas un texte lisible.</translation>
+    </message>
+    <message>
+      <source>There is no field '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de champ '%1'.</translation>
+    </message>
+    <message>
+      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Certaines des modifications restent, car elles n’ont pas pu être annulées : %1</translation>
+    </message>
+    <message>
+      <source>There is no measurement of this kind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de mesure de ce genre.</translation>
+    </message>
+    <message>
+      <source>A measurement is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une mesure n’est jamais inférieure à 0.</translation>
+    </message>
+    <message>
+      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet a été créé avec un Ostraka plus récent (catalogue version %1, ce programme connaît %2) ; installez-le, rien n’a été modifié.</translation>
+    </message>
+    <message>
+      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérotation ne peut pas contenir le caractère '%1' ; entre les jetons sont permis lettres, chiffres, '.', '_', '/' et '-'.</translation>
+    </message>
+    <message>
+      <source>The numbering opens a token with { and does not close it with }.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérotation ouvre un jeton avec { et ne le ferme pas avec }.</translation>
+    </message>
+    <message>
+      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérotation n’a pas de jeton {%1} ; il y a site, trench, context, bag, batch, yyyy, yy et n.</translation>
+    </message>
+    <message>
+      <source>The width of {%1} must be written as :04, with 12 digits at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La largeur de {%1} doit s’écrire comme :04, avec 12 chiffres au plus.</translation>
+    </message>
+    <message>
+      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux jetons se touchent ; mettez un '-' ou un autre signe entre {%1} et {%2}.</translation>
+    </message>
+    <message>
+      <source>The numbering must count the sherds with {n} exactly once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérotation doit compter les tessons avec {n} exactement une fois.</translation>
+    </message>
+    <message>
+      <source>The number needs the site of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro demande le site du tesson, qui n’est pas enregistré.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro demande la tranchée du tesson, qui n’est pas enregistrée.</translation>
+    </message>
+    <message>
+      <source>The number needs the context of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro demande le contexte du tesson, qui n’est pas enregistré.</translation>
+    </message>
+    <message>
+      <source>The number needs the bag of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro demande le sac du tesson, qui n’est pas enregistré.</translation>
+    </message>
+    <message>
+      <source>The number needs the batch of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro demande le lot du tesson, qui n’est pas enregistré.</translation>
+    </message>
+    <message>
+      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le site %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
+    </message>
+    <message>
+      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tranchée %1 contient le signe '%2' qui est à côté d’elle dans le numéro.</translation>
+    </message>
+    <message>
+      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contexte %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
+    </message>
+    <message>
+      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le sac %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
+    </message>
+    <message>
+      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le lot %1 contient le signe '%2' qui est à côté de lui dans le numéro.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before; numbers are never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 a déjà été donné ; les numéros ne resservent jamais.</translation>
+    </message>
+    <message>
+      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bloc de numéros jusqu’à %1 est épuisé ; donnez à cet ordinateur un nouveau bloc dans les réglages.</translation>
+    </message>
+    <message>
+      <source>A decision needs the name of the person who takes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une décision demande le nom de la personne qui la prend.</translation>
+    </message>
+    <message>
+      <source>Two pieces or more are joined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>On joint deux morceaux ou plus.</translation>
+    </message>
+    <message>
+      <source>One piece is cut.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>On coupe un seul morceau.</translation>
+    </message>
+    <message>
+      <source>The name of a person must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom d’une personne ne doit pas être vide.</translation>
+    </message>
+    <message>
+      <source>The person's initials must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les initiales de la personne ne doivent pas être vides.</translation>
+    </message>
+    <message>
+      <source>The code of a site must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le code d’un site ne doit pas être vide.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le code d’une tranchée ne doit pas être vide.</translation>
+    </message>
+    <message>
+      <source>The number of a context must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro d’un contexte ne doit pas être vide.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro d’un sac ne doit pas être vide.</translation>
+    </message>
+    <message>
+      <source>The name of a person must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom d’une personne est trop long ; 200 lettres au plus.</translation>
+    </message>
+    <message>
+      <source>The person's initials must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les initiales de la personne sont trop longues ; 200 lettres au plus.</translation>
+    </message>
+    <message>
+      <source>The code of a site must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le code d’un site est trop long ; 200 lettres au plus.</translation>
+    </message>
+    <message>
+      <source>The code of a trench must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le code d’une tranchée est trop long ; 200 lettres au plus.</translation>
+    </message>
+    <message>
+      <source>The number of a context must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro d’un contexte est trop long ; 200 lettres au plus.</translation>
+    </message>
+    <message>
+      <source>The number of a bag must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro d’un sac est trop long ; 200 lettres au plus.</translation>
+    </message>
+    <message>
+      <source>The uuid is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’uuid est mal formé.</translation>
+    </message>
+    <message>
+      <source>The initials %1 belong to another person already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les initiales %1 sont déjà celles d’une autre personne.</translation>
+    </message>
+    <message>
+      <source>The latitude lies between -90 and 90 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La latitude est comprise entre -90 et 90 degrés.</translation>
+    </message>
+    <message>
+      <source>The longitude lies between -180 and 180 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La longitude est comprise entre -180 et 180 degrés.</translation>
+    </message>
+    <message>
+      <source>There is a site %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un site %1.</translation>
+    </message>
+    <message>
+      <source>A trench belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une tranchée appartient à un site.</translation>
+    </message>
+    <message>
+      <source>A trench cannot lie in itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une tranchée ne peut pas se trouver en elle-même.</translation>
+    </message>
+    <message>
+      <source>There is a trench %1 in this site already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà une tranchée %1 dans ce site.</translation>
+    </message>
+    <message>
+      <source>A context belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un contexte appartient à un site.</translation>
+    </message>
+    <message>
+      <source>The trench belongs to another site than the context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tranchée appartient à un autre site que le contexte.</translation>
+    </message>
+    <message>
+      <source>There is a context %1 in this place already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un contexte %1 à cet endroit.</translation>
+    </message>
+    <message>
+      <source>A bag belongs to a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un sac appartient à un contexte.</translation>
+    </message>
+    <message>
+      <source>The weight of a bag is above 0 g.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le poids d’un sac est supérieur à 0 g.</translation>
+    </message>
+    <message>
+      <source>A count is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un nombre n’est jamais inférieur à 0.</translation>
+    </message>
+    <message>
+      <source>There is a bag %1 in this context already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un sac %1 dans ce contexte.</translation>
+    </message>
+    <message>
+      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier est sur un partage réseau (%1), où les catalogues s’abîment ; prenez un dossier sur le disque de cet ordinateur et copiez les sauvegardes sur le partage.</translation>
+    </message>
+    <message>
+      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier n’est pas un projet Ostraka : il ne contient pas catalogue.sqlite.</translation>
+    </message>
+    <message>
+      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un nouveau projet demande un dossier nouveau ou vide ; choisissez un autre nom.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier ne peut pas être créé ; choisissez un endroit où vous pouvez écrire.</translation>
+    </message>
+    <message>
+      <source>A uuid of the export is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un uuid de l’exportation est mal formé.</translation>
+    </message>
+    <message>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision est enregistrée avec le lot, mais %1 n’est pas encore dans le catalogue ; elle sera inscrite avec les prochains résultats.</translation>
+    </message>
+    <message>
+      <source>The field %1 comes from the program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le champ %1 vient du programme.</translation>
+    </message>
+    <message>
+      <source>A void sherd keeps its number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson annulé garde son numéro.</translation>
+    </message>
+    <message>
+      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un numéro ne contient ni saut de ligne, ni tabulation, ni '%'.</translation>
+    </message>
+    <message>
+      <source>A number has 120 letters at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un numéro a 120 caractères au plus.</translation>
+    </message>
+    <message>
+      <source>The number %1 would be given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 serait donné deux fois.</translation>
+    </message>
+    <message>
+      <source>The files of %1 would have the same names as those of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les fichiers de %1 auraient les mêmes noms que ceux de %2.</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before and is never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 a déjà été donné et ne resservira jamais.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 est celui d’un autre tesson.</translation>
+    </message>
+    <message>
+      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' n’est pas un terme du vocabulaire '%2' ; choisissez-en un autre, ou ajoutez-le dans les réglages.</translation>
+    </message>
+    <message>
+      <source>What follows the sign ± is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui suit le signe ± est supérieur à 0.</translation>
+    </message>
+    <message>
+      <source>A measurement is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une mesure est supérieure à 0.</translation>
+    </message>
+    <message>
+      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson ne dépasse 1000 mm ; est-ce en millimètres ?</translation>
+    </message>
+    <message>
+      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson ne pèse plus de 20 kg ; est-ce en grammes ?</translation>
+    </message>
+    <message>
+      <source>A share is 100 % at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une part est de 100 % au plus.</translation>
+    </message>
+    <message>
+      <source>There is no sherd %1 that it could join.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de tesson %1 avec lequel il pourrait remonter.</translation>
+    </message>
+    <message>
+      <source>A sherd does not join itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson ne remonte pas avec lui-même.</translation>
+    </message>
+    <message>
+      <source>There is no context %1 in %2; add it first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de contexte %1 dans %2 ; ajoutez-le d’abord.</translation>
+    </message>
+    <message>
+      <source>A numbered sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson numéroté a besoin de son contexte.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de sac %1 dans ce contexte ; ajoutez-le, ou changez aussi le sac.</translation>
+    </message>
+    <message>
+      <source>A sherd gets a number when its context is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson reçoit un numéro quand son contexte est connu.</translation>
+    </message>
+    <message>
+      <source>The table cannot be ordered by '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tableau ne peut pas être trié par '%1'.</translation>
+    </message>
+    <message>
+      <source>A sherd is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson n’est plus dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>The uuid of a sherd is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’uuid d’un tesson est mal formé.</translation>
+    </message>
+    <message>
+      <source>There is a sherd with this uuid already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un tesson avec cet uuid.</translation>
+    </message>
+    <message>
+      <source>A sherd is void for a reason; say which.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson est annulé pour une raison ; dites laquelle.</translation>
+    </message>
+    <message>
+      <source>The number %1 stands on two sherds of this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 figure sur deux tessons de ce plateau.</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 est déjà celui d’un autre tesson.</translation>
+    </message>
+    <message>
+      <source>The sherd of this label has no number yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tesson de cette étiquette n’a pas encore de numéro.</translation>
+    </message>
+    <message>
+      <source>The text is longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le texte dépasse 1 Mo.</translation>
+    </message>
+    <message>
+      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le texte n’est pas de l’UTF-8 valide, ou contient un octet nul.</translation>
+    </message>
+    <message>
+      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un jour s’écrit 2026-07-14 (année-mois-jour).</translation>
+    </message>
+    <message>
+      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une datation s’écrit en EDTF, comme -0599/-0549~ (de 600 à environ 550 av. J.-C.), -1149? ou 0350/.. ; les années ont quatre chiffres.</translation>
+    </message>
+    <message>
+      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une couleur Munsell s’écrit 10YR 3/1 ou N 4/.</translation>
+    </message>
+    <message>
+      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' n’est pas un nombre ; écrivez 12.5 ou 12,5, sans unité.</translation>
+    </message>
+    <message>
+      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' n’est pas un chemin dans le projet ; il doit être relatif, avec '/' et sans '..'.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces to write.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le maillage n’a aucune face à écrire.</translation>
+    </message>
+    <message>
+      <source>A face of the mesh names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une face du maillage nomme un sommet qui n’existe pas.</translation>
+    </message>
+    <message>
+      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un fichier PLY ; indiquez-en un, ou exportez à nouveau la numérisation.</translation>
+    </message>
+    <message>
+      <source>The PLY header names no format; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’en-tête PLY n’indique pas de format ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’en-tête PLY est faux à la ligne %1 : %2 ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>its format is not known</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>son format n’est pas connu</translation>
+    </message>
+    <message>
+      <source>a count is no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>un nombre d’éléments n’est pas un nombre</translation>
+    </message>
+    <message>
+      <source>a property cannot be read</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>une propriété est illisible</translation>
+    </message>
+    <message>
+      <source>a property has an unknown type</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>une propriété est d’un type inconnu</translation>
+    </message>
+    <message>
+      <source>a list has no whole number as its length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longueur d’une liste n’est pas un nombre entier</translation>
+    </message>
+    <message>
+      <source>a line cannot be understood</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>une ligne est incompréhensible</translation>
+    </message>
+    <message>
+      <source>The PLY header has no end; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’en-tête PLY n’a pas de fin ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’en-tête PLY annonce %1 '%2', plus que n’en contient le fichier ; il est peut-être tronqué.</translation>
+    </message>
+    <message>
+      <source>The PLY file has two lists of vertices; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY a deux listes de sommets ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il manque x, y ou z aux sommets du PLY ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY finit trop tôt ou contient autre chose qu’un nombre ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une face du PLY nomme un sommet qui n’existe pas ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within its faces; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY finit au milieu de ses faces ; copiez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within '%1'; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY finit au milieu de '%1' ; copiez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY file has no vertices; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY n’a pas de sommets ; exportez à nouveau la numérisation.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds more than its header claims; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY contient plus que n’annonce son en-tête ; exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The PLY file holds no usable point; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY ne contient aucun point utilisable ; exportez à nouveau la numérisation.</translation>
+    </message>
+    <message>
+      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune partie du contour ne peut être un morceau de bord ; dessinez ce tesson comme un tesson sans bord.</translation>
+    </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui a été pris pour la lèvre n’y ressemble guère (%1 %) ; vérifiez la ligne du bord avant de vous fier au diamètre.</translation>
+    </message>
+    <message>
+      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dessiné comme un bord, ce qui est probable (%1 %) ; vérifiez.</translation>
+    </message>
+    <message>
+      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est peut-être un bord (%1 %) ; si oui, indiquez-le et dessinez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’échelle du dessin doit être comprise entre 1:20 et 5:1.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dessin demande un modèle fermé (%1) ; créez-le avec 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dessin demande un modèle fermé ; créez-le avec 'ostraka process'.</translation>
+    </message>
+    <message>
+      <source>This file is missing or cannot be read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier manque ou ne peut pas être lu.</translation>
+    </message>
+    <message>
+      <source>The disk cannot read this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le disque ne peut pas lire ce fichier.</translation>
+    </message>
+    <message>
+      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le manifeste manque ; ce n’est pas une exportation d’Ostraka.</translation>
+    </message>
+    <message>
+      <source>The manifest has a line that cannot be read: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le manifeste a une ligne illisible : %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file outside the folder: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le manifeste nomme un fichier hors du dossier : %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file twice: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le manifeste nomme un fichier deux fois : %1</translation>
+    </message>
+    <message>
+      <source>This cannot be written; check the space left and the permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’écriture est impossible ici ; vérifiez la place restante et les droits d’accès.</translation>
+    </message>
+    <message>
+      <source>There is a folder of this name already; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
+    </message>
+    <message>
+      <source>A name in an export must not hold '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un nom dans une exportation ne doit pas contenir '%'.</translation>
+    </message>
+    <message>
+      <source>Two files of the export would have the same name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux fichiers de l’exportation auraient le même nom.</translation>
+    </message>
+    <message>
+      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quelqu’un a créé entre-temps un dossier de ce nom ; choisissez un autre nom.</translation>
+    </message>
+    <message>
+      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier n’est pas une exportation d’Ostraka : bagit.txt manque.</translation>
+    </message>
+    <message>
+      <source>This file is not in the manifest; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier n’est pas dans le manifeste ; rien n’a été lu.</translation>
+    </message>
+    <message>
+      <source>This is a link, not a file; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est un lien, pas un fichier ; rien n’a été lu.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read (%1); nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier ne peut pas être lu (%1) ; rien n’a été lu.</translation>
+    </message>
+    <message>
+      <source>This file is missing; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier manque ; rien n’a été lu.</translation>
+    </message>
+    <message>
+      <source>This file was changed after the export; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier a été modifié après l’exportation ; rien n’a été lu.</translation>
+    </message>
+    <message>
+      <source>There is no context %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de contexte %1 ; créez-le, ou laissez l’importation le créer.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de sac %1 ; créez-le, ou laissez l’importation le créer.</translation>
+    </message>
+    <message>
+      <source>The column closed takes yes or no.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La colonne closed prend yes ou no.</translation>
+    </message>
+    <message>
+      <source>The column count_written takes a whole number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La colonne count_written prend un nombre entier.</translation>
+    </message>
+    <message>
+      <source>The row has %1 values, the header %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ligne a %1 valeurs, l’en-tête %2.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La colonne '%1' n’est pas connue ; ses valeurs sont gardées comme un champ à vous.</translation>
+    </message>
+    <message>
+      <source>The file holds zero bytes; it is no table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier contient des octets nuls ; ce n’est pas un tableau.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ligne %1 n’est pas en UTF-8 ; enregistrez le tableau en 'CSV UTF-8' et réessayez.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000,000 rows; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tableau a plus de 1 000 000 de lignes ; divisez-le.</translation>
+    </message>
+    <message>
+      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ligne %1 ouvre un guillemet qui n’est jamais fermé.</translation>
+    </message>
+    <message>
+      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ligne %1 a des lettres après un guillemet fermant.</translation>
+    </message>
+    <message>
+      <source>Line %1 has a value longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ligne %1 a une valeur de plus de 1 Mo.</translation>
+    </message>
+    <message>
+      <source>The table is empty; its first line must name the columns.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tableau est vide ; sa première ligne doit nommer les colonnes.</translation>
+    </message>
+    <message>
+      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce tesson n’a pas encore de modèle et ne peut donc pas être dessiné ; calculez d’abord son lot.</translation>
+    </message>
+    <message>
+      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mesures de son lot sont douteuses : la taille de ce dessin aussi.</translation>
+    </message>
+    <message>
+      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il est dit que c’est un bord, mais aucune partie de son contour ne peut en être un ; dessiné sans.</translation>
+    </message>
+    <message>
+      <source>%1 is not there and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 n’est pas là et a été laissé de côté.</translation>
+    </message>
+    <message>
+      <source>%1 is not the photograph that was entered; check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 n’est pas la photo qui a été inscrite ; vérifiez-la.</translation>
+    </message>
+    <message>
+      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce modèle n’est pas celui qui a été inscrit ; inscrivez à nouveau les résultats du lot.</translation>
+    </message>
+    <message>
+      <source>%1 goes along whole: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est exporté en entier : %2</translation>
+    </message>
+    <message>
+      <source>Not drawn: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Non dessiné : %1</translation>
+    </message>
+    <message>
+      <source>No pictures with masks and poses of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas d’images avec masques et poses de %1 : %2</translation>
+    </message>
+    <message>
+      <source>There is no sherd to export; choose some first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a aucun tesson à exporter ; choisissez-en d’abord.</translation>
+    </message>
+    <message>
+      <source>The row has neither a number nor a uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ligne n’a ni numéro ni uuid.</translation>
+    </message>
+    <message>
+      <source>This stands in two rows of the table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cela figure dans deux lignes du tableau.</translation>
+    </message>
+    <message>
+      <source>This is no uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un uuid.</translation>
+    </message>
+    <message>
+      <source>The number belongs to another sherd than the uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro et l’uuid sont ceux de deux tessons différents.</translation>
+    </message>
+    <message>
+      <source>A new sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un nouveau tesson a besoin de son contexte.</translation>
+    </message>
+    <message>
+      <source>A column of the table has no name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une colonne du tableau n’a pas de nom.</translation>
+    </message>
+    <message>
+      <source>The column '%1' is there twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La colonne '%1' figure deux fois.</translation>
+    </message>
+    <message>
+      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il faut au tableau une colonne 'number' (tessons), ou les colonnes 'site' et 'context' (contextes).</translation>
+    </message>
+    <message>
+      <source>These places and batches are not written as Ostraka writes them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces lieux et ces lots ne sont pas écrits comme Ostraka les écrit.</translation>
+    </message>
+    <message>
+      <source>This is no PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un fichier PLY.</translation>
+    </message>
+    <message>
+      <source>This is no GLB file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un fichier GLB.</translation>
+    </message>
+    <message>
+      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette exportation ne contient pas de fiches (JSON) de tessons ; exportez-la à nouveau avec elles.</translation>
+    </message>
+    <message>
+      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le projet a ce tesson avec d’autres valeurs ; elles restent, et ce qui diffère est gardé à côté dans des champs finissant par _in_%1.</translation>
+    </message>
+    <message>
+      <source>This file is not among the files of the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier n’est pas parmi les fichiers de l’exportation.</translation>
+    </message>
+    <message>
+      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le projet a un autre fichier de ce nom ; renommez l’exportation, et importez-la à nouveau.</translation>
+    </message>
+    <message>
+      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas la fiche d’un tesson (ostraka-sherd/1).</translation>
+    </message>
+    <message>
+      <source>The measurement %1 has another unit than %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La mesure %1 a une autre unité que %2.</translation>
+    </message>
+    <message>
+      <source>A value of the record has another type than it should.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une valeur de la fiche n’est pas du type voulu.</translation>
+    </message>
+    <message>
+      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est trop grand pour un seul fichier ZIP ; choisissez moins de tessons.</translation>
+    </message>
+    <message>
+      <source>The mask is missing; expected a mask of %1 x %2 pixels under this name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le masque manque ; un masque de %1 x %2 pixels est attendu sous ce nom.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be read as a picture; expected a mask of %1 x %2 pixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le masque n’est pas lisible comme image ; un masque de %1 x %2 pixels est attendu.</translation>
+    </message>
+    <message>
+      <source>The mask has %1 x %2 pixels; expected a mask of %3 x %4 pixels, the size of its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le masque a %1 x %2 pixels ; un masque de %3 x %4 pixels, la taille de sa photo, est attendu.</translation>
+    </message>
+    <message>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les masques d’après le plateau demandent au moins 3 photos d’une face ; photographiez davantage d’arrêts.</translation>
+    </message>
+    <message>
+      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photo n’a pas la taille de son appareil ; utilisez le fichier original.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson n’a été trouvé sur le plateau ; vérifiez que les photos montrent des tessons qui se distinguent du plateau, ou donnez des masques.</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>masques : le plateau vide de l’appareil %1 n’a pas la taille des photos de l’appareil ; masqué sans lui</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>masques : le plateau vide de l’appareil %1 ne montre le plateau à aucun des arrêts ; reprenez-le au premier ; masqué sans lui</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>masques : le plateau vide de l’appareil %1 montre des marques que quelque chose recouvre dans %2 ; ôtez ce qui est posé dessus ; masqué sans lui</translation>
+    </message>
+    <message>
+      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>masques : une ombre que les autres photos n’ont pas tombe sur le plateau dans %1 ; gardez personnes et mains hors de la lumière, et reprenez ces photos si leurs masques semblent faux</translation>
+    </message>
+    <message>
+      <source>%1 (%2 % of the bare plate)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (%2 % du plateau nu)</translation>
+    </message>
+    <message>
+      <source>The front scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation de la face avant ne contient aucun point.</translation>
+    </message>
+    <message>
+      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation de la face avant n’a pas de normales ; un modèle doit savoir où est le dehors.</translation>
+    </message>
+    <message>
+      <source>The back scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation de la face arrière ne contient aucun point.</translation>
+    </message>
+    <message>
+      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation de la face arrière n’a pas de normales ; un modèle doit savoir où est le dehors.</translation>
+    </message>
+    <message>
+      <source>The scans enclose no body; their normals may point inward.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les numérisations n’enferment aucun volume ; leurs normales pointent peut-être vers l’intérieur.</translation>
+    </message>
+    <message>
+      <source>Only a closed mesh can be thinned out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seul un maillage fermé peut être allégé.</translation>
+    </message>
+    <message>
+      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’écart d’un maillage allégé doit être supérieur à 0 mm.</translation>
+    </message>
+    <message>
+      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation est trop grande pour un modèle à cet espacement ; donnez-en un plus grand.</translation>
+    </message>
+    <message>
+      <source>The scans hold too few points that agree with each other for a model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les numérisations ont trop peu de points qui s’accordent pour faire un modèle.</translation>
+    </message>
+    <message>
+      <source>Edge %1 is used more than once in the same direction.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’arête %1 sert plus d’une fois dans le même sens.</translation>
+    </message>
+    <message>
+      <source>Edge %1 has a face on one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’arête %1 n’a une face que d’un côté.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 belongs to no face.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le sommet %1 n’appartient à aucune face.</translation>
+    </message>
+    <message>
+      <source>Vertex %1 holds two fans of faces together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le sommet %1 tient ensemble deux éventails de faces.</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le maillage n’a pas de faces.</translation>
+    </message>
+    <message>
+      <source>A face names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une face nomme un sommet qui n’existe pas.</translation>
+    </message>
+    <message>
+      <source>A face has the same vertex twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une face a deux fois le même sommet.</translation>
+    </message>
+    <message>
+      <source>The scan's outline does not close.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contour de la numérisation ne se ferme pas.</translation>
+    </message>
+    <message>
+      <source>A scan of fewer than 20 points has no outline.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une numérisation de moins de 20 points n’a pas de contour.</translation>
+    </message>
+    <message>
+      <source>A contour needs at least three points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un contour demande au moins trois points.</translation>
+    </message>
+    <message>
+      <source>The evidence of a pair has no valid scans or figure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les données d’une paire n’ont pas de numérisations ou de valeur valables.</translation>
+    </message>
+    <message>
+      <source>pairing: %1 stays unpaired: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>appariement : %1 reste sans partenaire : %2</translation>
+    </message>
+    <message>
+      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun contour ne ressemble à un autre, les tailles des faces ne peuvent donc pas être comparées ; donnez une longueur connue.</translation>
+    </message>
+    <message>
+      <source>A candidate names a scan that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un candidat nomme une numérisation qui n’existe pas.</translation>
+    </message>
+    <message>
+      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un tableau de candidats ; recalculez le lot, seules ses paires seront refaites.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision %1 de %2 porte sur %3, dont la face a été photographiée de nouveau depuis ; décidez encore une fois.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision %1 de %2 porte sur %3, qui n’est plus sur le plateau ; décidez encore une fois.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision %1 de %2 ne vaut pas : la décision %3 de %4, plus récente, porte sur la même numérisation ; retirez l’une des deux.</translation>
+    </message>
+    <message>
+      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une décision est d’un genre que ce programme ne connaît pas ; un plus récent l’a écrite.</translation>
+    </message>
+    <message>
+      <source>A pair needs one front and one back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une paire demande une face avant et une face arrière.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be set aside or shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rien n’a été nommé à mettre de côté ou à photographier de nouveau.</translation>
+    </message>
+    <message>
+      <source>Pieces to be joined must be of one side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les morceaux à joindre doivent être de la même face.</translation>
+    </message>
+    <message>
+      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une coupe demande un morceau et une ligne d’au moins un millimètre.</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be withdrawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rien n’a été nommé à retirer.</translation>
+    </message>
+    <message>
+      <source>These decisions were written by a newer program; use that one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces décisions ont été écrites par un programme plus récent ; utilisez celui-là.</translation>
+    </message>
+    <message>
+      <source>Decision %1 cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision %1 ne peut pas servir.</translation>
+    </message>
+    <message>
+      <source>Mend it, or put a copy of the file back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Corrigez-la, ou remettez une copie du fichier.</translation>
+    </message>
+    <message>
+      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce ne sont pas des décisions de ce programme ; déplacez le fichier, ou remettez-en une copie.</translation>
+    </message>
+    <message>
+      <source>This decision does not hold any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette décision ne vaut plus.</translation>
+    </message>
+    <message>
+      <source>There is no photograph of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de photo de cette face.</translation>
+    </message>
+    <message>
+      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les contours de ces deux faces ne peuvent pas être superposés.</translation>
+    </message>
+    <message>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est peut-être deux tessons qui se touchent, %2 et %3 de l’autre face : coupez-le dans la vérification, ou écartez-les et photographiez de nouveau cette face.</translation>
+    </message>
+    <message>
+      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas une liste de traits sur des masques ; remettez-en une plus ancienne ou supprimez-la.</translation>
+    </message>
+    <message>
+      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot n’a pas encore de masques ; laissez-le d’abord calculer.</translation>
+    </message>
+    <message>
+      <source>This file does not say how well the rig fitted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier ne dit pas si le banc convenait.</translation>
+    </message>
+    <message>
+      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette calibration est d’autres appareils que ceux qui ont photographié le lot ; calibrez le banc d’après ses propres photos.</translation>
+    </message>
+    <message>
+      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sans plate.json les masques ne peuvent pas être trouvés ; mettez des masques à côté des photos, ou nommez un réseau (--masks MODEL.onnx).</translation>
+    </message>
+    <message>
+      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le résultat n’a pas d’échelle : sans plate.json aucune longueur n’est connue, et ce qui est donné en mm repose sur une taille de pixel supposée ; photographiez sur un plateau à marques, posez la mire de board.json à côté des tessons pour les deux faces, ou marquez sur les deux une longueur connue dans scale.json.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier de sortie contient quelque chose qui n’est pas de ce programme ; choisissez-en un autre ou un vide.</translation>
+    </message>
+    <message>
+      <source>The output folder holds another batch; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier de sortie contient un autre lot ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+      <source>The output folder holds something else; name a new or empty folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier de sortie contient autre chose ; nommez un dossier nouveau ou vide.</translation>
+    </message>
+    <message>
+      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une paire nomme une numérisation qui n’existe pas ; supprimez ce fichier et recommencez.</translation>
+    </message>
+    <message>
+      <source>This is no table of pairs; delete it and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un tableau de paires ; supprimez-le et recommencez.</translation>
+    </message>
+    <message>
+      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 et %2 ont été appariés à la main, mais rien ne dit comment ils sont placés l’un par rapport à l’autre ; tournez la face arrière à la main dans la vérification : %3</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : la photo est floue : ses bords ont %2 pixels de large, ceux de la plus nette de l’appareil %3 ; elle est laissée de côté, reprenez-la.</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : la photo est floue : ses bords ont %2 pixels de large, ceux de la plus nette de l’appareil %3 ; reprenez-la.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face avant (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face arrière (%3) ; les appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision %1 de %2 joint des morceaux qui n’existent plus ; décidez encore une fois.</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La décision %1 de %2 coupe un morceau qui n’existe pas, ou à côté de lui ; décidez encore une fois.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme %1 n’est pas installé, et la stéréo choisie en a besoin ; installez-le, ou prenez la stéréo intégrée.</translation>
+    </message>
+    <message>
+      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos ne montrent pas de plateau à marques, le programme %1 doit donc trouver les appareils, et il n’est pas installé.</translation>
+    </message>
+    <message>
+      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cela demandera environ %1 Go de mémoire, et %2 Go seulement sont libres : l’ordinateur peut l’interrompre ou devenir très lent.</translation>
+    </message>
+    <message>
+      <source>Close other programs, or compute a draft.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fermez d’autres programmes, ou calculez une ébauche.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de l’arrêt %3 (pos%4) il est ailleurs ; photographiez de nouveau cette face.</translation>
+    </message>
+    <message>
+      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier de sortie est dans le dossier du lot, où rien n’est jamais écrit ; choisissez-en un à côté.</translation>
+    </message>
+    <message>
+      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos ne peuvent pas être réduites à moins de 0,3 mégapixel.</translation>
+    </message>
+    <message>
+      <source>There is no such segmentation network; masks are 'auto', 'given' or an ONNX file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce réseau de segmentation n’existe pas ; les masques sont 'auto', 'given' ou un fichier ONNX.</translation>
+    </message>
+    <message>
+      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les faces avant ne sont pas en mm : les longueurs du résultat, dites en mm, sont dans l’unité propre des faces avant.</translation>
+    </message>
+    <message>
+      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les paires de ce lot ne sont pas encore calculées, ou l’ont été par un programme plus ancien ; recalculez le lot : ce qui est complet est conservé.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’échelle n’est pas juste : %1, toutes les mesures seraient donc %2 % trop petites ; mesurez la règle sur le plateau et donnez à plate.json sa vraie taille avec 'ostraka plate --ruler-measured', ou imprimez de nouveau le plateau à 100 % ; si le plateau est juste, mesurez la longueur et replacez ses marques.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’échelle n’est pas juste : %1, toutes les mesures seraient donc %2 % trop grandes ; mesurez la règle sur le plateau et donnez à plate.json sa vraie taille avec 'ostraka plate --ruler-measured', ou imprimez de nouveau le plateau à 100 % ; si le plateau est juste, mesurez la longueur et replacez ses marques.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the front side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longueur de %1 mm marquée sur la face avant mesure %2 ± %3 mm sur les photos (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La longueur de %1 mm dans scale.json n’a pas pu être comparée : marquez chacune de ses extrémités sur au moins deux photos de la face avant, prises de directions différentes.</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longueur de %1 mm marquée sur la face arrière mesure %2 ± %3 mm sur les photos (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La longueur de %1 mm dans scale.json n’a pas pu être comparée : marquez chacune de ses extrémités sur au moins deux photos de la face arrière, prises de directions différentes.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier ne peut pas être lu ; nommez un dossier de fichiers PLY.</translation>
+    </message>
+    <message>
+      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de fichier PLY dans ce dossier ; la numérisation de chaque tesson doit être un fichier PLY.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point without finite coordinates was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : 1 point sans coordonnées finies a été laissé de côté ; vérifiez l’export.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points without finite coordinates were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : %2 points sans coordonnées finies ont été laissés de côté ; vérifiez l’export.</translation>
+    </message>
+    <message>
+      <source>%1: 1 point far from all others, or at 0, 0, 0, was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : 1 point loin de tous les autres, ou en 0, 0, 0, a été laissé de côté ; vérifiez l’export.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points far from all others, or at 0, 0, 0, were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : %2 points loin de tous les autres, ou en 0, 0, 0, ont été laissés de côté ; vérifiez l’export.</translation>
+    </message>
+    <message>
+      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation a moins de 100 points ; numérisez de nouveau cette face.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with nx, ny and nz.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation n’a pas de normales ; exportez-la avec nx, ny et nz.</translation>
+    </message>
+    <message>
+      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation est à %1 fois sa longueur de 0, 0, 0, ses coordonnées sont donc arrondies ; ramenez-la à ce point et exportez-la de nouveau.</translation>
+    </message>
+    <message>
+      <source>None of the scans can be used: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune des numérisations n’est utilisable : %1</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces numérisations sont longues de %1 mm en médiane ; cela ressemble à des %2 : %3.</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces numérisations sont longues de %1 mm en médiane ; il n’y a pas de tessons de cette taille : %2.</translation>
+    </message>
+    <message>
+      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les faces avant sont longues de %1 mm en médiane, les faces arrière de %2 mm, leurs unités diffèrent donc : %3.</translation>
+    </message>
+    <message>
+      <source>centimetres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centimètres</translation>
+    </message>
+    <message>
+      <source>metres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mètres</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>micromètres</translation>
+    </message>
+    <message>
+      <source>export them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>exportez-les en mm</translation>
+    </message>
+    <message>
+      <source>export them in mm, or use --scale free</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>exportez-les en mm, ou prenez --scale free</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no model: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tesson %1 n’a pas de modèle : %2</translation>
+    </message>
+    <message>
+      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il nomme %1, qui n’est pas dans le lot ; supprimez ce fichier, et les appareils seront retrouvés.</translation>
+    </message>
+    <message>
+      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette photo n’a pas de masque ; donnez-en un pour chaque photo à utiliser.</translation>
+    </message>
+    <message>
+      <source>This photograph is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette photo n’est pas utilisée.</translation>
+    </message>
+    <message>
+      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 photos de la face avant n’ont pas reçu de pose de COLMAP et sont laissées de côté.</translation>
+    </message>
+    <message>
+      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 photos de la face arrière n’ont pas reçu de pose de COLMAP et sont laissées de côté.</translation>
+    </message>
+    <message>
+      <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc n’a pas été utilisé : sans plate.json les poses viennent de COLMAP.</translation>
+    </message>
+    <message>
+      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : aucun tesson n’est marqué sur cette photo ; elle est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>If sherds are on it, take it again or mend its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>S’il y a des tessons dessus, reprenez-la ou corrigez son masque.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des tessons sont marqués sur %1 photos de la face avant ; il en faut 3.</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des tessons sont marqués sur %1 photos de la face arrière ; il en faut 3.</translation>
+    </message>
+    <message>
+      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Regardez les masques, et s’il y avait des tessons sur le plateau.</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier ne peut pas être créé (%1).</translation>
+    </message>
+    <message>
+      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Moins de 10 points des cassures se rencontrent ; partez d’une meilleure position.</translation>
+    </message>
+    <message>
+      <source>No start pose was given for the registration.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune position de départ n’a été donnée pour assembler les faces.</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La numérisation n’a pas de normales ; exportez-la avec des normales.</translation>
+    </message>
+    <message>
+      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec son bord.</translation>
+    </message>
+    <message>
+      <source>%1: The board is not seen; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : la mire ne se voit pas ; cette image est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dictionnaire %1 a trop peu de marques pour la mire.</translation>
+    </message>
+    <message>
+      <source>A grid of markers needs 'dictionary', 'markers_x', 'markers_y', 'marker_length' and 'marker_separation'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une grille de marques demande 'dictionary', 'markers_x', 'markers_y', 'marker_length' et 'marker_separation'.</translation>
+    </message>
+    <message>
+      <source>The grid's markers have no valid number or size, or no gap between them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques de la grille n’ont pas de nombre ou de taille valable, ou pas d’espace entre elles.</translation>
+    </message>
+    <message>
+      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a rien d’après quoi calibrer : photographiez le plateau à chaque arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) et la mire dans 'calib', et copiez plate.json et board.json à côté.</translation>
+    </message>
+    <message>
+      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas d’images de la mire ; mettez-les ici, ou dans 'calib'.</translation>
+    </message>
+    <message>
+      <source>It is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle est mise de côté.</translation>
+    </message>
+    <message>
+      <source>%1: its size is not that of the first; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : sa taille n’est pas celle de la première ; elle est mise de côté.</translation>
+    </message>
+    <message>
+      <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’ajustement du banc n’a pas abouti ; vérifiez que plate.json et board.json décrivent ce qui a été photographié.</translation>
+    </message>
+    <message>
+      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas de plate.json, les marques du plateau ne peuvent donc pas servir ; copiez ici celui que 'ostraka plate' a écrit avec le plateau.</translation>
+    </message>
+    <message>
+      <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc connu n’a pas d’appareil %1 aux images de %2 x %3 pixels ; il est calibré d’après ce lot.</translation>
+    </message>
+    <message>
+      <source>Its lens is estimated from the plate's markers instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Son objectif est estimé d’après les marques du plateau.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’objectif de l’appareil %1 n’est pas connu : il n’y a ni images utilisables de la mire ni marques du plateau ; ajoutez des images de la mire à 'calib'.</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’objectif de l’appareil %1 a été estimé d’après les seules marques du plateau ; pour des mesures exactes, ajoutez 12 images de la mire à 'calib'.</translation>
+    </message>
+    <message>
+      <source>The plate's markers were found in %1 of %2 photographs, too few for a pose of each side; check that plate.json belongs to this plate and that the markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques du plateau ont été trouvées sur %1 photos sur %2, trop peu pour la pose de chaque face ; vérifiez que plate.json est bien celui de ce plateau et que les marques sont éclairées et dans l’image.</translation>
+    </message>
+    <message>
+      <source>No photograph of camera %1 shows two markers of the plate; all its photographs are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune photo de l’appareil %1 ne montre deux marques du plateau ; toutes ses photos sont laissées de côté.</translation>
+    </message>
+    <message>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc connu ne convient plus : l’appareil %1 manque les marques de %2 px ; les places des appareils sont estimées à nouveau pour ce lot, calibrez de nouveau le banc.</translation>
+    </message>
+    <message>
+      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : aucune de ses %2 marques n’est là où cet appareil les voit à cet arrêt.</translation>
+    </message>
+    <message>
+      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle porte le nom d’une autre photo, ou a été prise pendant que le plateau tournait ; elle est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : aucune marque ne s’y voit ; montre-t-elle cet arrêt ? Sinon, reprenez-la.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seules %1 photos de la face avant ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seules %1 photos de la face arrière ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
+    </message>
+    <message>
+      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 voit moins de six marques du plateau à l’arrêt %2 ; vérifiez-y la lumière et la mise au point, et que rien n’est posé sur les marques.</translation>
+    </message>
+    <message>
+      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seuls %1 arrêts ont été photographiés ; prenez-en au moins quatre sur tout le tour, pour que l’axe soit trouvé.</translation>
+    </message>
+    <message>
+      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Moins de huit marques ont été vues, aucune distance n’a donc pu être gardée pour le contrôle : l’échelle n’est pas vérifiée.</translation>
+    </message>
+    <message>
+      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entre les marques %1 et %2 vous avez mesuré %3 mm, plate.json donne %4 mm (%5 %) ; mesurez la règle du plateau et refaites plate.json avec 'ostraka plate --ruler-measured'.</translation>
+    </message>
+    <message>
+      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Inutilisable : l’appareil %1 manque les marques du plateau de %2 px en médiane ; a-t-il été touché entre les photos, ou plate.json est-il d’un autre plateau ?</translation>
+    </message>
+    <message>
+      <source>Not usable: the scale is not right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Inutilisable : l’échelle n’est pas juste.</translation>
+    </message>
+    <message>
+      <source>Good: lenses, places and scale are determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bon : objectifs, places et échelle sont déterminés.</translation>
+    </message>
+    <message>
+      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utilisable pour un essai seulement : l’objectif de l’appareil %1 vient des seules marques du plateau.</translation>
+    </message>
+    <message>
+      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utilisable, mais une distance focale n’est pas connue à mieux qu’un millième.</translation>
+    </message>
+    <message>
+      <source>Usable; what is named below would make it better.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utilisable ; ce qui est nommé ci-dessous l’améliorerait.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : distance focale %2 px (%3 %).</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : distance focale %2 px (%3 %), les marques du plateau à %4 px en médiane.</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : distance focale %2 px (%3 %), %4 images de la mire à %5 px, la pire %6 à %7 px, inclinées jusqu’à %8 degrés, les marques du plateau à %9 px en médiane.</translation>
+    </message>
+    <message>
+      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : prenez 12 images de la mire, de près et de loin, dans tous les coins de l’image, inclinée de 20 à 45 degrés dans différentes directions.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : une seule image montre la mire ; prenez-en au moins 8, mieux 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : seules %2 images montrent la mire ; prenez-en au moins 8, mieux 12.</translation>
+    </message>
+    <message>
+      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : la mire atteint à peine ces parties de l’image : %2 ; ajoutez des images avec la mire à cet endroit.</translation>
+    </message>
+    <message>
+      <source>upper left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en haut à gauche</translation>
+    </message>
+    <message>
+      <source>upper middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en haut au milieu</translation>
+    </message>
+    <message>
+      <source>upper right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en haut à droite</translation>
+    </message>
+    <message>
+      <source>left middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>au milieu à gauche</translation>
+    </message>
+    <message>
+      <source>middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>au milieu</translation>
+    </message>
+    <message>
+      <source>right middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>au milieu à droite</translation>
+    </message>
+    <message>
+      <source>lower left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en bas à gauche</translation>
+    </message>
+    <message>
+      <source>lower middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en bas au milieu</translation>
+    </message>
+    <message>
+      <source>lower right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en bas à droite</translation>
+    </message>
+    <message>
+      <source>Camera %1: no picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 20 degrés ; prenez-en au moins quatre, inclinées de différents côtés.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : une seule image montre la mire inclinée de plus de 20 degrés ; prenez-en au moins quatre, inclinées de différents côtés.</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : seules %2 images montrent la mire inclinée de plus de 20 degrés ; prenez-en au moins quatre, inclinées de différents côtés.</translation>
+    </message>
+    <message>
+      <source>Reprojection error %1 px over the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Erreur de reprojection %1 px sur les marques du plateau.</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %).</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : les marques %1 et %2, à %3 mm à la main entre les milieux de leurs bords extérieurs, sont à %4 mm sur les photos (%5 %).</translation>
+    </message>
+    <message>
+      <source>Set aside: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mis de côté : %1</translation>
+    </message>
+    <message>
+      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’objectif est connu, les places des appareils ne le sont pas : aucun banc ne peut être enregistré.</translation>
+    </message>
+    <message>
+      <source>Not usable: the focal length is not determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Inutilisable : la distance focale n’est pas déterminée.</translation>
+    </message>
+    <message>
+      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographiez aussi le plateau avec ses marques : mettez une image par appareil et par arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) à côté de plate.json, les images de la mire dans 'calib'.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marque %1 de la longueur connue n’est pas vue deux fois ; nommez deux marques du plateau que les photos montrent.</translation>
+    </message>
+    <message>
+      <source>A known length needs two different markers and millimetres above zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une longueur connue demande deux marques différentes et des millimètres supérieurs à zéro.</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier n’existe pas ; nommez-en un avec des photos du plateau ou de la mire.</translation>
+    </message>
+    <message>
+      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Plus de cinq termes de distorsion pour '%1' ne sont pas compris ; corrigez d’abord la distorsion de ses photos.</translation>
+    </message>
+    <message>
+      <source>The camera of '%1' has no valid K, R, t or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil de '%1' n’a pas de K, R, t ou de taille valable.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il manque à une image file, width, height, K, R ou t.</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il manque à une image file, width, height, K, R ou t (%1).</translation>
+    </message>
+    <message>
+      <source>The camera file holds no list 'images'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier des appareils ne contient pas de liste 'images'.</translation>
+    </message>
+    <message>
+      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 de COLMAP a le modèle '%2' ou des valeurs inutilisables ici ; prenez plutôt OPENCV.</translation>
+    </message>
+    <message>
+      <source>COLMAP's model has no camera for the image '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le modèle de COLMAP n’a pas d’appareil pour l’image '%1'.</translation>
+    </message>
+    <message>
+      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier est abîmé ou n’est pas tel que COLMAP l’écrit ; relancez COLMAP.</translation>
+    </message>
+    <message>
+      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ligne %1 n’est pas telle que COLMAP l’écrit ; relancez COLMAP.</translation>
+    </message>
+    <message>
+      <source>COLMAP's workspace cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’espace de travail de COLMAP ne peut pas être écrit (%1).</translation>
+    </message>
+    <message>
+      <source>This photograph is posed without its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La pose de cette photo est déterminée sans son masque.</translation>
+    </message>
+    <message>
+      <source>The mask cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le masque ne peut pas être écrit.</translation>
+    </message>
+    <message>
+      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sans plate.json les poses viennent de COLMAP, qui n’est pas installé ; installez le paquet 'colmap' ou photographiez sur un plateau à marques.</translation>
+    </message>
+    <message>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP a trouvé la pose de %1 photos sur %2, trop peu ; donnez des masques ou photographiez sur un plateau à marques.</translation>
+    </message>
+    <message>
+      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’échelle n’est pas juste : les marques %1 et %2, gardées pour le contrôle, sont à %3 mm l’une de l’autre au lieu de %4 (%5 mm, %6 %) ; vérifiez que plate.json est bien celui de ce plateau, qu’il est imprimé et collé fidèlement, et qu’un banc connu a été calibré avec lui.</translation>
+    </message>
+    <message>
+      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Par rapport à l’appareil %1, l’appareil %2 s’est déplacé de %3 mm et a tourné de %4 degrés depuis la calibration du banc.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
+    </message>
+    <message>
+      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
+    </message>
+    <message>
+      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
+    </message>
+    <message>
+      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
+    </message>
+    <message>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
+    </message>
+    <message>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
+    </message>
+    <message>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
+    </message>
+    <message>
+      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
+    </message>
+    <message>
+      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
+    </message>
+    <message>
+      <source>camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : aucun appareil n’explique les images de calibration.</translation>
+    </message>
+    <message>
+      <source>%1: the board is not seen in it; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : la mire ne s’y voit pas ; elle est mise de côté.</translation>
+    </message>
+    <message>
+      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dictionnaire de marques '%1' n’est pas connu ; prenez-en un comme DICT_4X4_100.</translation>
+    </message>
+    <message>
+      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le côté des marques doit être compris entre 5 et 200 mm.</translation>
+    </message>
+    <message>
+      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le diamètre du plateau doit être compris entre 1 et 2000 mm.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Moins de six marques de %1 mm tiennent sur un plateau de %2 mm ; des marques de %3 mm y tiennent.</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Moins de six marques de %1 mm tiennent sur un plateau de %2 mm ; agrandissez le plateau.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des marques de %1 mm ne laissent pas de place pour un tesson sur un plateau de %2 mm ; des marques de %3 mm y tiennent.</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des marques de %1 mm ne laissent pas de place pour un tesson sur un plateau de %2 mm ; agrandissez le plateau.</translation>
+    </message>
+    <message>
+      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marge de l’imprimante doit être comprise entre 0 et 40 mm.</translation>
+    </message>
+    <message>
+      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le recouvrement des feuilles doit être compris entre 5 et 40 mm.</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dictionnaire %1 a trop peu de marques pour ce plateau.</translation>
+    </message>
+    <message>
+      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce que mesure la règle doit être une longueur en mm qui tient sur le plateau.</translation>
+    </message>
+    <message>
+      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La règle de ce plateau est dessinée longue de %1 mm, %2 mm s’en écarte de plus d’un dixième ; imprimez le fichier à 100 %, sans 'ajuster à la page', et mesurez de nouveau.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 a une covariance d’une autre taille ; calibrez de nouveau le banc.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 n’a pas de taille, de K ou de dist valable ; calibrez de nouveau le banc.</translation>
+    </message>
+    <message>
+      <source>This rig was written by another version; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce banc a été écrit par une autre version ; calibrez de nouveau le banc.</translation>
+    </message>
+    <message>
+      <source>Camera %1 stands twice in the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 figure deux fois dans le banc.</translation>
+    </message>
+    <message>
+      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un fichier de banc (RIG.json) ; calibrez de nouveau le banc.</translation>
+    </message>
+    <message>
+      <source>The rig has no camera; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc n’a pas d’appareil ; calibrez-le de nouveau.</translation>
+    </message>
+    <message>
+      <source>This file is there already and is no rig; name another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier existe déjà et n’est pas un banc ; nommez-en un autre.</translation>
+    </message>
+    <message>
+      <source>The log cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le journal ne peut pas être écrit.</translation>
+    </message>
+    <message>
+      <source>No process can be started.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun processus ne peut être lancé.</translation>
+    </message>
+    <message>
+      <source>The program was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme a été perdu.</translation>
+    </message>
+    <message>
+      <source>The program cannot be started; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme ne peut pas être lancé ; installez-le.</translation>
+    </message>
+    <message>
+      <source>%1 ended with an error; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 s’est terminé par une erreur ; ses messages sont dans ce fichier.</translation>
+    </message>
+    <message>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une miette de %1 mm en x %2, y %3 mm a été laissée de côté ; si c’est un tesson, photographiez-le seul.</translation>
+    </message>
+    <message>
+      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quelque chose de plat en x %1, y %2 mm a été laissé de côté ; c’est peut-être une marque ou une saleté sur le plateau.</translation>
+    </message>
+    <message>
+      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux tessons se touchent en x %1, y %2 mm et y ont été séparés ; laissez un doigt d’écart entre les tessons.</translation>
+    </message>
+    <message>
+      <source>The cloud of the plate has no normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nuage de points du plateau n’a pas de normales.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the front side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson n’a été trouvé sur la face avant ; vérifiez ses masques et ses photos.</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the back side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson n’a été trouvé sur la face arrière ; vérifiez ses masques et ses photos.</translation>
+    </message>
+    <message>
+      <source>The working folder cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier de travail ne peut pas être écrit (%1).</translation>
+    </message>
+    <message>
+      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce colmap a été compilé sans CUDA, dont sa stéréo dense a besoin ; installez-en un avec CUDA, ou prenez --dense builtin, qui n’a besoin de rien.</translation>
+    </message>
+    <message>
+      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les masques des vues n’ont pas d’objet commun ; vérifiez les masques, les appareils et les limites.</translation>
+    </message>
+    <message>
+      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>InterfaceCOLMAP n’a pas laissé de scène ; ses messages sont dans ce fichier.</translation>
+    </message>
+    <message>
+      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La profondeur demande au moins 3 photos dont la pose est connue.</translation>
+    </message>
+    <message>
+      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photo ou son masque a une autre taille que celle de l’appareil ; donnez la photo avec laquelle l’appareil a été calibré.</translation>
+    </message>
+    <message>
+      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photo a une autre taille que celle de l’appareil ; donnez la photo avec laquelle l’appareil a été calibré.</translation>
+    </message>
+    <message>
+      <source>The mask has another size than its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le masque a une autre taille que sa photo.</translation>
+    </message>
+    <message>
+      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 n’a trouvé aucun point de l’objet ; ses messages sont dans ce fichier, et --dense builtin n’a besoin d’aucun autre programme.</translation>
+    </message>
+    <message>
+      <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a écrit des points sans normales ; installez une version plus récente, ou prenez --dense builtin.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme %1 n’est pas dans le PATH, mais --dense %2 en a besoin ; installez-le, ou prenez --dense builtin, qui n’a besoin de rien.</translation>
+    </message>
+    <message>
+      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun point de surface n’a été trouvé sur lequel deux vues s’accordent ; vérifiez les appareils et les masques.</translation>
+    </message>
+    <message>
+      <source>The picture could not be encoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’image n’a pas pu être encodée.</translation>
+    </message>
+    <message>
+      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les %1 tessons ne tiennent pas sur le plateau ; demandez-en moins, ou une autre graine.</translation>
+    </message>
+    <message>
+      <source>sherds must lie between 1 and 40.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nombre de tessons doit être compris entre 1 et 40.</translation>
+    </message>
+    <message>
+      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La largeur doit être comprise entre 160 et 8192 pixels et divisible par 4.</translation>
+    </message>
+    <message>
+      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons semblables vont par deux : au plus la moitié du nombre de tessons.</translation>
+    </message>
+    <message>
+      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc demande un appareil et au moins quatre arrêts ; calibrez-le de nouveau.</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier contient déjà des fichiers ; nommez-en un nouveau ou un vide pour le lot.</translation>
+    </message>
+    <message>
+      <source>The virtual camera has no setting %1 of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil virtuel n’a pas de réglage %1 à %2.</translation>
+    </message>
+    <message>
+      <source>The camera has taken no photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil n’a pris aucune photo.</translation>
+    </message>
   </context>
 </TS>

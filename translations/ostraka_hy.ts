@@ -4800,5 +4800,3395 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
     </message>
+    <message>
+      <source>No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի տեսախցիկ չի բացատրում տրամաչափման նկարները։</translation>
+    </message>
+    <message>
+      <source>No photograph of this camera shows the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեսախցիկի ոչ մի լուսանկարում սկավառակի նշանները չեն երևում։</translation>
+    </message>
+    <message>
+      <source>No batch folder was given.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի պանակ չի տրվել։</translation>
+    </message>
+    <message>
+      <source>The angle is no number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անկյունը թիվ չէ։</translation>
+    </message>
+    <message>
+      <source>This program is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ծրագիրը տեղադրված չէ։</translation>
+    </message>
+    <message>
+      <source>The picture cannot be decoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նկարը հնարավոր չէ ապակոդավորել։</translation>
+    </message>
+    <message>
+      <source>No body was found that the photographs agree on; check the cameras, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չգտնվեց մարմին, որի շուրջ լուսանկարները համընկնում են. ստուգեք տեսախցիկները կամ տվեք դիմակներ։</translation>
+    </message>
+    <message>
+      <source>Each photograph needs one pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Յուրաքանչյուր լուսանկար պետք է ունենա մեկ դիրք։</translation>
+    </message>
+    <message>
+      <source>A hull needs at least 3 photographs; photograph the thing from more sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թաղանթին պետք է առնվազն 3 լուսանկար. լուսանկարեք առարկան ավելի շատ կողմերից։</translation>
+    </message>
+    <message>
+      <source>The cameras do not look at a common place; check their poses.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկները չեն նայում ընդհանուր տեղի. ստուգեք նրանց դիրքերը։</translation>
+    </message>
+    <message>
+      <source>The network needs a colour photograph of 8 bits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցին պետք է 8 բիթանոց գունավոր լուսանկար։</translation>
+    </message>
+    <message>
+      <source>There is no scale to draw it at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծագրի մասշտաբը տրված չէ։</translation>
+    </message>
+    <message>
+      <source>A preview is taken back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախադիտումը հետ է վերցվում։</translation>
+    </message>
+    <message>
+      <source>An archive must not lie in the project itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արխիվը չպետք է գտնվի հենց նախագծի մեջ։</translation>
+    </message>
+    <message>
+      <source>A project is restored into a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագիծը վերականգնվում է նոր կամ դատարկ պանակում. ընտրեք այլ անուն։</translation>
+    </message>
+    <message>
+      <source>This is no archive of a whole project; read it as an export instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա ամբողջ նախագծի արխիվ չէ. կարդացեք այն որպես արտահանում։</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another place, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ հնարավոր չէ գրել (%1). ընտրեք այլ տեղ կամ ստուգեք թույլտվությունները։</translation>
+    </message>
+    <message>
+      <source>There is no such file; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այդպիսի ֆայլ չկա. ստուգեք անունը։</translation>
+    </message>
+    <message>
+      <source>The file cannot be opened (%1); check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը չի բացվում (%1). ստուգեք դրա թույլտվությունները։</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա սովորական ֆայլ չէ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը մեծ է այստեղ կարդացվող %1 բայտից. ճի՞շտ ֆայլն է։</translation>
+    </message>
+    <message>
+      <source>The file cannot be read (%1); copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը չի կարդացվում (%1). նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>Another run is writing here; wait until it has ended, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ գրում է մեկ այլ գործարկում. սպասեք դրա ավարտին կամ ընտրեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>The JSON text is larger than 64 MiB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JSON տեքստը մեծ է 64 ՄիԲ-ից։</translation>
+    </message>
+    <message>
+      <source>The JSON is nested deeper than 64 levels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JSON-ն ունի 64-ից ավելի ներդրված մակարդակ։</translation>
+    </message>
+    <message>
+      <source>This is not valid JSON (line %1); mend it there, or copy the file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա ճիշտ JSON չէ (տող %1). ուղղեք այնտեղ կամ նորից պատճենեք ֆայլը։</translation>
+    </message>
+    <message>
+      <source>The JSON holds a number that is too large; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JSON-ում կա չափազանց մեծ թիվ. ուղղեք այն։</translation>
+    </message>
+    <message>
+      <source>A transform must be a 4x4 matrix.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևափոխությունը պետք է լինի 4x4 մատրից։</translation>
+    </message>
+    <message>
+      <source>A transform holds something not a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևափոխությունը պարունակում է մի բան, որը թիվ չէ։</translation>
+    </message>
+    <message>
+      <source>A transform is not rigid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևափոխությունը կոշտ չէ։</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այդպիսի պանակ չկա. նշեք խմբաքանակի պանակը։</translation>
+    </message>
+    <message>
+      <source>The front side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսը բացակայում է. դրա լուսանկարները դրեք '%1' պանակում։</translation>
+    </message>
+    <message>
+      <source>The back side is missing; put its photographs into the folder '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսը բացակայում է. դրա լուսանկարները դրեք '%1' պանակում։</translation>
+    </message>
+    <message>
+      <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա խմբաքանակ չէ. չունի ո՛չ 'front' և 'back', ո՛չ էլ 'top_images' և 'bottom_images' պանակները. նշեք խմբաքանակի պանակը։</translation>
+    </message>
+    <message>
+      <source>The name is not of the form %1; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անունը %1 ձևի չէ. այս լուսանկարը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>Another photograph has the same camera and stop; this one is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ լուսանկար ունի նույն տեսախցիկն ու կանգառը. այս մեկը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>This photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1 and %2 more; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ լուսանկարներ են պակասում՝ %1 և ևս %2. միայն դրանցով երևացողը կլրացվի, ուստի նորից նկարեք, եթե կարևոր են։</translation>
+    </message>
+    <message>
+      <source>Photographs are missing here: %1; what only they see will be filled in, so take them again if they matter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ լուսանկարներ են պակասում՝ %1. միայն դրանցով երևացողը կլրացվի, ուստի նորից նկարեք, եթե կարևոր են։</translation>
+    </message>
+    <message>
+      <source>This mask is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս դիմակը չի օգտագործվում։</translation>
+    </message>
+    <message>
+      <source>The mask's size is not its photograph's; it is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակի չափը լուսանկարի չափը չէ. այն չի օգտագործվում։</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the others of its camera have %3 x %4; this photograph is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերն ունի %1 x %2 պիքսել, տեսախցիկի մյուսները՝ %3 x %4. այս լուսանկարը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>The front side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. այնտեղ դրեք %3 անունով լուսանկարներ։</translation>
+    </message>
+    <message>
+      <source>The back side has %1 usable photographs, at least %2 are needed; put photographs named %3 there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. այնտեղ դրեք %3 անունով լուսանկարներ։</translation>
+    </message>
+    <message>
+      <source>The name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անունը ո՛չ cam&lt;C&gt;_cal&lt;NN&gt;.jpg է, ո՛չ էլ empty_cam&lt;C&gt;.jpg. այս պատկերը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>This picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պատկերը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>The image has %1 x %2 pixels, the photographs of its camera have %3 x %4; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերն ունի %1 x %2 պիքսել, տեսախցիկի լուսանկարները՝ %3 x %4. այս պատկերը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>The image claims a size of %1 x %2 pixels, which cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերը նշում է %1 x %2 պիքսել չափ, որը պիտանի չէ։</translation>
+    </message>
+    <message>
+      <source>The JPEG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JPEG պատկերը վնասված է. նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>The JPEG image has no picture in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JPEG-ի մեջ պատկեր չկա։</translation>
+    </message>
+    <message>
+      <source>The PNG image is damaged; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PNG պատկերը վնասված է. նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>The TIFF image has no size in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>TIFF պատկերում չափ նշված չէ։</translation>
+    </message>
+    <message>
+      <source>The file is empty; copy it from the camera again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը դատարկ է. նորից պատճենեք տեսախցիկից։</translation>
+    </message>
+    <message>
+      <source>This is no JPEG, PNG or TIFF image.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա JPEG, PNG կամ TIFF պատկեր չէ։</translation>
+    </message>
+    <message>
+      <source>The known lengths cannot be used: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հայտնի երկարությունները պիտանի չեն. %1։</translation>
+    </message>
+    <message>
+      <source>'side' must be 'front' or 'back'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'side'-ը պետք է լինի 'front' կամ 'back'</translation>
+    </message>
+    <message>
+      <source>'length' must lie between 0 and 10000 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'length'-ը պետք է լինի 0-ից 10000 մմ</translation>
+    </message>
+    <message>
+      <source>'ends' must be two lists of marks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'ends'-ը պետք է լինի նշումների երկու ցուցակ</translation>
+    </message>
+    <message>
+      <source>each end must be marked on two photographs at least</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ամեն ծայր պետք է նշված լինի առնվազն երկու լուսանկարի վրա</translation>
+    </message>
+    <message>
+      <source>their unit must be mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրանց միավորը պետք է լինի mm</translation>
+    </message>
+    <message>
+      <source>each needs 'side', 'length' and 'ends' with 'file' and 'pixel'</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>յուրաքանչյուրին պետք են 'side', 'length' և 'ends'՝ 'file'-ով ու 'pixel'-ով</translation>
+    </message>
+    <message>
+      <source>The mask cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակը չի ապակոդավորվում. նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>The image cannot be decoded; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերը չի ապակոդավորվում. նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>The plate's unit must be mm; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի միավորը պետք է լինի mm. նորից ստեղծեք սկավառակի ֆայլը։</translation>
+    </message>
+    <message>
+      <source>The plate names more than 1024 markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակը նշում է 1024-ից ավելի նշիչ։</translation>
+    </message>
+    <message>
+      <source>The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers each; 'diameter', where it is given, is a number in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակին պետք են 'dictionary' և 'markers'՝ id-ով և երեքական թվով չորս անկյուններով. 'diameter'-ը, եթե տրված է, թիվ է մմ-ով։</translation>
+    </message>
+    <message>
+      <source>The plate names no marker.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակը ոչ մի նշիչ չի նշում։</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate has no valid corners.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %1 նշիչը վավեր անկյուններ չունի։</translation>
+    </message>
+    <message>
+      <source>Marker %1 stands twice on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 նշիչը սկավառակի վրա երկու անգամ կա։</translation>
+    </message>
+    <message>
+      <source>The plate's diameter is no length in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի տրամագիծը մմ-ով երկարություն չէ։</translation>
+    </message>
+    <message>
+      <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տրամաչափման տախտակին պետք են 'dictionary', 'squares_x', 'squares_y', 'square_mm' և 'marker_mm'։</translation>
+    </message>
+    <message>
+      <source>The board's squares and markers have no valid number or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տրամաչափման տախտակի քառակուսիների և նշիչների քանակը կամ չափը վավեր չէ։</translation>
+    </message>
+    <message>
+      <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ հնարավոր չէ գրել (%1). խմբաքանակի համար ընտրեք այլ պանակ կամ ստուգեք թույլտվությունները։</translation>
+    </message>
+    <message>
+      <source>A file of this name is there already and is not overwritten; name another batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս անունով ֆայլ արդեն կա և չի վերագրվում. նշեք այլ խմբաքանակ։</translation>
+    </message>
+    <message>
+      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակը սկսվել է այլ սկավառակով. սրա համար նշեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակը սկսվել է %1 տեսախցիկով և %2 կանգառով, ոչ թե %3-ով և %4-ով. նշեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>The photograph was changed since it was taken; put the original back, or name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարը փոխվել է նկարելուց հետո. վերադարձրեք սկզբնականը կամ խմբաքանակի համար նշեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>This photograph was not taken here; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարն այստեղ չի արվել. խմբաքանակի համար նշեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>Camera %1 delivers raw files only; set its image format to JPEG, or to both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկը տալիս է միայն raw ֆայլեր. պատկերի ձևաչափը դրեք JPEG կամ երկուսն էլ։</translation>
+    </message>
+    <message>
+      <source>%1 is %2, the rig says %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը %2 է, սարքակազմն ասում է՝ %3</translation>
+    </message>
+    <message>
+      <source>%1 is %2, at the first photograph it was %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը %2 է, առաջին լուսանկարում %3 էր</translation>
+    </message>
+    <message>
+      <source>The turntable did not reach its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չհասավ իր զրոյին։</translation>
+    </message>
+    <message>
+      <source>The turntable did not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չպատասխանեց։</translation>
+    </message>
+    <message>
+      <source>The turntable does not tell where it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չի ասում՝ որտեղ է։</translation>
+    </message>
+    <message>
+      <source>The turntable refused a command (error %1): wrong type of table, or a bad cable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը մերժեց հրամանը (սխալ %1). սեղանի տեսակը սխալ է կամ մալուխը վատն է։</translation>
+    </message>
+    <message>
+      <source>The table's speed must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանի արագությունը պետք է մեծ լինի 0-ից։</translation>
+    </message>
+    <message>
+      <source>The line to the turntable is broken (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կապը պտտվող սեղանի հետ ընդհատված է (%1)։</translation>
+    </message>
+    <message>
+      <source>is not open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բացված չէ</translation>
+    </message>
+    <message>
+      <source>takes no more bytes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>այլևս բայտեր չի ընդունում</translation>
+    </message>
+    <message>
+      <source>was closed at the other end</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փակվել է մյուս ծայրում</translation>
+    </message>
+    <message>
+      <source>You may not use this serial port; install the udev rules of Ostraka, or join the group dialout, and log in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք չեք կարող օգտվել այս հաջորդական միացքից. տեղադրեք Ostraka-ի udev կանոնները կամ մտեք dialout խումբը և նորից մուտք գործեք։</translation>
+    </message>
+    <message>
+      <source>The serial port is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդական միացքն օգտագործում է այլ ծրագիր. փակեք այն։</translation>
+    </message>
+    <message>
+      <source>The serial port is not there; is the turntable plugged in and switched on?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդական միացքը չկա. պտտվող սեղանը միացվա՞ծ է մալուխով և սնմանը։</translation>
+    </message>
+    <message>
+      <source>This is no serial port.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա հաջորդական միացք չէ։</translation>
+    </message>
+    <message>
+      <source>The serial port does not take its settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդական միացքը չի ընդունում իր կարգավորումները։</translation>
+    </message>
+    <message>
+      <source>The turntable's address is not known in this network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի հասցեն այս ցանցում հայտնի չէ։</translation>
+    </message>
+    <message>
+      <source>A serial port cannot work at %1 baud; usual are 9600 and 115200.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաջորդական միացքը չի կարող աշխատել %1 բոդով. սովորական են 9600-ը և 115200-ը։</translation>
+    </message>
+    <message>
+      <source>A network address looks like 192.168.0.7:23.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցային հասցեն ունի այս տեսքը՝ 192.168.0.7:23։</translation>
+    </message>
+    <message>
+      <source>The desktop does not let go of the camera: it is still held by %1; close its window of files and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աշխատասեղանը բաց չի թողնում տեսախցիկը. այն դեռ զբաղեցնում է %1-ը. փակեք ֆայլերի պատուհանը և նորից փորձեք։</translation>
+    </message>
+    <message>
+      <source>A watched folder has no setting %1; set it at the camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիտարկվող պանակը %1 կարգավորում չունի. դրեք այն տեսախցիկի վրա։</translation>
+    </message>
+    <message>
+      <source>A watched folder shows no live picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիտարկվող պանակը կենդանի պատկեր չի ցուցադրում։</translation>
+    </message>
+    <message>
+      <source>No new photograph came within %1 seconds; is the camera's software writing into this folder?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 վայրկյանում նոր լուսանկար չեկավ. տեսախցիկի ծրագիրն այս պանակո՞ւմ է գրում։</translation>
+    </message>
+    <message>
+      <source>The watched folder cannot be read (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիտարկվող պանակը չի կարդացվում (%1)։</translation>
+    </message>
+    <message>
+      <source>Two photographs came for one shot, %1 and %2; one camera per folder, one photograph per stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ նկարման համար եկավ երկու լուսանկար՝ %1 և %2. ամեն պանակին՝ մեկ տեսախցիկ, ամեն կանգառին՝ մեկ լուսանկար։</translation>
+    </message>
+    <message>
+      <source>The camera of this serial number is not plugged in; there is: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սերիական համարով տեսախցիկը միացված չէ. կա՝ %1։</translation>
+    </message>
+    <message>
+      <source>The camera does not offer %1 for %2; it stands at %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը %2-ի համար %1 չի առաջարկում. դրված է %3։</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3; look at its mode dial.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը %1-ը պահում է %2, ոչ թե %3. նայեք ռեժիմների անիվին։</translation>
+    </message>
+    <message>
+      <source>The camera has no setting %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը %1 կարգավորում չունի։</translation>
+    </message>
+    <message>
+      <source>The camera reports: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը հայտնում է՝ %1։</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը զրոյի անջատիչ չունի։</translation>
+    </message>
+    <message>
+      <source>It did not answer while homing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զրոյացնելիս չպատասխանեց։</translation>
+    </message>
+    <message>
+      <source>It did not unlock.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չապակողպվեց։</translation>
+    </message>
+    <message>
+      <source>It did not answer when the shutters were to be fired.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նկարելու պահին չպատասխանեց։</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չի պատասխանում։</translation>
+    </message>
+    <message>
+      <source>The turntable does not come to rest.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը կանգ չի առնում։</translation>
+    </message>
+    <message>
+      <source>The turntable does not take its zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չի ընդունում իր զրոն։</translation>
+    </message>
+    <message>
+      <source>The controller counts from anew; the table's position is not known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարգավորիչը սկսել է նորից հաշվել. սեղանի դիրքը հայտնի չէ։</translation>
+    </message>
+    <message>
+      <source>The turntable does not move.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չի շարժվում։</translation>
+    </message>
+    <message>
+      <source>The turntable did not arrive in time; it was stopped.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը ժամանակին տեղ չհասավ. այն կանգնեցվեց։</translation>
+    </message>
+    <message>
+      <source>The shutter output must be M8, M7, M3 or M62 Pn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նկարման ելքը պետք է լինի M8, M7, M3 կամ M62 Pn։</translation>
+    </message>
+    <message>
+      <source>The table was stopped in motion and its position is lost: align the zero mark (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը կանգնեցվել է շարժման մեջ, և դիրքը կորել է. հավասարեցրեք զրոյի նշանը (ALARM:%1)։</translation>
+    </message>
+    <message>
+      <source>The table's controller says that the turn is beyond its travel: switch $20 off (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանի կարգավորիչն ասում է, որ պտույտն անցնում է ընթացքի սահմանը. անջատեք $20-ը (ALARM:%1)։</translation>
+    </message>
+    <message>
+      <source>Homing failed: look at the zero switch and its cable (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զրոյացումը չհաջողվեց. ստուգեք զրոյի անջատիչը և դրա մալուխը (ALARM:%1)։</translation>
+    </message>
+    <message>
+      <source>The table's controller raised an alarm (ALARM:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանի կարգավորիչը տագնապ տվեց (ALARM:%1)։</translation>
+    </message>
+    <message>
+      <source>The controller does not understand the command: wrong type of controller, or a bad cable (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարգավորիչը չի հասկանում հրամանը. կարգավորիչի տեսակը սխալ է կամ մալուխը վատն է (error:%1)։</translation>
+    </message>
+    <message>
+      <source>The table has no zero switch (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը զրոյի անջատիչ չունի (error:%1)։</translation>
+    </message>
+    <message>
+      <source>The table is still moving (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը դեռ շարժվում է (error:%1)։</translation>
+    </message>
+    <message>
+      <source>The table is locked: home it or unlock it (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանը կողպված է. զրոյացրեք կամ ապակողպեք այն (error:%1)։</translation>
+    </message>
+    <message>
+      <source>The table's controller refused a command (error:%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանի կարգավորիչը մերժեց հրամանը (error:%1)։</translation>
+    </message>
+    <message>
+      <source>Turn the table counter-clockwise to %1 degrees, and take your hand away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտեք սեղանը ժամսլաքին հակառակ մինչև %1 աստիճան և հեռացրեք ձեռքը։</translation>
+    </message>
+    <message>
+      <source>This is no list of photographs of Ostraka; name another folder for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա Ostraka-ի լուսանկարների ցուցակ չէ. խմբաքանակի համար նշեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>The turntable's driver %1 is not known; there are: grbl, comxim1, comxim2, text, hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի %1 վարորդը հայտնի չէ. կան՝ grbl, comxim1, comxim2, text, hand։</translation>
+    </message>
+    <message>
+      <source>The camera driver %1 is not known; there are: folder, gphoto2, uvc.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկի %1 վարորդը հայտնի չէ. կան՝ folder, gphoto2, uvc։</translation>
+    </message>
+    <message>
+      <source>The rig names no devices; 'ostraka devices' says what is plugged in and how to write it there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը սարքեր չի նշում. 'ostraka devices'-ն ասում է, թե ինչ է միացված և ինչպես այն գրել։</translation>
+    </message>
+    <message>
+      <source>The rig names no camera.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը ոչ մի տեսախցիկ չի նշում։</translation>
+    </message>
+    <message>
+      <source>settle_s and speed_deg_s must be positive.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>settle_s-ը և speed_deg_s-ը պետք է դրական լինեն։</translation>
+    </message>
+    <message>
+      <source>The part 'devices' cannot be read; compare it with the README's chapter on devices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'devices' մասը չի կարդացվում. համեմատեք README-ի սարքերի գլխի հետ։</translation>
+    </message>
+    <message>
+      <source>The number of stops must lie between 3 and 99.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգառների թիվը պետք է լինի 3-ից 99։</translation>
+    </message>
+    <message>
+      <source>The rig has no camera or no turntable.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը չունի տեսախցիկ կամ պտտվող սեղան։</translation>
+    </message>
+    <message>
+      <source>There is no shot %1 to take again: this side has stops 1 to %2 and cameras A to %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կրկնելու %1 նկար չկա. այս երեսն ունի 1-ից %2 կանգառներ և A-ից %3 տեսախցիկներ։</translation>
+    </message>
+    <message>
+      <source>Camera %1 of this batch was %2, the one here is %3; go on with the cameras that began it, or name another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի %1 տեսախցիկը %2-ն էր, այստեղինը %3-ն է. շարունակեք սկսած տեսախցիկներով կամ նշեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>The table's position is not known: turn its zero mark to the front and set zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սեղանի դիրքը հայտնի չէ. զրոյի նշանը պտտեք դեպի առաջ և սահմանեք զրոն։</translation>
+    </message>
+    <message>
+      <source>Camera %1, stop %2 failed %3 times: %4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1, կանգառ %2. %3 անգամ չհաջողվեց՝ %4։</translation>
+    </message>
+    <message>
+      <source>Camera %1 hands over earlier or broken photographs only; switch it off and on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկը տալիս է միայն նախորդ կամ վնասված լուսանկարներ. անջատեք և միացրեք։</translation>
+    </message>
+    <message>
+      <source>The turntable does not answer as a %1; is it another one?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չի պատասխանում որպես %1. գուցե ա՞յլ սեղան է։</translation>
+    </message>
+    <message>
+      <source>Marlin controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marlin կարգավորիչ</translation>
+    </message>
+    <message>
+      <source>text controller</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեքստային կարգավորիչ</translation>
+    </message>
+    <message>
+      <source>This table has no zero switch: align it by eye.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սեղանը զրոյի անջատիչ չունի. հավասարեցրեք աչքաչափով։</translation>
+    </message>
+    <message>
+      <source>The turntable refuses: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը մերժում է՝ %1։</translation>
+    </message>
+    <message>
+      <source>The turntable stands at %1 degrees instead of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը կանգնած է %1 աստիճանի վրա, ոչ թե %2։</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'move' must hold {target} or {by}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի բառերը. 'move'-ը պետք է պարունակի {target} կամ {by}։</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'accepted' must say how it answers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի բառերը. 'accepted'-ը պետք է ասի, թե ինչպես է պատասխանում։</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'query' and 'position' go together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի բառերը. 'query'-ն և 'position'-ը միասին են։</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'reply_s' must be more than 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի բառերը. 'reply_s'-ը պետք է մեծ լինի 0-ից։</translation>
+    </message>
+    <message>
+      <source>The turntable's words: '%1' is no regular expression.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի բառերը. '%1'-ը կանոնավոր արտահայտություն չէ։</translation>
+    </message>
+    <message>
+      <source>The turntable's words: 'position' needs a group for the angle.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի բառերը. 'position'-ին պետք է խումբ՝ անկյան համար։</translation>
+    </message>
+    <message>
+      <source>The turntable's 'dialect' must be "marlin" or its words.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի 'dialect'-ը պետք է լինի "marlin" կամ դրա բառերը։</translation>
+    </message>
+    <message>
+      <source>The turntable is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը միացված չէ մալուխով։</translation>
+    </message>
+    <message>
+      <source>The turntable was unplugged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի մալուխն անջատվել է։</translation>
+    </message>
+    <message>
+      <source>The turntable's USB line failed (%1); plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի USB կապը խափանվեց (%1). նորից միացրեք։</translation>
+    </message>
+    <message>
+      <source>You may not use this USB device; install packaging/udev/70-ostraka.rules and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք չեք կարող օգտվել այս USB սարքից. տեղադրեք packaging/udev/70-ostraka.rules-ը և նորից միացրեք։</translation>
+    </message>
+    <message>
+      <source>The turntable is used by another program; close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանն օգտագործում է այլ ծրագիր. փակեք այն։</translation>
+    </message>
+    <message>
+      <source>The turntable cannot be opened (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանը չի բացվում (%1)։</translation>
+    </message>
+    <message>
+      <source>This USB device is no serial controller (CDC-ACM).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս USB սարքը հաջորդական կարգավորիչ չէ (CDC-ACM)։</translation>
+    </message>
+    <message>
+      <source>The turntable of this serial number is not plugged in.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սերիական համարով պտտվող սեղանը միացված չէ մալուխով։</translation>
+    </message>
+    <message>
+      <source>A USB turntable is named by vendor and product, as usb:1209:0001.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>USB պտտվող սեղանը նշվում է արտադրողով և արտադրանքով, ինչպես usb:1209:0001։</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened: is it plugged in, and is no other program using it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիդեոտեսախցիկը չի բացվում. միացվա՞ծ է, և ա՞յլ ծրագիր չի օգտագործում այն։</translation>
+    </message>
+    <message>
+      <source>The video camera cannot be opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիդեոտեսախցիկը չի բացվում։</translation>
+    </message>
+    <message>
+      <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիդեոտեսախցիկն ունի exposure (0,1 մվ), focus, white_balance (K) և gain՝ որպես թվեր, ոչ թե %1 %2։</translation>
+    </message>
+    <message>
+      <source>The camera keeps %1 at %2 instead of %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը %1-ը պահում է %2, ոչ թե %3։</translation>
+    </message>
+    <message>
+      <source>It is not open.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն բացված չէ։</translation>
+    </message>
+    <message>
+      <source>The video camera gives no pictures any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիդեոտեսախցիկն այլևս պատկերներ չի տալիս։</translation>
+    </message>
+    <message>
+      <source>The video camera has taken no picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիդեոտեսախցիկը պատկեր չի արել։</translation>
+    </message>
+    <message>
+      <source>The video camera gives pictures of %1x%2 pixels, not of the size that is set.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիդեոտեսախցիկը տալիս է %1x%2 պիքսել պատկերներ, ոչ թե սահմանված չափի։</translation>
+    </message>
+    <message>
+      <source>The video camera must be named.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիդեոտեսախցիկը պետք է նշված լինի։</translation>
+    </message>
+    <message>
+      <source>the file is cut off or no picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ֆայլը կտրված է կամ պատկեր չէ</translation>
+    </message>
+    <message>
+      <source>the markers show another angle than this stop's</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նշիչները ցույց են տալիս այս կանգառի անկյունից տարբեր անկյուն</translation>
+    </message>
+    <message>
+      <source>the picture has another size than the camera's others</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատկերի չափը տարբերվում է այս տեսախցիկի մյուսներից</translation>
+    </message>
+    <message>
+      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կանգառը որոշելու համար շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա, կամ պատկերը մշո՞ւշոտ է</translation>
+    </message>
+    <message>
+      <source>the camera handed over an earlier photograph once more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեսախցիկը կրկին տվեց նախորդ լուսանկարներից մեկը</translation>
+    </message>
+    <message>
+      <source>too few markers of the plate are seen: is something before them?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկավառակի շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա</translation>
+    </message>
+    <message>
+      <source>it is blurred: did the table still move, did the focus change?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մշուշոտ է. սեղանը դեռ շարժվո՞ւմ էր, ֆոկուսը փոխվե՞լ է</translation>
+    </message>
+    <message>
+      <source>the sherds are too dark: give more light or expose longer</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկորները չափազանց մութ են. ավելացրեք լույսը կամ երկարացրեք լուսակայումը</translation>
+    </message>
+    <message>
+      <source>the sherds are burnt out: expose shorter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկորները գերլուսավորված են. կարճացրեք լուսակայումը</translation>
+    </message>
+    <message>
+      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատկերի եզրը կտրում է բեկորը. տեղաշարժեք այն կամ տեսախցիկը</translation>
+    </message>
+    <message>
+      <source>the camera's settings are others than they were: set them back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեսախցիկի կարգավորումները փոխվել են. վերականգնեք դրանք</translation>
+    </message>
+    <message>
+      <source>%1: set it back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. վերականգնեք</translation>
+    </message>
+    <message>
+      <source>A plate holds 1 to 60 sherds; 0 means not counted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակը կրում է 1-ից 60 բեկոր. 0 նշանակում է՝ չհաշված։</translation>
+    </message>
+    <message>
+      <source>The number of a batch is also the name of its folder; use letters and digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի համարը նաև դրա պանակի անունն է. օգտագործեք տառեր և թվանշաններ։</translation>
+    </message>
+    <message>
+      <source>The uuid of a batch is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի uuid-ը սխալ է գրված։</translation>
+    </message>
+    <message>
+      <source>There is a batch %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 խմբաքանակն արդեն կա։</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակը կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>The project's code must be 2 to 8 capital letters or digits, as ARM.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծի ծածկագիրը պետք է լինի 2-ից 8 մեծատառ կամ թվանշան, ինչպես ARM։</translation>
+    </message>
+    <message>
+      <source>A term of a vocabulary must have letters and no ';'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բառարանի տերմինը պետք է ունենա տառեր և չունենա ';'։</translation>
+    </message>
+    <message>
+      <source>The term '%1' stands twice in the vocabulary.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' տերմինը բառարանում երկու անգամ կա։</translation>
+    </message>
+    <message>
+      <source>Sherds with the term '%1': %2; change those first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» եզրով խեցաբեկորներ՝ %2. նախ փոխեք դրանք։</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged (%1); put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգը վնասված է (%1). վերականգնեք backups պանակի ամենանոր ֆայլը։</translation>
+    </message>
+    <message>
+      <source>a row of %1 points at nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի տողը ոչնչի չի հղվում</translation>
+    </message>
+    <message>
+      <source>the tables of the sherds do not fit together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկորների աղյուսակներն իրար չեն համապատասխանում</translation>
+    </message>
+    <message>
+      <source>the search does not know all sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>որոնումը բոլոր բեկորները չգիտի</translation>
+    </message>
+    <message>
+      <source>The backup does not hold what was saved; try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահուստային պատճենը չի պարունակում պահպանվածը. նորից փորձեք։</translation>
+    </message>
+    <message>
+      <source>The backup cannot be given its name; check the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահուստային պատճենին անունը չի տրվում. ստուգեք պանակը։</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be opened; check that the folder is there and may be written to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգը չի բացվում. ստուգեք, որ պանակը կա և դրանում կարելի է գրել։</translation>
+    </message>
+    <message>
+      <source>The catalogue cannot be written to; check the permissions of the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգում հնարավոր չէ գրել. ստուգեք պանակի թույլտվությունները։</translation>
+    </message>
+    <message>
+      <source>The disk does not answer properly; check it, then open the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոշտ սկավառակը պատշաճ չի պատասխանում. ստուգեք այն, ապա նորից բացեք նախագիծը։</translation>
+    </message>
+    <message>
+      <source>The catalogue is damaged; put back the newest file from the folder backups.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգը վնասված է. վերականգնեք backups պանակի ամենանոր ֆայլը։</translation>
+    </message>
+    <message>
+      <source>The catalogue does not take this (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգը սա չի ընդունում (%1)։</translation>
+    </message>
+    <message>
+      <source>The scan is no front of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանն այս խմբաքանակի առջևի երես չէ։</translation>
+    </message>
+    <message>
+      <source>The scan is no back of this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանն այս խմբաքանակի հետևի երես չէ։</translation>
+    </message>
+    <message>
+      <source>its front has no back any more</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրա առջևի երեսն այլևս հետևի երես չունի</translation>
+    </message>
+    <message>
+      <source>A pair has a front and a back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգն ունի առջևի և հետևի երես։</translation>
+    </message>
+    <message>
+      <source>The decision to be taken back is not in this batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետ վերցվող որոշումն այս խմբաքանակում չէ։</translation>
+    </message>
+    <message>
+      <source>A decision names a front, a back, or both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոշումը նշում է առջևի երես, հետևի երես կամ երկուսն էլ։</translation>
+    </message>
+    <message>
+      <source>The uuid of a decision is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոշման uuid-ը սխալ է գրված։</translation>
+    </message>
+    <message>
+      <source>This file does not lie in the project's folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը նախագծի պանակում չէ։</translation>
+    </message>
+    <message>
+      <source>This is a draft from coarser photographs; compute the batch again for measures that stay.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա սևագիր է՝ կոպիտ լուսանկարներից. վերջնական չափերի համար խմբաքանակը նորից հաշվեք։</translation>
+    </message>
+    <message>
+      <source>These are no whole results of 'ostraka process'; run it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սրանք 'ostraka process'-ի ամբողջական արդյունքներ չեն. նորից գործարկեք։</translation>
+    </message>
+    <message>
+      <source>The table of pairs names the scan %1, which is not there; run 'ostraka process' again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգերի աղյուսակը նշում է %1 սկանը, որը չկա. նորից գործարկեք 'ostraka process'-ը։</translation>
+    </message>
+    <message>
+      <source>This batch is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This photograph is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This scan is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սկանն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This file is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This person is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս անձն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This site is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս հուշարձանն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This trench is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խրամատն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This context is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս համատեքստն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>This bag is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տոպրակն այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>The filter opens a quotation mark and does not close it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զտիչը բացում է չակերտ և չի փակում։</translation>
+    </message>
+    <message>
+      <source>This is only a part of a sherd's label; read its code again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա բեկորի պիտակի միայն մի մասն է. նորից կարդացեք դրա կոդը։</translation>
+    </message>
+    <message>
+      <source>The filter knows no field '%1'; put the word into quotation marks to look for it as it stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զտիչը '%1' դաշտ չգիտի. բառը դրեք չակերտների մեջ, որ փնտրվի՝ ինչպես կա։</translation>
+    </message>
+    <message>
+      <source>Only measurements are compared with &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միայն չափերն են համեմատվում &lt; և &gt; նշաններով. գրեք %1:value։</translation>
+    </message>
+    <message>
+      <source>The filter is not readable text.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զտիչն ընթեռնելի տեքստ չէ։</translation>
+    </message>
+    <message>
+      <source>There is no field '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' դաշտ չկա։</translation>
+    </message>
+    <message>
+      <source>Some of the changes stay, for they could not be taken back: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոփոխությունների մի մասը մնում է, քանի որ չհաջողվեց հետարկել. %1</translation>
+    </message>
+    <message>
+      <source>There is no measurement of this kind.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այսպիսի չափ չկա։</translation>
+    </message>
+    <message>
+      <source>A measurement is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չափը երբեք 0-ից փոքր չէ։</translation>
+    </message>
+    <message>
+      <source>This project was made with a newer Ostraka (catalogue version %1, this program knows %2); install that one, nothing was changed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծն արվել է ավելի նոր Ostraka-ով (կատալոգի տարբերակ %1, այս ծրագիրը գիտի %2). տեղադրեք այն, ոչինչ չի փոխվել։</translation>
+    </message>
+    <message>
+      <source>The numbering cannot hold the character '%1'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալումը չի կարող պարունակել '%1' նիշը. տեղապահների միջև թույլատրվում են տառեր, թվանշաններ, '.', '_', '/' և '-'։</translation>
+    </message>
+    <message>
+      <source>The numbering opens a token with { and does not close it with }.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալումը տեղապահը բացում է {-ով և չի փակում }-ով։</translation>
+    </message>
+    <message>
+      <source>The numbering has no token {%1}; there are site, trench, context, bag, batch, yyyy, yy and n.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալումը {%1} տեղապահ չունի. կան site, trench, context, bag, batch, yyyy, yy և n։</translation>
+    </message>
+    <message>
+      <source>The width of {%1} must be written as :04, with 12 digits at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>{%1}-ի լայնությունը պետք է գրվի որպես :04, առավելագույնը 12 նիշ։</translation>
+    </message>
+    <message>
+      <source>Two tokens touch each other; put a '-' or another sign between {%1} and {%2}.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու տեղապահ կպած են. {%1}-ի և {%2}-ի միջև դրեք '-' կամ այլ նշան։</translation>
+    </message>
+    <message>
+      <source>The numbering must count the sherds with {n} exactly once.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալումը պետք է բեկորները հաշվի {n}-ով ճիշտ մեկ անգամ։</translation>
+    </message>
+    <message>
+      <source>The number needs the site of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարին պետք է բեկորի հուշարձանը, որը գրանցված չէ։</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարին պետք է բեկորի խրամատը, որը գրանցված չէ։</translation>
+    </message>
+    <message>
+      <source>The number needs the context of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարին պետք է բեկորի համատեքստը, որը գրանցված չէ։</translation>
+    </message>
+    <message>
+      <source>The number needs the bag of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարին պետք է բեկորի տոպրակը, որը գրանցված չէ։</translation>
+    </message>
+    <message>
+      <source>The number needs the batch of the sherd, which is not recorded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարին պետք է բեկորի խմբաքանակը, որը գրանցված չէ։</translation>
+    </message>
+    <message>
+      <source>The site %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 հուշարձանը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
+    </message>
+    <message>
+      <source>The trench %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 խրամատը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
+    </message>
+    <message>
+      <source>The context %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համատեքստը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
+    </message>
+    <message>
+      <source>The bag %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տոպրակը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
+    </message>
+    <message>
+      <source>The batch %1 contains the sign '%2' that stands beside it in the number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 խմբաքանակը պարունակում է '%2' նշանը, որը համարում դրա կողքին է։</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before; numbers are never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն արդեն տրվել է. համարները կրկին չեն օգտագործվում։</translation>
+    </message>
+    <message>
+      <source>The block of numbers up to %1 is used up; give this computer a new block in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մինչև %1 համարների շարքը սպառված է. կարգավորումներում այս համակարգչին նոր շարք տվեք։</translation>
+    </message>
+    <message>
+      <source>A decision needs the name of the person who takes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոշմանը պետք է այն կայացնողի անունը։</translation>
+    </message>
+    <message>
+      <source>Two pieces or more are joined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միացվում է երկու կամ ավելի կտոր։</translation>
+    </message>
+    <message>
+      <source>One piece is cut.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրվում է մեկ կտոր։</translation>
+    </message>
+    <message>
+      <source>The name of a person must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անձի անունը չպետք է դատարկ լինի։</translation>
+    </message>
+    <message>
+      <source>The person's initials must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անձի սկզբնատառերը չպետք է դատարկ լինեն։</translation>
+    </message>
+    <message>
+      <source>The code of a site must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հուշարձանի ծածկագիրը չպետք է դատարկ լինի։</translation>
+    </message>
+    <message>
+      <source>The code of a trench must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խրամատի ծածկագիրը չպետք է դատարկ լինի։</translation>
+    </message>
+    <message>
+      <source>The number of a context must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համատեքստի համարը չպետք է դատարկ լինի։</translation>
+    </message>
+    <message>
+      <source>The number of a bag must not be empty.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակի համարը չպետք է դատարկ լինի։</translation>
+    </message>
+    <message>
+      <source>The name of a person must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անձի անունը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
+    </message>
+    <message>
+      <source>The person's initials must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անձի սկզբնատառերը չափազանց երկար են. ամենաշատը 200 տառ։</translation>
+    </message>
+    <message>
+      <source>The code of a site must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հուշարձանի ծածկագիրը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
+    </message>
+    <message>
+      <source>The code of a trench must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խրամատի ծածկագիրը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
+    </message>
+    <message>
+      <source>The number of a context must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համատեքստի համարը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
+    </message>
+    <message>
+      <source>The number of a bag must have at most 200 letters.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակի համարը չափազանց երկար է. ամենաշատը 200 տառ։</translation>
+    </message>
+    <message>
+      <source>The uuid is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>uuid-ը սխալ է գրված։</translation>
+    </message>
+    <message>
+      <source>The initials %1 belong to another person already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 սկզբնատառերն արդեն այլ անձինն են։</translation>
+    </message>
+    <message>
+      <source>The latitude lies between -90 and 90 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լայնությունը -90-ից 90 աստիճան է։</translation>
+    </message>
+    <message>
+      <source>The longitude lies between -180 and 180 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկայնությունը -180-ից 180 աստիճան է։</translation>
+    </message>
+    <message>
+      <source>There is a site %1 already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 հուշարձանն արդեն կա։</translation>
+    </message>
+    <message>
+      <source>A trench belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խրամատը պատկանում է հուշարձանի։</translation>
+    </message>
+    <message>
+      <source>A trench cannot lie in itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խրամատը չի կարող լինել ինքն իր մեջ։</translation>
+    </message>
+    <message>
+      <source>There is a trench %1 in this site already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս հուշարձանում %1 խրամատն արդեն կա։</translation>
+    </message>
+    <message>
+      <source>A context belongs to a site.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համատեքստը պատկանում է հուշարձանի։</translation>
+    </message>
+    <message>
+      <source>The trench belongs to another site than the context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խրամատն այլ հուշարձանի է պատկանում, քան համատեքստը։</translation>
+    </message>
+    <message>
+      <source>There is a context %1 in this place already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեղում %1 համատեքստն արդեն կա։</translation>
+    </message>
+    <message>
+      <source>A bag belongs to a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակը պատկանում է համատեքստի։</translation>
+    </message>
+    <message>
+      <source>The weight of a bag is above 0 g.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակի քաշը մեծ է 0 գ-ից։</translation>
+    </message>
+    <message>
+      <source>A count is never below 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Քանակը երբեք 0-ից փոքր չէ։</translation>
+    </message>
+    <message>
+      <source>There is a bag %1 in this context already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս համատեքստում %1 տոպրակն արդեն կա։</translation>
+    </message>
+    <message>
+      <source>The folder lies on a network share (%1), where catalogues get damaged; use a folder on this computer's own disk and copy backups to the share.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակը ցանցային ընդհանուր պահոցում է (%1), որտեղ կատալոգները վնասվում են. օգտագործեք այս համակարգչի սեփական կոշտ սկավառակի պանակ, իսկ պահուստային պատճենները պատճենեք պահոց։</translation>
+    </message>
+    <message>
+      <source>This folder is no Ostraka project: it holds no catalogue.sqlite.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակն Ostraka-ի նախագիծ չէ. catalogue.sqlite չի պարունակում։</translation>
+    </message>
+    <message>
+      <source>A new project needs a new or an empty folder; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր նախագծին պետք է նոր կամ դատարկ պանակ. ընտրեք այլ անուն։</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made; choose a place that you may write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակը չի ստեղծվում. ընտրեք տեղ, որտեղ կարող եք գրել։</translation>
+    </message>
+    <message>
+      <source>A uuid of the export is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանման մի uuid սխալ է գրված։</translation>
+    </message>
+    <message>
+      <source>The decision is saved with the batch, but %1 is not in the catalogue yet; it is entered with the next results.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոշումը պահպանված է խմբաքանակի հետ, բայց %1-ը դեռ կատալոգում չկա. այն կգրանցվի հաջորդ արդյունքների հետ։</translation>
+    </message>
+    <message>
+      <source>The field %1 comes from the program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 դաշտը գալիս է ծրագրից։</translation>
+    </message>
+    <message>
+      <source>A void sherd keeps its number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անվավեր բեկորը պահում է իր համարը։</translation>
+    </message>
+    <message>
+      <source>A number holds no line break, no tabulator and no '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարը չի պարունակում տողադարձ, տաբուլյացիա և '%'։</translation>
+    </message>
+    <message>
+      <source>A number has 120 letters at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարն ունի առավելագույնը 120 նիշ։</translation>
+    </message>
+    <message>
+      <source>The number %1 would be given twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարը երկու անգամ կտրվեր։</translation>
+    </message>
+    <message>
+      <source>The files of %1 would have the same names as those of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի ֆայլերը կունենային նույն անունները, ինչ %2-ինը։</translation>
+    </message>
+    <message>
+      <source>The number %1 was given before and is never used again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն արդեն տրվել է և կրկին չի օգտագործվում։</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն այլ բեկորինն է։</translation>
+    </message>
+    <message>
+      <source>'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1'-ը '%2' բառարանի տերմին չէ. ընտրեք այլը կամ ավելացրեք կարգավորումներում։</translation>
+    </message>
+    <message>
+      <source>What follows the sign ± is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>± նշանին հաջորդողը մեծ է 0-ից։</translation>
+    </message>
+    <message>
+      <source>A measurement is above 0.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չափը մեծ է 0-ից։</translation>
+    </message>
+    <message>
+      <source>No sherd is larger than 1000 mm; is this in millimetres?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի բեկոր 1000 մմ-ից մեծ չէ. սա միլիմետրո՞վ է։</translation>
+    </message>
+    <message>
+      <source>No sherd is heavier than 20 kg; is this in grams?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի բեկոր 20 կգ-ից ծանր չէ. սա գրամո՞վ է։</translation>
+    </message>
+    <message>
+      <source>A share is 100 % at most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաժինը առավելագույնը 100 % է։</translation>
+    </message>
+    <message>
+      <source>There is no sherd %1 that it could join.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չկա %1 բեկոր, որին այն կցվեր։</translation>
+    </message>
+    <message>
+      <source>A sherd does not join itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորն ինքն իրեն չի կցվում։</translation>
+    </message>
+    <message>
+      <source>There is no context %1 in %2; add it first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2-ում %1 համատեքստ չկա. նախ ավելացրեք այն։</translation>
+    </message>
+    <message>
+      <source>A numbered sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալված բեկորին պետք է իր համատեքստը։</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս համատեքստում %1 տոպրակ չկա. ավելացրեք այն կամ փոխեք նաև տոպրակը։</translation>
+    </message>
+    <message>
+      <source>A sherd gets a number when its context is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորը համար է ստանում, երբ համատեքստը հայտնի է։</translation>
+    </message>
+    <message>
+      <source>The table cannot be ordered by '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակը չի դասավորվում ըստ '%1'-ի։</translation>
+    </message>
+    <message>
+      <source>A sherd is not in the catalogue any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի բեկոր այլևս կատալոգում չկա։</translation>
+    </message>
+    <message>
+      <source>The uuid of a sherd is not well formed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորի uuid-ը սխալ է գրված։</translation>
+    </message>
+    <message>
+      <source>There is a sherd with this uuid already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս uuid-ով բեկոր արդեն կա։</translation>
+    </message>
+    <message>
+      <source>A sherd is void for a reason; say which.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորն անվավեր է որևէ պատճառով. նշեք այն։</translation>
+    </message>
+    <message>
+      <source>The number %1 stands on two sherds of this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն այս սկավառակի երկու բեկորի վրա է։</translation>
+    </message>
+    <message>
+      <source>The number %1 belongs to another sherd already.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն արդեն այլ բեկորինն է։</translation>
+    </message>
+    <message>
+      <source>The sherd of this label has no number yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պիտակի բեկորը դեռ համար չունի։</translation>
+    </message>
+    <message>
+      <source>The text is longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեքստը 1 ՄԲ-ից երկար է։</translation>
+    </message>
+    <message>
+      <source>The text is not valid UTF-8, or holds a zero byte.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեքստը ճիշտ UTF-8 չէ կամ պարունակում է զրոյական բայտ։</translation>
+    </message>
+    <message>
+      <source>A day is written as 2026-07-14 (year-month-day).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օրը գրվում է 2026-07-14 (տարի-ամիս-օր)։</translation>
+    </message>
+    <message>
+      <source>A date is written in EDTF, as -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թվագրումը գրվում է EDTF-ով, ինչպես -0599/-0549~ (մ. թ. ա. 600-ից մոտ 550), -1149? կամ 0350/..՝ քառանիշ տարիներով։</translation>
+    </message>
+    <message>
+      <source>A Munsell colour is written as 10YR 3/1 or N 4/.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Munsell գույնը գրվում է 10YR 3/1 կամ N 4/։</translation>
+    </message>
+    <message>
+      <source>'%1' is no number; write 12.5 or 12,5, without a unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1'-ը թիվ չէ. գրեք 12.5 կամ 12,5՝ առանց միավորի։</translation>
+    </message>
+    <message>
+      <source>'%1' is no path inside the project; it must be relative, with '/' and without '..'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1'-ը նախագծի ներսի ուղի չէ. այն պետք է լինի հարաբերական՝ '/'-ով և առանց '..'-ի։</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces to write.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցը գրելու նիստեր չունի։</translation>
+    </message>
+    <message>
+      <source>A face of the mesh names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցի մի նիստը նշում է գոյություն չունեցող գագաթ։</translation>
+    </message>
+    <message>
+      <source>This is not a PLY file; name one, or export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա PLY ֆայլ չէ. նշեք PLY ֆայլ կամ նորից արտահանեք սկանը։</translation>
+    </message>
+    <message>
+      <source>The PLY header names no format; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY վերնագիրը ձևաչափ չի նշում. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>The PLY header is wrong in line %1: %2; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY վերնագրի %1 տողը սխալ է. %2. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>its format is not known</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ձևաչափն անհայտ է</translation>
+    </message>
+    <message>
+      <source>a count is no number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>քանակը թիվ չէ</translation>
+    </message>
+    <message>
+      <source>a property cannot be read</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հատկությունը չի կարդացվում</translation>
+    </message>
+    <message>
+      <source>a property has an unknown type</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հատկության տեսակն անհայտ է</translation>
+    </message>
+    <message>
+      <source>a list has no whole number as its length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ցուցակի երկարությունը ամբողջ թիվ չէ</translation>
+    </message>
+    <message>
+      <source>a line cannot be understood</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տողն անհասկանալի է</translation>
+    </message>
+    <message>
+      <source>The PLY header has no end; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY վերնագիրը վերջ չունի. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>The PLY header claims %1 of '%2', more than the file holds; it may be cut off.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY վերնագիրը նշում է %1 '%2', ավելի, քան պարունակում է ֆայլը. այն գուցե կտրված է։</translation>
+    </message>
+    <message>
+      <source>The PLY file has two lists of vertices; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլն ունի գագաթների երկու ցուցակ. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>The PLY vertices lack x, y or z; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY գագաթներին պակասում է x, y կամ z. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>The PLY file ends early or holds something not a number; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլը շուտ է ավարտվում կամ պարունակում է մի բան, որը թիվ չէ. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>A face of the PLY names a vertex that is not there; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY-ի մի նիստը նշում է գոյություն չունեցող գագաթ. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within its faces; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլն ավարտվում է նիստերի մեջտեղում. նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>The PLY file ends within '%1'; copy it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլն ավարտվում է '%1'-ի մեջտեղում. նորից պատճենեք։</translation>
+    </message>
+    <message>
+      <source>The PLY file has no vertices; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլը գագաթներ չունի. նորից արտահանեք սկանը։</translation>
+    </message>
+    <message>
+      <source>The PLY file holds more than its header claims; export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլը պարունակում է ավելին, քան նշում է վերնագիրը. նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>The PLY file holds no usable point; export the scan again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլում ոչ մի պիտանի կետ չկա. նորից արտահանեք սկանը։</translation>
+    </message>
+    <message>
+      <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եզրի ոչ մի հատված շուրթի մաս չի կարող լինել. այս բեկորը գծեք որպես առանց շուրթի բեկոր։</translation>
+    </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն, ինչ ընդունվել է որպես շուրթ, հազիվ է նման դրան (%1 %). տրամագծին վստահելուց առաջ ստուգեք շուրթի գիծը։</translation>
+    </message>
+    <message>
+      <source>Drawn as a rim, which is likely (%1 %); check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծված է որպես շուրթ, ինչը հավանական է (%1 %). ստուգեք։</translation>
+    </message>
+    <message>
+      <source>May be a rim (%1 %); if it is one, say so and draw it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարող է շուրթ լինել (%1 %). եթե այդպես է, նշեք դա և նորից գծեք։</translation>
+    </message>
+    <message>
+      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարի մասշտաբը պետք է լինի 1:20-ից 5:1։</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model (%1); make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարին պետք է փակ մոդել (%1). ստեղծեք այն 'ostraka process'-ով։</translation>
+    </message>
+    <message>
+      <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծանկարին պետք է փակ մոդել. ստեղծեք այն 'ostraka process'-ով։</translation>
+    </message>
+    <message>
+      <source>This file is missing or cannot be read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը բացակայում է կամ չի կարդացվում։</translation>
+    </message>
+    <message>
+      <source>The disk cannot read this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոշտ սկավառակը չի կարող կարդալ այս ֆայլը։</translation>
+    </message>
+    <message>
+      <source>The manifest is missing; this is no export of Ostraka.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլերի ցուցակը (manifest) բացակայում է. սա Ostraka-ի արտահանում չէ։</translation>
+    </message>
+    <message>
+      <source>The manifest has a line that cannot be read: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլերի ցուցակը (manifest) սխալ տող ունի. %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file outside the folder: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլերի ցուցակը (manifest) նշում է պանակից դուրս ֆայլ. %1</translation>
+    </message>
+    <message>
+      <source>The manifest names a file twice: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլերի ցուցակը (manifest) ֆայլը երկու անգամ է նշում. %1</translation>
+    </message>
+    <message>
+      <source>This cannot be written; check the space left and the permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ հնարավոր չէ գրել. ստուգեք ազատ տեղը և թույլտվությունները։</translation>
+    </message>
+    <message>
+      <source>There is a folder of this name already; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
+    </message>
+    <message>
+      <source>A name in an export must not hold '%'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանման անունը չպետք է պարունակի '%'։</translation>
+    </message>
+    <message>
+      <source>Two files of the export would have the same name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանման երկու ֆայլ կունենային նույն անունը։</translation>
+    </message>
+    <message>
+      <source>Somebody made a folder of this name meanwhile; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մինչ այդ մեկը ստեղծել է այս անունով պանակ. ընտրեք այլ անուն։</translation>
+    </message>
+    <message>
+      <source>This folder is no export of Ostraka: bagit.txt is missing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակն Ostraka-ի արտահանում չէ. bagit.txt-ը բացակայում է։</translation>
+    </message>
+    <message>
+      <source>This file is not in the manifest; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը ցուցակում (manifest) չկա. ոչինչ չի կարդացվել։</translation>
+    </message>
+    <message>
+      <source>This is a link, not a file; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա հղում է, ոչ թե ֆայլ. ոչինչ չի կարդացվել։</translation>
+    </message>
+    <message>
+      <source>This folder cannot be read (%1); nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակը չի կարդացվում (%1). ոչինչ չի կարդացվել։</translation>
+    </message>
+    <message>
+      <source>This file is missing; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը բացակայում է. ոչինչ չի կարդացվել։</translation>
+    </message>
+    <message>
+      <source>This file was changed after the export; nothing was read.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը փոխվել է արտահանումից հետո. ոչինչ չի կարդացվել։</translation>
+    </message>
+    <message>
+      <source>There is no context %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համատեքստ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
+    </message>
+    <message>
+      <source>There is no bag %1; make it, or let the import make it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տոպրակ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
+    </message>
+    <message>
+      <source>The column closed takes yes or no.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>closed սյունակում գրվում է yes կամ no։</translation>
+    </message>
+    <message>
+      <source>The column count_written takes a whole number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>count_written սյունակում գրվում է ամբողջ թիվ։</translation>
+    </message>
+    <message>
+      <source>The row has %1 values, the header %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տողն ունի %1 արժեք, վերնագիրը՝ %2։</translation>
+    </message>
+    <message>
+      <source>The column '%1' is not known; its values are kept as a field of your own.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' սյունակը հայտնի չէ. դրա արժեքները պահվում են որպես ձեր սեփական դաշտ։</translation>
+    </message>
+    <message>
+      <source>The file holds zero bytes; it is no table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը պարունակում է զրոյական բայտեր. այն աղյուսակ չէ։</translation>
+    </message>
+    <message>
+      <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տողը UTF-8 չէ. պահեք աղյուսակը որպես 'CSV UTF-8' և նորից փորձեք։</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000,000 rows; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակն ունի 1 000 000-ից ավելի տող. բաժանեք այն։</translation>
+    </message>
+    <message>
+      <source>Line %1 opens a quotation mark that is never closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տողը բացում է չակերտ, որը երբեք չի փակվում։</translation>
+    </message>
+    <message>
+      <source>Line %1 has letters behind a closing quotation mark.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տողը փակող չակերտից հետո տառեր ունի։</translation>
+    </message>
+    <message>
+      <source>Line %1 has a value longer than 1 MB.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տողն ունի 1 ՄԲ-ից երկար արժեք։</translation>
+    </message>
+    <message>
+      <source>The table is empty; its first line must name the columns.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակը դատարկ է. առաջին տողը պետք է նշի սյունակները։</translation>
+    </message>
+    <message>
+      <source>This sherd has no model yet, so it cannot be drawn; compute its batch first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս բեկորը դեռ մոդել չունի և չի կարող գծվել. նախ հաշվեք դրա խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>The measures of its batch are in doubt: so is the size of this drawing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրա խմբաքանակի չափերը կասկածելի են. նույնը՝ այս գծանկարի չափը։</translation>
+    </message>
+    <message>
+      <source>It is said to be a rim, but no stretch of its edge can be one; drawn without.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ասված է, որ շուրթ է, բայց եզրի ոչ մի հատված շուրթ չի կարող լինել. գծված է առանց դրա։</translation>
+    </message>
+    <message>
+      <source>%1 is not there and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը չկա և բաց է թողնվել։</translation>
+    </message>
+    <message>
+      <source>%1 is not the photograph that was entered; check it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը գրանցված լուսանկարը չէ. ստուգեք այն։</translation>
+    </message>
+    <message>
+      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մոդելը գրանցվածը չէ. նորից գրանցեք խմբաքանակի արդյունքները։</translation>
+    </message>
+    <message>
+      <source>%1 goes along whole: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արտահանվում է ամբողջությամբ. %2</translation>
+    </message>
+    <message>
+      <source>Not drawn: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծված չէ. %1</translation>
+    </message>
+    <message>
+      <source>No pictures with masks and poses of %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի պատկերներ դիմակներով ու դիրքերով չկան. %2</translation>
+    </message>
+    <message>
+      <source>There is no sherd to export; choose some first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանելու բեկոր չկա. նախ ընտրեք։</translation>
+    </message>
+    <message>
+      <source>The row has neither a number nor a uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տողը ո՛չ համար ունի, ո՛չ uuid։</translation>
+    </message>
+    <message>
+      <source>This stands in two rows of the table.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա աղյուսակի երկու տողում կա։</translation>
+    </message>
+    <message>
+      <source>This is no uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա uuid չէ։</translation>
+    </message>
+    <message>
+      <source>The number belongs to another sherd than the uuid.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարն այլ բեկորինն է, քան uuid-ը։</translation>
+    </message>
+    <message>
+      <source>A new sherd needs its context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր բեկորին պետք է իր համատեքստը։</translation>
+    </message>
+    <message>
+      <source>A column of the table has no name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակի մի սյունակ անուն չունի։</translation>
+    </message>
+    <message>
+      <source>The column '%1' is there twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' սյունակը երկու անգամ կա։</translation>
+    </message>
+    <message>
+      <source>The table needs a column 'number' (sherds), or the columns 'site' and 'context' (contexts).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակին պետք է 'number' սյունակ (բեկորներ) կամ 'site' և 'context' սյունակներ (համատեքստեր)։</translation>
+    </message>
+    <message>
+      <source>These places and batches are not written as Ostraka writes them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեղերն ու խմբաքանակները գրված չեն այնպես, ինչպես գրում է Ostraka-ն։</translation>
+    </message>
+    <message>
+      <source>This is no PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա PLY ֆայլ չէ։</translation>
+    </message>
+    <message>
+      <source>This is no GLB file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա GLB ֆայլ չէ։</translation>
+    </message>
+    <message>
+      <source>This export holds no records (JSON) of sherds; export it again with them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արտահանումը բեկորների գրառումներ (JSON) չի պարունակում. նորից արտահանեք դրանցով։</translation>
+    </message>
+    <message>
+      <source>The project has this sherd with other values; they stay, and what differs is kept beside them in fields that end in _in_%1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծում այս բեկորն այլ արժեքներ ունի. դրանք մնում են, իսկ տարբերվողը պահվում է կողքին՝ _in_%1-ով վերջացող դաշտերում։</translation>
+    </message>
+    <message>
+      <source>This file is not among the files of the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլն արտահանման ֆայլերի մեջ չէ։</translation>
+    </message>
+    <message>
+      <source>The project has another file of this name; rename the export, and import it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագիծն ունի այս անունով այլ ֆայլ. վերանվանեք արտահանումը և նորից ներմուծեք։</translation>
+    </message>
+    <message>
+      <source>This is no record of a sherd (ostraka-sherd/1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա բեկորի գրառում չէ (ostraka-sherd/1)։</translation>
+    </message>
+    <message>
+      <source>The measurement %1 has another unit than %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 չափն այլ միավոր ունի, քան %2։</translation>
+    </message>
+    <message>
+      <source>A value of the record has another type than it should.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրառման մի արժեք պատշաճ տեսակի չէ։</translation>
+    </message>
+    <message>
+      <source>This is too large for one ZIP file; choose fewer sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա մեկ ZIP ֆայլի համար չափազանց մեծ է. ընտրեք ավելի քիչ բեկոր։</translation>
+    </message>
+    <message>
+      <source>The mask is missing; expected a mask of %1 x %2 pixels under this name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակը բացակայում է. այս անունով սպասվում է %1 x %2 պիքսել դիմակ։</translation>
+    </message>
+    <message>
+      <source>The mask cannot be read as a picture; expected a mask of %1 x %2 pixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակը որպես պատկեր չի կարդացվում. սպասվում է %1 x %2 պիքսել դիմակ։</translation>
+    </message>
+    <message>
+      <source>The mask has %1 x %2 pixels; expected a mask of %3 x %4 pixels, the size of its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակն ունի %1 x %2 պիքսել. սպասվում է %3 x %4 պիքսել դիմակ՝ լուսանկարի չափով։</translation>
+    </message>
+    <message>
+      <source>Masks from the plate need at least 3 photographs of a side; photograph more stops.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակով դիմակների համար պետք է երեսի առնվազն 3 լուսանկար. նկարեք ավելի շատ կանգառներ։</translation>
+    </message>
+    <message>
+      <source>The photograph is not of the size that its camera has; use the original file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարը տեսախցիկի չափը չունի. օգտագործեք սկզբնական ֆայլը։</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the plate; check that the photographs show sherds that differ from the plate, or give masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի վրա բեկոր չգտնվեց. ստուգեք, որ լուսանկարներում երևում են սկավառակից տարբերվող բեկորներ, կամ տվեք դիմակներ։</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 has another size than the camera's photographs; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակի պատկերը տեսախցիկի լուսանկարների չափը չունի. դիմակներն արվել են առանց դրա</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows the plate at none of the stops; take it again at the first; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակի պատկերը սկավառակը կանգառներից ոչ մեկում չի ցուցադրում. նորից նկարեք առաջին կանգառում. դիմակներն արվել են առանց դրա</translation>
+    </message>
+    <message>
+      <source>masks: the empty plate of camera %1 shows markers that something covers in %2; take off what lies on them; masked without it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դիմակներ. %1 տեսախցիկի դատարկ սկավառակը ցույց է տալիս նշիչներ, որոնք %2-ում ծածկված են. հանեք դրանց վրա դրվածը. դիմակներն արվել են առանց դրա</translation>
+    </message>
+    <message>
+      <source>masks: a shadow that the other photographs do not have lies on the plate in %1; keep people and hands out of the light, and take these again if their masks look wrong</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դիմակներ. %1-ում սկավառակի վրա կա ստվեր, որը մյուս լուսանկարներում չկա. մարդիկ ու ձեռքերը լույսի առջև չլինեն. եթե դիմակները սխալ են թվում, այս լուսանկարները նորից արեք</translation>
+    </message>
+    <message>
+      <source>%1 (%2 % of the bare plate)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (բաց սկավառակի %2 %)</translation>
+    </message>
+    <message>
+      <source>The front scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի սկանում կետեր չկան։</translation>
+    </message>
+    <message>
+      <source>The front scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի սկանը նորմալներ չունի. մոդելին պետք է իմանալ, թե որն է դրսի կողմը։</translation>
+    </message>
+    <message>
+      <source>The back scan holds no points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի սկանում կետեր չկան։</translation>
+    </message>
+    <message>
+      <source>The back scan has no normals; a model needs to know what is outside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի սկանը նորմալներ չունի. մոդելին պետք է իմանալ, թե որն է դրսի կողմը։</translation>
+    </message>
+    <message>
+      <source>The scans enclose no body; their normals may point inward.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանները մարմին չեն պարփակում. գուցե դրանց նորմալներն ուղղված են ներս։</translation>
+    </message>
+    <message>
+      <source>Only a closed mesh can be thinned out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միայն փակ ցանցը կարելի է նոսրացնել։</translation>
+    </message>
+    <message>
+      <source>The deviation of a thinner mesh must be above 0 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոսրացված ցանցի շեղումը պետք է մեծ լինի 0 մմ-ից։</translation>
+    </message>
+    <message>
+      <source>The scan is too large for a model at this spacing; give a larger one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանը չափազանց մեծ է կետերի այս հեռավորությամբ մոդելի համար. տվեք ավելի մեծը։</translation>
+    </message>
+    <message>
+      <source>The scans hold too few points that agree with each other for a model.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկաններում մոդելի համար շատ քիչ են իրար համապատասխանող կետերը։</translation>
+    </message>
+    <message>
+      <source>Edge %1 is used more than once in the same direction.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 կողը նույն ուղղությամբ օգտագործված է մեկից ավելի անգամ։</translation>
+    </message>
+    <message>
+      <source>Edge %1 has a face on one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 կողը միայն մի կողմից նիստ ունի։</translation>
+    </message>
+    <message>
+      <source>Vertex %1 belongs to no face.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 գագաթը ոչ մի նիստի չի պատկանում։</translation>
+    </message>
+    <message>
+      <source>Vertex %1 holds two fans of faces together.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 գագաթն իրար է միացնում նիստերի երկու հովհար։</translation>
+    </message>
+    <message>
+      <source>The mesh has no faces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցը նիստեր չունի։</translation>
+    </message>
+    <message>
+      <source>A face names a vertex that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի նիստ նշում է գագաթ, որը չկա։</translation>
+    </message>
+    <message>
+      <source>A face has the same vertex twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի նիստ երկու անգամ նույն գագաթն ունի։</translation>
+    </message>
+    <message>
+      <source>The scan's outline does not close.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանի ուրվագիծը չի փակվում։</translation>
+    </message>
+    <message>
+      <source>A scan of fewer than 20 points has no outline.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>20-ից քիչ կետերով սկանն ուրվագիծ չունի։</translation>
+    </message>
+    <message>
+      <source>A contour needs at least three points.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ուրվագծին պետք է առնվազն երեք կետ։</translation>
+    </message>
+    <message>
+      <source>The evidence of a pair has no valid scans or figure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի զույգի տվյալներում չկան վավեր սկաններ կամ թիվ։</translation>
+    </message>
+    <message>
+      <source>pairing: %1 stays unpaired: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զուգավորում. %1-ը մնում է առանց զույգի. %2</translation>
+    </message>
+    <message>
+      <source>No two outlines are alike, so the sides' sizes cannot be compared; give a known length.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Իրար նման երկու ուրվագիծ չկա, ուստի երեսների չափերը համեմատել հնարավոր չէ. տվեք հայտնի երկարություն։</translation>
+    </message>
+    <message>
+      <source>A candidate names a scan that is not there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի թեկնածու նշում է սկան, որը չկա։</translation>
+    </message>
+    <message>
+      <source>This is no table of candidates; compute the batch again, only its pairs are done anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա թեկնածուների աղյուսակ չէ. նորից հաշվարկեք խմբաքանակը, նորից կարվեն միայն դրա զույգերը։</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, whose side was photographed again since; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից նորից լուսանկարվել է. նորից որոշեք։</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 is about %3, which is not on the plate any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որն այլևս սկավառակի վրա չէ. նորից որոշեք։</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 does not hold: Decision %3 by %4, which is later, is about the same scan; withdraw one of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2-ի %1 որոշումը չի գործում. %4-ի %3 որոշումը, որն ավելի ուշ է, նույն սկանի մասին է. դրանցից մեկը հետ վերցրեք։</translation>
+    </message>
+    <message>
+      <source>A decision is of a kind that this program does not know; a newer one wrote it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի որոշում այն տեսակի է, որն այս ծրագիրը չգիտի. այն գրել է ավելի նորը։</translation>
+    </message>
+    <message>
+      <source>A pair needs one front and one back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգին պետք են մեկ առջևի և մեկ հետևի երես։</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be set aside or shot again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չի նշվել՝ մի կողմ դնելու կամ կրկին նկարելու համար։</translation>
+    </message>
+    <message>
+      <source>Pieces to be joined must be of one side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միացվող կտորները պետք է նույն երեսից լինեն։</translation>
+    </message>
+    <message>
+      <source>A cut needs one piece and a line of at least a millimetre.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրելու համար պետք են մեկ կտոր և առնվազն մեկ միլիմետր գիծ։</translation>
+    </message>
+    <message>
+      <source>Nothing was named to be withdrawn.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չի նշվել հետ վերցնելու համար։</translation>
+    </message>
+    <message>
+      <source>These decisions were written by a newer program; use that one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս որոշումները գրել է ավելի նոր ծրագիր. օգտագործեք այն։</translation>
+    </message>
+    <message>
+      <source>Decision %1 cannot be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 որոշումը հնարավոր չէ օգտագործել։</translation>
+    </message>
+    <message>
+      <source>Mend it, or put a copy of the file back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ուղղեք այն կամ ետ դրեք ֆայլի պատճենը։</translation>
+    </message>
+    <message>
+      <source>These are no decisions of this program; move the file away, or put a copy of it back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սրանք այս ծրագրի որոշումներ չեն. հեռացրեք ֆայլը կամ ետ դրեք դրա պատճենը։</translation>
+    </message>
+    <message>
+      <source>This decision does not hold any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս որոշումն այլևս չի գործում։</translation>
+    </message>
+    <message>
+      <source>There is no photograph of this side.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս երեսի լուսանկար չկա։</translation>
+    </message>
+    <message>
+      <source>The outlines of these two sides cannot be laid on each other.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս երկու երեսների ուրվագծերն իրար վրա դնել հնարավոր չէ։</translation>
+    </message>
+    <message>
+      <source>%1 may be two sherds that touch, %2 and %3 of the other side: cut it in the review, or lay them apart and photograph its side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը կարող է լինել իրար դիպչող երկու բեկոր՝ մյուս երեսի %2-ը և %3-ը. կտրեք այն ստուգման մեջ կամ հեռացրեք դրանք իրարից և նորից լուսանկարեք այդ երեսը։</translation>
+    </message>
+    <message>
+      <source>This is no list of strokes on masks; put back an earlier one or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա դիմակների վրայի վրձնահարվածների ցանկ չէ. ետ դրեք նախորդը կամ հեռացրեք այն։</translation>
+    </message>
+    <message>
+      <source>There are no masks of this batch yet; let it be computed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակը դեռ դիմակներ չունի. նախ թողեք, որ այն հաշվարկվի։</translation>
+    </message>
+    <message>
+      <source>This file does not say how well the rig fitted.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը չի ասում, թե որքան էր համապատասխանում սարքակազմը։</translation>
+    </message>
+    <message>
+      <source>This calibration is of other cameras than the batch was photographed with; calibrate the rig by its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տրամաչափումն այլ տեսախցիկներինն է, ոչ թե նրանց, որոնցով լուսանկարվել է խմբաքանակը. տրամաչափեք սարքակազմն իր իսկ լուսանկարներով։</translation>
+    </message>
+    <message>
+      <source>Without plate.json the masks cannot be found; put masks beside the photographs, or name a network (--masks MODEL.onnx).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առանց plate.json-ի դիմակները գտնել հնարավոր չէ. լուսանկարների կողքին դրեք դիմակներ կամ նշեք ցանց (--masks MODEL.onnx)։</translation>
+    </message>
+    <message>
+      <source>The result has no scale: without plate.json no length is known, and what is given in mm is a guess of the size of a pixel; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյունքը մասշտաբ չունի. առանց plate.json-ի ոչ մի երկարություն հայտնի չէ, և մմ-ով նշվածը հիմնված է պիքսելի ենթադրյալ չափի վրա. լուսանկարեք նշիչներով սկավառակի վրա, երկու երեսների դեպքում էլ բեկորների կողքին դրեք board.json-ի տախտակը կամ երկուսի վրա էլ scale.json-ում նշեք հայտնի երկարություն։</translation>
+    </message>
+    <message>
+      <source>The output folder holds something that is not from this program; choose another or an empty one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյունքների պանակում կա մի բան, որն այս ծրագրինը չէ. ընտրեք ուրիշը կամ դատարկը։</translation>
+    </message>
+    <message>
+      <source>The output folder holds another batch; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյունքների պանակում այլ խմբաքանակ է. ընտրեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>The output folder holds something else; name a new or empty folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյունքների պանակում այլ բան կա. նշեք նոր կամ դատարկ պանակ։</translation>
+    </message>
+    <message>
+      <source>A pair names a scan that is not there; delete this file and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի զույգ նշում է սկան, որը չկա. ջնջեք այս ֆայլը և նորից սկսեք։</translation>
+    </message>
+    <message>
+      <source>This is no table of pairs; delete it and start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա զույգերի աղյուսակ չէ. ջնջեք այն և նորից սկսեք։</translation>
+    </message>
+    <message>
+      <source>%1 and %2 were paired by hand, but nothing tells how they lie to each other; turn the back by hand in the review: %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը և %2-ը զույգվել են ձեռքով, բայց ոչինչ չի ասում, թե ինչպես են դրանք դրված իրար նկատմամբ. ստուգման մեջ ձեռքով շրջեք հետևի երեսը. %3</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; it is left out, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. լուսանկարը մշուշոտ է. դրա եզրերի լայնությունը %2 պիքսել է, տեսախցիկի ամենահստակինը՝ %3. այն բաց է թողնվում, նորից լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>%1: The photograph is blurred: its edges are %2 pixels wide, those of the camera's sharpest %3; take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. լուսանկարը մշուշոտ է. դրա եզրերի լայնությունը %2 պիքսել է, տեսախցիկի ամենահստակինը՝ %3. նորից լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the front side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %2 նշիչներից %1-ը առջևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
+    </message>
+    <message>
+      <source>%1 of the plate's %2 markers are on no photograph of the back side (%3); the cameras rest on the others, so take off what covers them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %2 նշիչներից %1-ը հետևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 joins pieces that are not there any more; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2-ի %1 որոշումը միացնում է կտորներ, որոնք այլևս չկան. նորից որոշեք։</translation>
+    </message>
+    <message>
+      <source>Decision %1 by %2 cuts a piece that is not there, or beside it; decide again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2-ի %1 որոշումը կտրում է կտոր, որը չկա, կամ կտրում է դրա կողքով. նորից որոշեք։</translation>
+    </message>
+    <message>
+      <source>The program %1 is not installed, and the stereo that was chosen needs it; install it, or use the built-in stereo.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ծրագիրը տեղադրված չէ, իսկ ընտրված ստերեոյին այն պետք է. տեղադրեք այն կամ օգտագործեք ներկառուցված ստերեոն։</translation>
+    </message>
+    <message>
+      <source>The photographs show no plate with markers, so the program %1 must find the cameras, and it is not installed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարներում նշիչներով սկավառակ չկա, ուստի տեսախցիկները պետք է գտնի %1 ծրագիրը, իսկ այն տեղադրված չէ։</translation>
+    </message>
+    <message>
+      <source>This will take about %1 GB of memory, and only %2 GB are free: the computer may stop it or grow very slow.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրա համար պետք է մոտ %1 ԳԲ հիշողություն, իսկ ազատ է միայն %2 ԳԲ. համակարգիչը կարող է կանգնեցնել այն կամ շատ դանդաղել։</translation>
+    </message>
+    <message>
+      <source>Close other programs, or compute a draft.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փակեք այլ ծրագրեր կամ հաշվարկեք սևագիր։</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the front side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+    </message>
+    <message>
+      <source>%1 was pushed by about %2 mm on the back side: from stop %3 on (pos%4) it lies elsewhere; photograph this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 կանգառից սկսած (pos%4) այն այլ տեղում է. նորից լուսանկարեք այս երեսը։</translation>
+    </message>
+    <message>
+      <source>The output folder lies in the batch folder, where nothing is ever written; choose one beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյունքների պանակը խմբաքանակի պանակում է, ուր երբեք ոչինչ չի գրվում. ընտրեք մեկը դրա կողքին։</translation>
+    </message>
+    <message>
+      <source>Photographs cannot be averaged down to less than 0.3 megapixels.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարները հնարավոր չէ փոքրացնել 0,3 մեգապիքսելից պակաս։</translation>
+    </message>
+    <message>
+      <source>There is no such segmentation network; masks are 'auto', 'given' or an ONNX file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այդպիսի հատվածավորման ցանց չկա. դիմակները լինում են 'auto', 'given' կամ ONNX ֆայլ։</translation>
+    </message>
+    <message>
+      <source>The fronts are not in mm: lengths of the result, mm by name, are in the fronts' own unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսները մմ-ով չեն. արդյունքի՝ մմ կոչվող երկարություններն առջևի երեսների սեփական միավորով են։</translation>
+    </message>
+    <message>
+      <source>The pairs of this batch are not computed yet, or were computed by an older program; compute the batch again: what is whole is kept.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի զույգերը դեռ հաշվարկված չեն կամ հաշվարկվել են ավելի հին ծրագրով. նորից հաշվարկեք խմբաքանակը. ամբողջականը պահպանվում է։</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too small; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբը ճիշտ չէ. %1, ուստի բոլոր չափերը կլինեին %2 %-ով չափազանց փոքր. չափեք սկավառակի քանոնը և 'ostraka plate --ruler-measured' հրամանով plate.json-ին տվեք իրական չափը կամ սկավառակը նորից տպեք 100 %-ով. եթե սկավառակը ճիշտ է, չափեք երկարությունը և նորից դրեք դրա նշանները։</translation>
+    </message>
+    <message>
+      <source>The scale is not right: %1, so that all measures would be %2 % too large; measure the ruler on the plate and give plate.json its true size with 'ostraka plate --ruler-measured' or print the plate again at 100 %; if the plate is true, measure the length and set its marks again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբը ճիշտ չէ. %1, ուստի բոլոր չափերը կլինեին %2 %-ով չափազանց մեծ. չափեք սկավառակի քանոնը և 'ostraka plate --ruler-measured' հրամանով plate.json-ին տվեք իրական չափը կամ սկավառակը նորից տպեք 100 %-ով. եթե սկավառակը ճիշտ է, չափեք երկարությունը և նորից դրեք դրա նշանները։</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the front side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջևի երեսին նշված %1 մմ երկարությունը լուսանկարներում %2 ± %3 մմ է (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the front side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>scale.json-ի %1 մմ երկարությունը հնարավոր չեղավ համեմատել. դրա ծայրերից յուրաքանչյուրը նշեք առջևի երեսի՝ տարբեր ուղղություններից արված առնվազն երկու լուսանկարում։</translation>
+    </message>
+    <message>
+      <source>the length of %1 mm marked on the back side measures %2 +- %3 mm in the photographs (%4 %)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետևի երեսին նշված %1 մմ երկարությունը լուսանկարներում %2 ± %3 մմ է (%4 %)</translation>
+    </message>
+    <message>
+      <source>The length of %1 mm in scale.json could not be compared: mark each of its ends on two photographs or more of the back side, taken from different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>scale.json-ի %1 մմ երկարությունը հնարավոր չեղավ համեմատել. դրա ծայրերից յուրաքանչյուրը նշեք հետևի երեսի՝ տարբեր ուղղություններից արված առնվազն երկու լուսանկարում։</translation>
+    </message>
+    <message>
+      <source>The folder cannot be read; name a folder of PLY files.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակը կարդալ հնարավոր չէ. նշեք PLY ֆայլերով պանակ։</translation>
+    </message>
+    <message>
+      <source>There is no PLY file in this folder; each sherd's scan must be one PLY file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում PLY ֆայլ չկա. յուրաքանչյուր բեկորի սկանը պետք է լինի մեկ PLY ֆայլ։</translation>
+    </message>
+    <message>
+      <source>%1: 1 point without finite coordinates was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. առանց վերջավոր կոորդինատների 1 կետ բաց է թողնվել. ստուգեք արտահանումը։</translation>
+    </message>
+    <message>
+      <source>%1: %2 points without finite coordinates were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. առանց վերջավոր կոորդինատների %2 կետ բաց է թողնվել. ստուգեք արտահանումը։</translation>
+    </message>
+    <message>
+      <source>%1: 1 point far from all others, or at 0, 0, 0, was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. բոլոր մյուսներից հեռու կամ 0, 0, 0-ում գտնվող 1 կետ բաց է թողնվել. ստուգեք արտահանումը։</translation>
+    </message>
+    <message>
+      <source>%1: %2 points far from all others, or at 0, 0, 0, were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. բոլոր մյուսներից հեռու կամ 0, 0, 0-ում գտնվող %2 կետ բաց է թողնվել. ստուգեք արտահանումը։</translation>
+    </message>
+    <message>
+      <source>The scan has fewer than 100 points; scan this side again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանն ունի 100-ից քիչ կետ. նորից սկանավորեք այս երեսը։</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with nx, ny and nz.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանը նորմալներ չունի. արտահանեք այն nx, ny և nz-ով։</translation>
+    </message>
+    <message>
+      <source>The scan lies %1 times its length away from 0, 0, 0, so its coordinates are rounded; move it there and export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանը 0, 0, 0-ից հեռու է իր երկարության %1-ապատիկով, ուստի դրա կոորդինատները կլորացված են. տեղափոխեք այնտեղ և նորից արտահանեք։</translation>
+    </message>
+    <message>
+      <source>None of the scans can be used: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկաններից ոչ մեկը պիտանի չէ. %1</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; they look like %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սկանների մեդիանային երկարությունը %1 մմ է. միավորը նման է՝ %2. %3։</translation>
+    </message>
+    <message>
+      <source>These scans are %1 mm long in the median; no sherds are of that size: %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սկանների մեդիանային երկարությունը %1 մմ է. այդ չափի բեկորներ չեն լինում. %2։</translation>
+    </message>
+    <message>
+      <source>The fronts are %1 mm long in the median, the backs %2 mm, so their units differ: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսների մեդիանային երկարությունը %1 մմ է, հետևի երեսներինը՝ %2 մմ, ուրեմն դրանց միավորները տարբեր են. %3։</translation>
+    </message>
+    <message>
+      <source>centimetres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սանտիմետր</translation>
+    </message>
+    <message>
+      <source>metres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մետր</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>միկրոմետր</translation>
+    </message>
+    <message>
+      <source>export them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>արտահանեք դրանք մմ-ով</translation>
+    </message>
+    <message>
+      <source>export them in mm, or use --scale free</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>արտահանեք դրանք մմ-ով կամ օգտագործեք --scale free</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no model: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 բեկորը մոդել չունի. %2</translation>
+    </message>
+    <message>
+      <source>It names %1, which is not in the batch; delete this file, and the cameras are found again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն նշում է %1-ը, որը խմբաքանակում չկա. ջնջեք այս ֆայլը, և տեսախցիկները նորից կգտնվեն։</translation>
+    </message>
+    <message>
+      <source>This photograph has no mask; give one for each that is to be used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարը դիմակ չունի. տվեք մեկը յուրաքանչյուրի համար, որը պետք է օգտագործվի։</translation>
+    </message>
+    <message>
+      <source>This photograph is not used.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարը չի օգտագործվում։</translation>
+    </message>
+    <message>
+      <source>%1 of the front side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի %1 լուսանկար COLMAP-ից դիրք չի ստացել և բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>%1 of the back side's photographs got no pose from COLMAP and are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի %1 լուսանկար COLMAP-ից դիրք չի ստացել և բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը չի օգտագործվել. առանց plate.json-ի դիրքերը տալիս է COLMAP-ը։</translation>
+    </message>
+    <message>
+      <source>%1: No sherd is marked on this photograph; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. այս լուսանկարի վրա ոչ մի բեկոր նշված չէ. այն բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>If sherds are on it, take it again or mend its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Եթե դրա վրա բեկորներ կան, նորից լուսանկարեք կամ ուղղեք դիմակը։</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the front side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորներ նշված են առջևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+    </message>
+    <message>
+      <source>Sherds are marked on %1 photographs of the back side; 3 are needed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորներ նշված են հետևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+    </message>
+    <message>
+      <source>Look at the masks, and at whether sherds were on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նայեք դիմակներին, և թե սկավառակի վրա բեկորներ կայի՞ն։</translation>
+    </message>
+    <message>
+      <source>The folder cannot be made (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակը ստեղծել հնարավոր չէ (%1)։</translation>
+    </message>
+    <message>
+      <source>Fewer than 10 points of the broken edges meet; start from a better pose.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոտրվածքների 10-ից քիչ կետ է հանդիպում. սկսեք ավելի լավ դիրքից։</translation>
+    </message>
+    <message>
+      <source>No start pose was given for the registration.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երեսների միացման համար սկզբնական դիրք չի տրվել։</translation>
+    </message>
+    <message>
+      <source>The scan has no normals; export it with normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանը նորմալներ չունի. արտահանեք այն նորմալներով։</translation>
+    </message>
+    <message>
+      <source>Fewer than 50 points lie on the broken edge; scan the sherd again with its rim.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր եզրով։</translation>
+    </message>
+    <message>
+      <source>%1: The board is not seen; this picture is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. տրամաչափման տախտակը չի երևում. այս պատկերը բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 բառարանը տախտակի համար շատ քիչ նշիչ ունի։</translation>
+    </message>
+    <message>
+      <source>A grid of markers needs 'dictionary', 'markers_x', 'markers_y', 'marker_length' and 'marker_separation'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշիչների ցանցին պետք են 'dictionary', 'markers_x', 'markers_y', 'marker_length' և 'marker_separation'։</translation>
+    </message>
+    <message>
+      <source>The grid's markers have no valid number or size, or no gap between them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցի նշիչները չունեն վավեր քանակ կամ չափ, կամ դրանց միջև բացվածք չկա։</translation>
+    </message>
+    <message>
+      <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տրամաչափելու համար ոչինչ չկա. յուրաքանչյուր կանգառում սկավառակը լուսանկարեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ), տախտակը՝ 'calib'-ի մեջ, և կողքին պատճենեք plate.json և board.json ֆայլերը։</translation>
+    </message>
+    <message>
+      <source>There are no pictures of the board; put them here, or into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տախտակի պատկերներ չկան. դրեք դրանք այստեղ կամ 'calib'-ի մեջ։</translation>
+    </message>
+    <message>
+      <source>It is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն մի կողմ է դրվում։</translation>
+    </message>
+    <message>
+      <source>%1: its size is not that of the first; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. չափը առաջինինը չէ. մի կողմ է դրվում։</translation>
+    </message>
+    <message>
+      <source>The bundle adjustment of the rig did not converge; check that plate.json and board.json describe what was photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմի հաշվարկը լուծման չհասավ. ստուգեք, որ plate.json և board.json ֆայլերը նկարագրում են այն, ինչ լուսանկարվել է։</translation>
+    </message>
+    <message>
+      <source>There is no plate.json, so the plate's markers cannot be used; copy the one here that 'ostraka plate' wrote with the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>plate.json չկա, ուստի սկավառակի նշիչները չեն կարող օգտագործվել. այստեղ պատճենեք այն, որը 'ostraka plate'-ը գրել է սկավառակի հետ։</translation>
+    </message>
+    <message>
+      <source>The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is calibrated from this batch instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հայտնի սարքակազմը չունի %1 տեսախցիկ՝ %2 x %3 պիքսել պատկերներով. փոխարենը այն տրամաչափվում է այս խմբաքանակով։</translation>
+    </message>
+    <message>
+      <source>Its lens is estimated from the plate's markers instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրա օբյեկտիվը փոխարենը գնահատվում է սկավառակի նշիչներով։</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 is not known: there are neither usable pictures of the board nor markers of the plate; add pictures of the board to 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկի օբյեկտիվը հայտնի չէ. չկան ո՛չ տախտակի պիտանի պատկերներ, ո՛չ սկավառակի նշիչներ. 'calib'-ին ավելացրեք տախտակի պատկերներ։</translation>
+    </message>
+    <message>
+      <source>The lens of camera %1 was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' for exact measures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկի օբյեկտիվը գնահատվել է միայն սկավառակի նշիչներով. ճշգրիտ չափերի համար 'calib'-ին ավելացրեք տախտակի 12 պատկեր։</translation>
+    </message>
+    <message>
+      <source>The plate's markers were found in %1 of %2 photographs, too few for a pose of each side; check that plate.json belongs to this plate and that the markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի նշիչները գտնվել են %2 լուսանկարից %1-ում, ինչը շատ քիչ է երկու երեսների դիրքի համար. ստուգեք, որ plate.json-ը այս սկավառակինն է, և որ նշիչները լուսավորված են ու պատկերի մեջ են։</translation>
+    </message>
+    <message>
+      <source>No photograph of camera %1 shows two markers of the plate; all its photographs are left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկի ոչ մի լուսանկար ցույց չի տալիս սկավառակի երկու նշիչ. դրա բոլոր լուսանկարները բաց են թողնվում։</translation>
+    </message>
+    <message>
+      <source>The known rig no longer fits: camera %1 misses the markers by %2 px; the cameras' places are estimated anew for this batch, calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հայտնի սարքակազմն այլևս չի համապատասխանում. %1 տեսախցիկը վրիպում է նշիչներից %2 px. տեսախցիկների տեղերն այս խմբաքանակի համար նորից են գնահատվում, նորից տրամաչափեք սարքակազմը։</translation>
+    </message>
+    <message>
+      <source>%1: none of its %2 markers lies where this camera sees them at this stop.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. դրա %2 նշիչներից ոչ մեկն այնտեղ չէ, որտեղ այս տեսախցիկը դրանք տեսնում է այս կանգառում։</translation>
+    </message>
+    <message>
+      <source>It bears another photograph's name, or was taken while the plate turned; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն կրում է այլ լուսանկարի անուն կամ արվել է սկավառակի պտտվելիս. բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>%1: no marker can be seen in it; does it show this stop? If not, take it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. դրա վրա ոչ մի նշիչ չի երևում. այս կանգառը ցո՞ւյց է տալիս։ Եթե ոչ, նորից լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the front side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
+    </message>
+    <message>
+      <source>Only %1 photographs of the back side have a pose, at least 3 are needed; check that the plate's markers are lit and in the picture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
+    </message>
+    <message>
+      <source>Camera %1 sees fewer than six of the plate's markers at stop %2; check light and focus there and that nothing lies on the markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկը %2 կանգառում տեսնում է սկավառակի վեցից քիչ նշիչ. ստուգեք այնտեղի լույսն ու ֆոկուսը, և որ նշիչների վրա ոչինչ դրված չէ։</translation>
+    </message>
+    <message>
+      <source>Only %1 stops were photographed; take at least four around the whole turn, so that the axis is found.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարվել է միայն %1 կանգառ. լրիվ պտույտի վրա արեք առնվազն չորսը, որ առանցքը գտնվի։</translation>
+    </message>
+    <message>
+      <source>Fewer than eight markers were seen, so no distance could be kept out of the fit: the scale is not checked.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երևացել է ութից քիչ նշիչ, ուստի ստուգման համար ոչ մի հեռավորություն չի պահվել. մասշտաբը ստուգված չէ։</translation>
+    </message>
+    <message>
+      <source>Between the markers %1 and %2 you measured %3 mm, plate.json makes it %4 mm (%5 %); measure the plate's ruler and make plate.json again with 'ostraka plate --ruler-measured'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 և %2 նշիչների միջև դուք չափել եք %3 մմ, ըստ plate.json-ի՝ %4 մմ (%5 %). չափեք սկավառակի քանոնը և նորից ստեղծեք plate.json-ը 'ostraka plate --ruler-measured' հրամանով։</translation>
+    </message>
+    <message>
+      <source>Not usable: Camera %1 misses the plate's markers by %2 px in the median; was it touched between the photographs, or is plate.json of another plate?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիտանի չէ. %1 տեսախցիկը սկավառակի նշիչներից վրիպում է %2 px (մեդիան). լուսանկարների միջև դրան դիպե՞լ են, թե՞ plate.json-ն այլ սկավառակի է։</translation>
+    </message>
+    <message>
+      <source>Not usable: the scale is not right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիտանի չէ. մասշտաբը ճիշտ չէ։</translation>
+    </message>
+    <message>
+      <source>Good: lenses, places and scale are determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լավ է. օբյեկտիվները, տեղերն ու մասշտաբը որոշված են։</translation>
+    </message>
+    <message>
+      <source>Usable for a try only: the lens of camera %1 comes from the plate's markers alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիտանի է միայն փորձի համար. %1 տեսախցիկի օբյեկտիվը որոշված է միայն սկավառակի նշիչներով։</translation>
+    </message>
+    <message>
+      <source>Usable, but a focal length is known to no better than a thousandth.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիտանի է, բայց մի ֆոկուսային հեռավորություն հայտնի է ոչ ավելի ճշգրիտ, քան հազարերորդ մասով։</translation>
+    </message>
+    <message>
+      <source>Usable; what is named below would make it better.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիտանի է. ստորև նշվածը կլավացներ այն։</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %)։</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), տախտակի %4 պատկեր՝ %5 px, վատագույնը՝ %6, %7 px, թեքությունը՝ մինչև %8 աստիճան։</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), the plate's markers to %4 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), սկավառակի նշիչները՝ %4 px (մեդիան)։</translation>
+    </message>
+    <message>
+      <source>Camera %1: focal length %2 px (%3 %), %4 pictures of the board with %5 px, worst %6 with %7 px, tilted up to %8 degrees, the plate's markers to %9 px in the median.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորություն՝ %2 px (%3 %), տախտակի %4 պատկեր՝ %5 px, վատագույնը՝ %6, %7 px, թեքությունը՝ մինչև %8 աստիճան, սկավառակի նշիչները՝ %9 px (մեդիան)։</translation>
+    </message>
+    <message>
+      <source>Camera %1: take 12 pictures of the board, near and far, into all corners of the picture, tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. արեք տախտակի 12 պատկեր՝ մոտիկից ու հեռվից, պատկերի բոլոր անկյուններում, տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. տախտակը ցույց է տալիս միայն 1 պատկեր. արեք առնվազն 8, ավելի լավ է՝ 12։</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board; take at least 8, better 12.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս միայն %2 պատկեր. արեք առնվազն 8, ավելի լավ է՝ 12։</translation>
+    </message>
+    <message>
+      <source>Camera %1: the board hardly reaches the %2 of the picture; add pictures with the board there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. տախտակը գրեթե չի հասնում պատկերի այս մասերին՝ %2. ավելացրեք պատկերներ, որտեղ տախտակն այնտեղ է։</translation>
+    </message>
+    <message>
+      <source>upper left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վերևից ձախ</translation>
+    </message>
+    <message>
+      <source>upper middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վերևից մեջտեղ</translation>
+    </message>
+    <message>
+      <source>upper right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վերևից աջ</translation>
+    </message>
+    <message>
+      <source>left middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մեջտեղից ձախ</translation>
+    </message>
+    <message>
+      <source>middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մեջտեղ</translation>
+    </message>
+    <message>
+      <source>right middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մեջտեղից աջ</translation>
+    </message>
+    <message>
+      <source>lower left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ներքևից ձախ</translation>
+    </message>
+    <message>
+      <source>lower middle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ներքևից մեջտեղ</translation>
+    </message>
+    <message>
+      <source>lower right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ներքևից աջ</translation>
+    </message>
+    <message>
+      <source>Camera %1: no picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 20 աստիճանից ավելի թեքված չէ. արեք առնվազն չորսը՝ տարբեր կողմեր թեքված։</translation>
+    </message>
+    <message>
+      <source>Camera %1: only 1 picture shows the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. միայն 1 պատկերում է տախտակը 20 աստիճանից ավելի թեքված. արեք առնվազն չորսը՝ տարբեր կողմեր թեքված։</translation>
+    </message>
+    <message>
+      <source>Camera %1: only %2 pictures show the board tilted by more than 20 degrees; take at least four, tilted to different sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. միայն %2 պատկերում է տախտակը 20 աստիճանից ավելի թեքված. արեք առնվազն չորսը՝ տարբեր կողմեր թեքված։</translation>
+    </message>
+    <message>
+      <source>Reprojection error %1 px over the plate's markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերապրոյեկտման սխալը սկավառակի նշիչների վրա՝ %1 px։</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ. ստուգման համար պահված %1 և %2 նշիչների հեռավորությունը %3 մմ է՝ %4-ի փոխարեն (%5 մմ, %6 %)։</translation>
+    </message>
+    <message>
+      <source>Scale: markers %1 and %2, %3 mm by hand between the middles of their outer edges, lie %4 mm apart in the photographs (%5 %).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ. %1 և %2 նշիչների արտաքին կողմերի միջնակետերի միջև ձեռքով չափված է %3 մմ, լուսանկարներում՝ %4 մմ (%5 %)։</translation>
+    </message>
+    <message>
+      <source>Set aside: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի կողմ է դրված՝ %1</translation>
+    </message>
+    <message>
+      <source>The lens is known, the cameras' places are not: no rig can be saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օբյեկտիվը հայտնի է, տեսախցիկների տեղերը՝ ոչ. սարքակազմ պահել հնարավոր չէ։</translation>
+    </message>
+    <message>
+      <source>Not usable: the focal length is not determined.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիտանի չէ. ֆոկուսային հեռավորությունը որոշված չէ։</translation>
+    </message>
+    <message>
+      <source>Photograph the plate with its markers too: put one picture per camera and stop into 'front' (cam0_pos00.jpg and so on) beside plate.json, the board's pictures into 'calib'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարեք նաև սկավառակը՝ իր նշիչներով. յուրաքանչյուր տեսախցիկի և կանգառի համար մեկ պատկեր դրեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ) plate.json-ի կողքին, տախտակի պատկերները՝ 'calib'-ի մեջ։</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the known length is not seen twice; name two markers of the plate that the photographs show.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հայտնի երկարության %1 նշիչը երկու անգամ չի երևում. նշեք սկավառակի երկու նշիչ, որոնք լուսանկարներում կան։</translation>
+    </message>
+    <message>
+      <source>A known length needs two different markers and millimetres above zero.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հայտնի երկարությանը պետք են երկու տարբեր նշիչ և զրոյից մեծ միլիմետրեր։</translation>
+    </message>
+    <message>
+      <source>There is no such folder; name one with photographs of the plate or of the board.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այդպիսի պանակ չկա. նշեք սկավառակի կամ տախտակի լուսանկարներով պանակ։</translation>
+    </message>
+    <message>
+      <source>More than five distortion terms for '%1' are not understood; undistort its photographs first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1'-ի աղավաղման հինգից ավելի անդամները չեն ընկալվում. նախ ուղղեք դրա լուսանկարների աղավաղումը։</translation>
+    </message>
+    <message>
+      <source>The camera of '%1' has no valid K, R, t or size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1'-ի տեսախցիկը չունի վավեր K, R, t կամ չափ։</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի պատկերի պակասում է file, width, height, K, R կամ t։</translation>
+    </message>
+    <message>
+      <source>An image lacks file, width, height, K, R or t (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի պատկերի պակասում է file, width, height, K, R կամ t (%1)։</translation>
+    </message>
+    <message>
+      <source>The camera file holds no list 'images'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկների ֆայլում 'images' ցուցակ չկա։</translation>
+    </message>
+    <message>
+      <source>COLMAP's camera %1 has the model '%2' or values that cannot be used here; use OPENCV instead.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP-ի %1 տեսախցիկն ունի '%2' մոդելը կամ արժեքներ, որոնք այստեղ պիտանի չեն. փոխարենը օգտագործեք OPENCV։</translation>
+    </message>
+    <message>
+      <source>COLMAP's model has no camera for the image '%1'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP-ի մոդելը '%1' պատկերի համար տեսախցիկ չունի։</translation>
+    </message>
+    <message>
+      <source>The file is damaged or not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը վնասված է կամ այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
+    </message>
+    <message>
+      <source>Line %1 is not as COLMAP writes it; run COLMAP again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տողն այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
+    </message>
+    <message>
+      <source>COLMAP's workspace cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP-ի աշխատանքային պանակում գրել հնարավոր չէ (%1)։</translation>
+    </message>
+    <message>
+      <source>This photograph is posed without its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարի դիրքը որոշվում է առանց իր դիմակի։</translation>
+    </message>
+    <message>
+      <source>The mask cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակը գրել հնարավոր չէ։</translation>
+    </message>
+    <message>
+      <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առանց plate.json-ի դիրքերը տալիս է COLMAP-ը, որը տեղադրված չէ. տեղադրեք 'colmap' փաթեթը կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
+    </message>
+    <message>
+      <source>COLMAP found poses for %1 of %2 photographs, too few; give masks or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP-ը գտել է %2 լուսանկարից %1-ի դիրքը, ինչը շատ քիչ է. տվեք դիմակներ կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
+    </message>
+    <message>
+      <source>The scale is not right: markers %1 and %2, kept out of the fit, lie %3 mm apart instead of %4 (%5 mm, %6 %); check that plate.json belongs to this plate, that it is printed and glued true, and that a known rig was calibrated with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբը ճիշտ չէ. ստուգման համար պահված %1 և %2 նշիչների հեռավորությունը %3 մմ է՝ %4-ի փոխարեն (%5 մմ, %6 %). ստուգեք, որ plate.json-ն այս սկավառակինն է, որ այն ճիշտ է տպված ու սոսնձված, և որ հայտնի սարքակազմը տրամաչափվել է դրանով։</translation>
+    </message>
+    <message>
+      <source>Against camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig was calibrated.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկի համեմատ %2 տեսախցիկը սարքակազմի տրամաչափումից հետո տեղաշարժվել է %3 մմ և պտտվել %4 աստիճանով։</translation>
+    </message>
+    <message>
+      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
+    </message>
+    <message>
+      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
+    </message>
+    <message>
+      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
+    </message>
+    <message>
+      <source>Camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
+    </message>
+    <message>
+      <source>Camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
+    </message>
+    <message>
+      <source>Camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
+    </message>
+    <message>
+      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, nearer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
+    </message>
+    <message>
+      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more, so that focal length and distance can be told apart.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
+    </message>
+    <message>
+      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, light and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
+    </message>
+    <message>
+      <source>camera %1: The worst picture is %2 with %3 px; take it again or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
+    </message>
+    <message>
+      <source>camera %1: Only %2 calibration pictures show the board, at least 3 are needed; take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
+    </message>
+    <message>
+      <source>camera %1: No camera explains the calibration pictures.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
+    </message>
+    <message>
+      <source>%1: the board is not seen in it; it is set aside.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. դրա վրա տախտակը չի երևում. մի կողմ է դրվում։</translation>
+    </message>
+    <message>
+      <source>The marker dictionary '%1' is not known; use one as DICT_4X4_100.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշիչների '%1' բառարանը հայտնի չէ. օգտագործեք DICT_4X4_100-ի նմանը։</translation>
+    </message>
+    <message>
+      <source>The markers' side must lie between 5 and 200 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշիչների կողմը պետք է լինի 5-ից 200 մմ։</translation>
+    </message>
+    <message>
+      <source>The plate's diameter must lie between 1 and 2000 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի տրամագիծը պետք է լինի 1-ից 2000 մմ։</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 մմ սկավառակի վրա տեղավորվում է %1 մմ վեցից քիչ նշիչ. դրա վրա տեղավորվում են %3 մմ նշիչներ։</translation>
+    </message>
+    <message>
+      <source>Fewer than six markers of %1 mm fit on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 մմ սկավառակի վրա տեղավորվում է %1 մմ վեցից քիչ նշիչ. մեծացրեք սկավառակը։</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; markers of %3 mm fit on it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 մմ նշիչները %2 մմ սկավառակի վրա բեկորի համար տեղ չեն թողնում. դրա վրա տեղավորվում են %3 մմ նշիչներ։</translation>
+    </message>
+    <message>
+      <source>Markers of %1 mm leave no room for a sherd on a plate of %2 mm; make the plate larger.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 մմ նշիչները %2 մմ սկավառակի վրա բեկորի համար տեղ չեն թողնում. մեծացրեք սկավառակը։</translation>
+    </message>
+    <message>
+      <source>The printer's margin must lie between 0 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպիչի լուսանցքը պետք է լինի 0-ից 40 մմ։</translation>
+    </message>
+    <message>
+      <source>The sheets' overlap must lie between 5 and 40 mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թերթերի վերածածկը պետք է լինի 5-ից 40 մմ։</translation>
+    </message>
+    <message>
+      <source>The dictionary %1 has too few markers for this plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 բառարանն այս սկավառակի համար շատ քիչ նշիչ ունի։</translation>
+    </message>
+    <message>
+      <source>What the ruler measures must be a length in mm within the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Քանոնի չափը պետք է լինի սկավառակի մեջ տեղավորվող երկարություն՝ մմ-ով։</translation>
+    </message>
+    <message>
+      <source>The ruler of this plate is %1 mm long as drawn, %2 mm differs by more than a tenth; print the file at 100 %, without 'fit to page', and measure again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սկավառակի քանոնը գծված է %1 մմ երկարությամբ, %2 մմ-ը տարբերվում է ավելի քան մեկ տասներորդով. տպեք ֆայլը 100 %-ով, առանց 'հարմարեցնել էջին', և նորից չափեք։</translation>
+    </message>
+    <message>
+      <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկի կովարիացիայի չափն այլ է. նորից տրամաչափեք սարքակազմը։</translation>
+    </message>
+    <message>
+      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկը չունի վավեր չափ, K կամ dist. նորից տրամաչափեք սարքակազմը։</translation>
+    </message>
+    <message>
+      <source>This rig was written by another version; calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սարքակազմը գրել է այլ տարբերակ. նորից տրամաչափեք սարքակազմը։</translation>
+    </message>
+    <message>
+      <source>Camera %1 stands twice in the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկը սարքակազմում երկու անգամ է։</translation>
+    </message>
+    <message>
+      <source>This is no rig file (RIG.json); calibrate the rig again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա սարքակազմի ֆայլ (RIG.json) չէ. նորից տրամաչափեք սարքակազմը։</translation>
+    </message>
+    <message>
+      <source>The rig has no camera; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմը տեսախցիկ չունի. նորից տրամաչափեք այն։</translation>
+    </message>
+    <message>
+      <source>This file is there already and is no rig; name another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլն արդեն կա և սարքակազմ չէ. նշեք ուրիշը։</translation>
+    </message>
+    <message>
+      <source>The log cannot be written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մատյանը գրել հնարավոր չէ։</translation>
+    </message>
+    <message>
+      <source>No process can be started.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի գործընթաց հնարավոր չէ սկսել։</translation>
+    </message>
+    <message>
+      <source>The program was lost.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ծրագիրը կորավ։</translation>
+    </message>
+    <message>
+      <source>The program cannot be started; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ծրագիրը չի գործարկվում. տեղադրեք այն։</translation>
+    </message>
+    <message>
+      <source>%1 ended with an error; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն ավարտվեց սխալով. դրա հաղորդագրություններն այս ֆայլում են։</translation>
+    </message>
+    <message>
+      <source>A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 մմ փշուրը x %2, y %3 մմ տեղում մի կողմ է թողնվել. եթե բեկոր է, լուսանկարեք այն առանձին։</translation>
+    </message>
+    <message>
+      <source>Something flat at x %1, y %2 mm was left aside; it may be a marker or dirt on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ինչ-որ հարթ բան x %1, y %2 մմ տեղում մի կողմ է թողնվել. կարող է լինել նշիչ կամ կեղտ սկավառակի վրա։</translation>
+    </message>
+    <message>
+      <source>Two sherds touch at x %1, y %2 mm and were cut apart there; leave a finger's width between sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու բեկոր դիպչում են իրար x %1, y %2 մմ տեղում և այնտեղ բաժանվել են. բեկորների միջև թողեք մեկ մատ հեռավորություն։</translation>
+    </message>
+    <message>
+      <source>The cloud of the plate has no normals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի կետերի ամպը նորմալներ չունի։</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the front side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսին ոչ մի բեկոր չգտնվեց. ստուգեք դրա դիմակներն ու լուսանկարները։</translation>
+    </message>
+    <message>
+      <source>No sherd was found on the back side; check its masks and photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսին ոչ մի բեկոր չգտնվեց. ստուգեք դրա դիմակներն ու լուսանկարները։</translation>
+    </message>
+    <message>
+      <source>The working folder cannot be written (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աշխատանքային պանակում գրել հնարավոր չէ (%1)։</translation>
+    </message>
+    <message>
+      <source>This colmap was built without CUDA, which its dense stereo needs; install one with CUDA, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս colmap-ը կառուցված է առանց CUDA-ի, որը պետք է դրա խիտ ստերեոյին. տեղադրեք CUDA-ով տարբերակը կամ օգտագործեք --dense builtin, որին ոչինչ պետք չէ։</translation>
+    </message>
+    <message>
+      <source>The masks of the views have no common object; check masks, cameras and bounds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսքերի դիմակներն ընդհանուր առարկա չունեն. ստուգեք դիմակները, տեսախցիկներն ու սահմանները։</translation>
+    </message>
+    <message>
+      <source>InterfaceCOLMAP left no scene; its words are in this file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>InterfaceCOLMAP-ը տեսարան չթողեց. դրա հաղորդագրություններն այս ֆայլում են։</translation>
+    </message>
+    <message>
+      <source>Depth needs at least 3 photographs with known cameras.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խորության համար պետք է հայտնի տեսախցիկներով առնվազն 3 լուսանկար։</translation>
+    </message>
+    <message>
+      <source>The photograph or its mask has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարի կամ դրա դիմակի չափը տեսախցիկի նշածը չէ. տվեք այն լուսանկարը, որով տրամաչափվել է տեսախցիկը։</translation>
+    </message>
+    <message>
+      <source>The photograph has another size than its camera says; give the photograph that the camera was calibrated with.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարի չափը տեսախցիկի նշածը չէ. տվեք այն լուսանկարը, որով տրամաչափվել է տեսախցիկը։</translation>
+    </message>
+    <message>
+      <source>The mask has another size than its photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակի չափն իր լուսանկարինը չէ։</translation>
+    </message>
+    <message>
+      <source>%1 found no points of the object; its words are in this file, and --dense builtin needs no other program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը առարկայի կետեր չգտավ. դրա հաղորդագրություններն այս ֆայլում են, իսկ --dense builtin-ին այլ ծրագիր պետք չէ։</translation>
+    </message>
+    <message>
+      <source>%1 wrote points without normals; install a newer version, or use --dense builtin.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը գրել է կետեր առանց նորմալների. տեղադրեք ավելի նոր տարբերակ կամ օգտագործեք --dense builtin։</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on the PATH, but --dense %2 needs it; install it, or use --dense builtin, which needs nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ծրագիրը PATH-ում չկա, բայց --dense %2-ին այն պետք է. տեղադրեք այն կամ օգտագործեք --dense builtin, որին ոչինչ պետք չէ։</translation>
+    </message>
+    <message>
+      <source>No surface point was found that two views agree on; check cameras and masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մակերևույթի ոչ մի կետ չգտնվեց, որի շուրջ երկու տեսք համընկնեն. ստուգեք տեսախցիկներն ու դիմակները։</translation>
+    </message>
+    <message>
+      <source>The picture could not be encoded.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատկերը կոդավորել չհաջողվեց։</translation>
+    </message>
+    <message>
+      <source>The %1 sherds do not fit on the plate; ask for fewer, or for another seed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 բեկորները սկավառակի վրա չեն տեղավորվում. պահանջեք ավելի քիչ կամ այլ սկզբնական թիվ։</translation>
+    </message>
+    <message>
+      <source>sherds must lie between 1 and 40.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորների թիվը պետք է լինի 1-ից 40։</translation>
+    </message>
+    <message>
+      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լայնությունը պետք է լինի 160-ից 8192 պիքսել և բաժանվի 4-ի։</translation>
+    </message>
+    <message>
+      <source>lookalikes are groups of two: at most half the number of sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Իրար նման բեկորները զույգեր են՝ առավելագույնը բեկորների թվի կեսը։</translation>
+    </message>
+    <message>
+      <source>The rig needs a camera and at least four stops; calibrate it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմին պետք են տեսախցիկ և առնվազն չորս կանգառ. նորից տրամաչափեք այն։</translation>
+    </message>
+    <message>
+      <source>The folder holds files already; name a new or empty one for the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակում արդեն ֆայլեր կան. խմբաքանակի համար նշեք նորը կամ դատարկը։</translation>
+    </message>
+    <message>
+      <source>The virtual camera has no setting %1 of %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիրտուալ տեսախցիկը չունի %1 կարգավորում՝ %2 արժեքով։</translation>
+    </message>
+    <message>
+      <source>The camera has taken no photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկը ոչ մի լուսանկար չի արել։</translation>
+    </message>
   </context>
 </TS>

@@ -38,13 +38,6 @@ int Series::kept() const {
   return count;
 }
 
-Error Series::withSafety(Error error) const {
-  if (error.code == ErrorCode::Cancelled) return error;
-  error.what += " The " + std::to_string(kept()) +
-                " photographs of this side so far are safe; start again to go on.";
-  return error;
-}
-
 Result<SideSummary> Series::run() {
   if (Result<void> r = prepare(); !r) return r.error();
   const double started_s = devices_.clock->now_s();
@@ -66,8 +59,8 @@ Result<SideSummary> Series::run() {
   if (!result && !shots_.empty() && keepAndCheck()) (void)takeVerdicts();  // what was delivered
   const double overhead_s = devices_.clock->now_s() - started_s - busy_s_;
   const Result<void> saved = store_->save();
-  if (!result) return withSafety(result.error());
-  if (!saved) return withSafety(saved.error());
+  if (!result) return result.error();
+  if (!saved) return saved.error();
   Result<SideSummary> done = summary();
   if (done) done->overhead_s = std::max(0.0, overhead_s);
   return done;

@@ -91,7 +91,6 @@ class Series {
   Result<SideSummary> summary();
   double angleOf(int stop) const { return 360.0 * stop / options_.stops; }
   double targetOf(int stop) const;
-  Error withSafety(Error error) const;
   void tell(CaptureEvent event);
   int kept() const;
 

@@ -179,8 +179,8 @@ Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector
       std::int64_t count = 0;
       if (used.next()) used >> count;
       if (count > 0)
-        refuse("The term '" + term + "' is used by " + std::to_string(count) +
-                   " sherds; change those first.",
+        refuse("Sherds with the term '" + term + "': " + std::to_string(count) +
+                   "; change those first.",
                name);
     }
     database_->sql("DELETE FROM vocabulary WHERE name = ?").with(name).run();

@@ -15,7 +15,8 @@ std::string needed(const std::string& text, const char* what) {
   const Result<std::string> checked = checkedText(text);
   if (!checked) throw Refused(checked.error());
   if (checked->empty()) refuse(std::string("The ") + what + " must not be empty.");
-  if (checked->size() > 200) refuse(std::string("The ") + what + " is too long.", *checked);
+  if (checked->size() > 200)
+    refuse(std::string("The ") + what + " must have at most 200 letters.", *checked);
   return *checked;
 }
 

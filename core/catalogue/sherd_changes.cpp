@@ -200,8 +200,8 @@ class Examination {
       context =
           orRefuse(catalogue_.contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
       if (!context)
-        refuse("There is no context " + wanted["context"] + " in " + wanted["site"] + " " +
-               wanted["trench"] + "; add it first.");
+        refuse("There is no context " + wanted["context"] + " in " + wanted["site"] +
+               (wanted["trench"].empty() ? "" : " " + wanted["trench"]) + "; add it first.");
     } else if (sherd.state == SherdState::Numbered && !losesNumber(changes)) {
       refuse("A numbered sherd needs its context.");
     }

@@ -94,7 +94,8 @@ Result<std::map<std::string, std::string>> readManifest(const fs::path& path) {
     const std::size_t blank = line.find_first_of(" \t");
     const std::size_t name = line.find_first_not_of(" \t*", blank);
     if (blank != 64 || name == std::string::npos)
-      return Error::unusable("The manifest has a line that is none: " + line.substr(0, 80), path);
+      return Error::unusable("The manifest has a line that cannot be read: " + line.substr(0, 80),
+                             path);
     std::string file = line.substr(name);
     if (!catalogue::checkedPath(file))
       return Error::unusable("The manifest names a file outside the folder: " + file, path);

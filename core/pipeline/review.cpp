@@ -222,8 +222,8 @@ Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
   std::error_code failed;
   if (!std::filesystem::exists(file, failed))
     return Error{ErrorCode::Missing,
-                 "The pairs of this batch are not computed yet, or by an older program; compute "
-                 "the batch (again), what is whole is not done twice.",
+                 "The pairs of this batch are not computed yet, or were computed by an older "
+                 "program; compute the batch again: what is whole is kept.",
                  output.string()};
   return readCandidates(file);
 }

@@ -18,8 +18,8 @@ const std::vector<std::string> kOrder = {
     "scan",     "pairing", "registration", "model",     "drawing", "pipeline",
     "evaluate", "capture", "virtualrig",   "catalogue", "exchange"};
 // The window's folders likewise; all of them may use core.
-const std::vector<std::string> kUiOrder = {"jobs",   "frame",    "viewport", "capture",
-                                           "masks", "queue",  "review",   "map",      "catalogue",
+const std::vector<std::string> kUiOrder = {"words",  "jobs",     "frame",  "viewport", "capture",
+                                           "masks",  "queue",    "review", "map",      "catalogue",
                                            "export", "settings", "main"};
 constexpr int kMostLines = 500, kMostHeaderLines = 150;
 

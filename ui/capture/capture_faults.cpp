@@ -3,7 +3,7 @@
 
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 

@@ -26,7 +26,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include "catalogue/project.h"
 #include "ui/capture/doubt_words.h"
 #include "ui/frame/project_session.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -300,14 +300,13 @@ void CaptureWizard::hear(const capture::CaptureEvent& event) {
                    QString::fromStdString(event.file.string()),
                    doubtsOf(event.check),
                    event.kind == Kind::ShotRefused};
-    if (shot.refused && !event.trouble.empty())
-      shot.problems << QString::fromStdString(event.trouble);
+    if (shot.refused && !event.trouble.empty()) shot.problems << wordsOf(event.trouble);
     std::erase_if(shots_, [&](const TakenShot& old) {
       return old.stop == shot.stop && old.camera == shot.camera;
     });
     shots_.push_back(std::move(shot));
   }
-  if (event.kind == Kind::Trouble) emit said(QString::fromStdString(event.trouble));
+  if (event.kind == Kind::Trouble) emit said(wordsOf(event.trouble));
   if (event.kind == Kind::PressShutter)
     emit said(tr("Press the shutter of camera %1.")
                   .arg(QString::fromStdString(batch::cameraLetter(event.camera))));

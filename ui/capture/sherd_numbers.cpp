@@ -5,6 +5,7 @@
 #include "catalogue/names.h"
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -59,7 +60,7 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
         .arg(plain)
         .arg(kLongestNumber);
   const auto number = catalogue::wholeNumber(rows, row_, typed.toStdString());
-  if (!number) return QString::fromStdString(number.error().sentence());
+  if (!number) return sentenceOf(number.error());
   std::vector<catalogue::TypedNumber> all;
   const std::vector<int> place = catalogue::placesOf(typed_, places_mm_);
   for (std::size_t i = 0; i < typed_.size(); ++i) {
@@ -78,7 +79,7 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
       if (const auto holder = rows.sherd(*other); holder && !holder->batch_number.empty())
         return tr("A sherd of %1 has the number %2 already; type another.")
             .arg(QString::fromStdString(holder->batch_number), QString::fromStdString(*number));
-    return QString::fromStdString(kept.error().what);
+    return wordsOf(kept.error().what);
   }
   typed_ = std::move(all);
   assign();

@@ -15,6 +15,7 @@
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -160,7 +161,7 @@ void BulkEdit::preview() {
     if (preview)
       showPreview(preview->shown, preview->records);
     else
-      summary_->setText(QString::fromStdString(preview.error().sentence()));
+      summary_->setText(sentenceOf(preview.error()));
   });
 }
 
@@ -179,9 +180,9 @@ void BulkEdit::showPreview(const std::vector<catalogue::ChangePreview>& shown,
     const QString number = QString::fromStdString(records[i].number);
     table_->setItem(row, 0, new QTableWidgetItem(number.isEmpty() ? tr("no number yet") : number));
     table_->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(change.old_value)));
-    auto* then = new QTableWidgetItem(
-        change.refusal.empty() ? QString::fromStdString(change.new_value)
-                               : tr("refused: %1").arg(QString::fromStdString(change.refusal)));
+    auto* then = new QTableWidgetItem(change.refusal.empty()
+                                          ? QString::fromStdString(change.new_value)
+                                          : tr("refused: %1").arg(wordsOf(change.refusal)));
     then->setToolTip(then->text());
     if (!change.refusal.empty()) then->setIcon(icon("error"));
     table_->setItem(row, 2, then);

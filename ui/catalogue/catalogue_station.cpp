@@ -30,6 +30,7 @@
 #include "ui/frame/look.h"
 #include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 
@@ -278,7 +279,7 @@ void CatalogueStation::tellOfImports() {
 
 void CatalogueStation::forgetImports() {
   const auto done = exchange::forgetUnfinishedImports(session_->project().catalogue());
-  complain(done ? QString() : QString::fromStdString(done.error().sentence()));
+  complain(done ? QString() : sentenceOf(done.error()));
 }
 
 void CatalogueStation::closeProject() {

@@ -24,6 +24,7 @@
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -231,9 +232,8 @@ void DrawingPage::draw() {
     drawing_.clear();
     const auto drawn = outcomeAs<std::shared_ptr<const Drawn>>(outcome);
     if (drawn) return arrived(*drawn);
-    problem_ = drawn.error().code == ErrorCode::Cancelled
-                   ? tr("Stopped; nothing was drawn.")
-                   : QString::fromStdString(drawn.error().sentence());
+    problem_ = drawn.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was drawn.")
+                                                          : sentenceOf(drawn.error());
     refresh();
   });
   bar_->setValue(0);
@@ -283,14 +283,13 @@ QString DrawingPage::words() const {
   if (sherds_.size() == 1) {
     for (const drawing::SherdDrawing& one : sherds.drawings)
       for (const auto* sentences : {&one.remarks, &one.hints})
-        for (const std::string& sentence : *sentences) lines << QString::fromStdString(sentence);
-    for (const exchange::SherdLeftOut& out : sherds.left_out)
-      lines << QString::fromStdString(out.why);
+        for (const std::string& sentence : *sentences) lines << wordsOf(sentence);
+    for (const exchange::SherdLeftOut& out : sherds.left_out) lines << wordsOf(out.why);
     return lines.join('\n');
   }
   lines << tr("%1 drawn, %2 left out.").arg(sherds.drawings.size()).arg(sherds.left_out.size());
   for (std::size_t i = 0; i < std::min(kNamed, sherds.left_out.size()); ++i)
-    lines << QString::fromStdString(sherds.left_out[i].why);
+    lines << wordsOf(sherds.left_out[i].why);
   return lines.join('\n');
 }
 
@@ -370,7 +369,7 @@ void DrawingPage::write(const QString& title,
     writing_.clear();
     refresh();
     if (outcome) return emit said(done);
-    words_->setText(QString::fromStdString(outcome.error().sentence()));
+    words_->setText(sentenceOf(outcome.error()));
     words_->show();
   });
   refresh();

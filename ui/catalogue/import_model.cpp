@@ -11,6 +11,7 @@
 #include "exchange/csv.h"
 #include "exchange/read_back.h"
 #include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -100,7 +101,7 @@ std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
                                      const exchange::CsvTable* table) {
   std::map<int, QString> refusals;
   for (const exchange::Refusal& refusal : report.refusals) {
-    QString why = text(refusal.reason);
+    QString why = wordsOf(refusal.reason);
     if (!refusal.column.empty())
       why = ImportModel::tr("%1 '%2': %3").arg(text(refusal.column), text(refusal.value), why);
     refusals[refusal.line] = why;
@@ -175,7 +176,7 @@ void ImportModel::look() {
     job_.clear();
     if (look) return took(**look);
     state_ = State::Choosing;
-    if (look.error().code != ErrorCode::Cancelled) problem_ = text(look.error().sentence());
+    if (look.error().code != ErrorCode::Cancelled) problem_ = sentenceOf(look.error());
     emit changed();
   });
   emit changed();
@@ -201,7 +202,7 @@ QString ImportModel::summary() const {
 QStringList ImportModel::warnings() const {
   QStringList all;
   if (report_)
-    for (const std::string& warning : report_->warnings) all << text(warning);
+    for (const std::string& warning : report_->warnings) all << wordsOf(warning);
   return all;
 }
 
@@ -237,7 +238,7 @@ void ImportModel::enter() {
     if (!report) {
       state_ = State::Ready;
       problem_ = report.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was entered.")
-                                                             : text(report.error().sentence());
+                                                             : sentenceOf(report.error());
       return emit changed();
     }
     state_ = State::Done;
@@ -260,7 +261,7 @@ QString ImportModel::saveRefusals(const QString& file) const {
   if (!report_) return {};
   const Result<void> written =
       writeFileAtomically(file.toStdString(), exchange::refusalsCsv(*report_));
-  return written ? QString() : text(written.error().sentence());
+  return written ? QString() : sentenceOf(written.error());
 }
 
 }  // namespace ostraka::ui

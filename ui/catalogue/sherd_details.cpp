@@ -14,6 +14,7 @@
 #include "catalogue/values.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -224,7 +225,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     give_number_->setEnabled(proposed.has_value());
     give_number_->setText(
         proposed ? tr("Give the number %1").arg(QString::fromStdString(proposed->front()))
-                 : QString::fromStdString(proposed.error().what));
+                 : wordsOf(proposed.error().what));
   }
   for (const catalogue::SherdField& field : catalogue::sherdFields())
     if (field.editable) setText(field.name, QString::fromStdString(textOf(*sherd, field.name)));

@@ -7,7 +7,7 @@
 #include "catalogue/many_changes.h"
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {

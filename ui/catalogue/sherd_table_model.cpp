@@ -6,6 +6,7 @@
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 #include "ui/jobs/job.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -50,7 +51,7 @@ void SherdTableModel::setCatalogue(const catalogue::Catalogue* catalogue,
 
 QString SherdTableModel::setFilter(const QString& line) {
   const Result<catalogue::Filter> filter = catalogue::parseFilter(line.toStdString());
-  if (!filter) return QString::fromStdString(filter.error().sentence());
+  if (!filter) return sentenceOf(filter.error());
   filter_ = *filter;
   reload();
   return {};
@@ -61,7 +62,7 @@ void SherdTableModel::reload() {
   if (catalogue_) {
     Result<std::vector<catalogue::SherdRow>> found = catalogue_->sherdRows(filter_, order_);
     if (!found) {
-      emit failed(QString::fromStdString(found.error().sentence()));
+      emit failed(sentenceOf(found.error()));
       return;
     }
     rows = std::move(*found);

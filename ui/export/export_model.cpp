@@ -8,6 +8,7 @@
 #include "catalogue/filter.h"
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -129,7 +130,7 @@ void ExportModel::measureSize() {
       if (size)
         size_ = *size;
       else if (size.error().code != ErrorCode::Cancelled)
-        problem_ = QString::fromStdString(size.error().sentence());
+        problem_ = sentenceOf(size.error());
       emit changed();
     });
   }
@@ -180,7 +181,7 @@ QString ExportModel::closingLine() const {
 QStringList ExportModel::warnings() const {
   QStringList list;
   if (done_)
-    for (const std::string& warning : done_->warnings) list << QString::fromStdString(warning);
+    for (const std::string& warning : done_->warnings) list << wordsOf(warning);
   return list;
 }
 
@@ -217,9 +218,8 @@ void ExportModel::ended(const Result<exchange::Exported>& done) {
     done_ = *done;
   } else {
     state_ = State::Failed;
-    problem_ = done.error().code == ErrorCode::Cancelled
-                   ? tr("Stopped; nothing was left behind.")
-                   : QString::fromStdString(done.error().sentence());
+    problem_ = done.error().code == ErrorCode::Cancelled ? tr("Stopped; nothing was left behind.")
+                                                         : sentenceOf(done.error());
   }
   emit changed();
   emit finished();

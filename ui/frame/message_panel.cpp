@@ -9,7 +9,7 @@
 #include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 

@@ -2,7 +2,7 @@
 #include <QFrame>
 
 #include "base/result.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 class QLabel;
 class QPushButton;

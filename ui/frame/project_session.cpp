@@ -1,7 +1,7 @@
 #include "ui/frame/project_session.h"
 
 #include "catalogue/project.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 

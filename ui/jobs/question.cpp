@@ -4,6 +4,8 @@
 #include <mutex>
 #include <optional>
 
+#include "ui/words/sentence.h"
+
 namespace ostraka::ui {
 
 struct Question::Shared {
@@ -31,7 +33,7 @@ std::function<bool(const std::string&, std::stop_token)> Question::asker() const
     shared->answer.reset();
     QMetaObject::invokeMethod(
         shared->owner,
-        [owner = shared->owner, words = QString::fromStdString(sentence)] {
+        [owner = shared->owner, words = wordsOf(sentence)] {
           owner->sentence_ = words;
           emit owner->asked(words);
         },

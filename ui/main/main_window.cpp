@@ -28,6 +28,7 @@
 #include "ui/queue/queue_station.h"
 #include "ui/settings/settings_page.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {

@@ -8,6 +8,7 @@
 #include "catalogue/project.h"
 #include "ui/capture/rig_source.h"
 #include "ui/frame/message_panel.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {

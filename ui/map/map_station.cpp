@@ -22,6 +22,7 @@
 #include "ui/frame/project_session.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -198,7 +199,7 @@ void MapStation::openBatch(const QString& batch) {
       if (picture.error().code == ErrorCode::Missing && isOfScans())
         return message_->setText(
             tr("This batch was scanned, not photographed: there is no picture of its plate."));
-      return say(QString::fromStdString(picture.error().sentence()));
+      return say(sentenceOf(picture.error()));
     }
     date_ = dayOf(*picture);
     view_->setPicture(*picture);

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {

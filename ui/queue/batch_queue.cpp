@@ -12,6 +12,7 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_figures.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -133,7 +134,7 @@ QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow
   row.number = QString::fromStdString(batch.number);
   row.batch_row = batch.row.value;
   row.state = stateOf(batch.state);
-  row.scale_doubts = QString::fromStdString(batch.scale_doubts);
+  row.scale_doubts = wordsOf(batch.scale_doubts);
   if (row.number == busy_number_) {
     row.state = paused_ ? QueueState::Paused : QueueState::Busy;
     if (job_ != nullptr) row.progress = job_->progress();
@@ -285,7 +286,7 @@ void BatchQueue::startNext() {
     emit workChanged();
   });
   connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
-    log(level == NoteLevel::Warning ? tr("Warning: %1").arg(text) : text);
+    log(level == NoteLevel::Warning ? tr("Warning: %1").arg(wordsOf(text.toStdString())) : text);
   });
   connect(job_, &JobHandle::finished, this,
           [this](const JobOutcome& outcome) { finish(busy_number_, outcome); });

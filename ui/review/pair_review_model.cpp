@@ -3,9 +3,9 @@
 #include <QUndoStack>
 #include <algorithm>
 
-#include "ui/jobs/sentence.h"
 #include "ui/review/review_commands.h"
 #include "ui/review/review_words.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {

@@ -1,7 +1,7 @@
 // What a person tries on the card in hand, and what is fetched to show it: jobs, one of a kind.
 #include <algorithm>
 
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 #include "ui/review/pair_review_model.h"
 

@@ -19,6 +19,7 @@
 #include "ui/queue/batch_figures.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -110,7 +111,7 @@ void ReviewStation::showScale() {
   QString doubts;
   if (session_ && session_->hasProject())
     if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
-      doubts = QString::fromStdString(batch->scale_doubts);
+      doubts = wordsOf(batch->scale_doubts);
   doubts.replace(QLatin1Char('\n'), QLatin1Char(' '));
   scale_words_->setText(tr("None of the measures of %1 is sure. %2").arg(batch_, doubts));
   QPalette look;  // the one colour only: all others follow the theme
@@ -204,17 +205,15 @@ void ReviewStation::openOutput(const QString& batch, const std::string& decider)
       this);
   connect(opening_, &JobHandle::finished, this, [this, batch, decider](const JobOutcome& outcome) {
     const auto opened = outcomeAs<OpenedBatch>(outcome);
-    if (!opened) return say(QString::fromStdString(opened.error().sentence()));
+    if (!opened) return say(sentenceOf(opened.error()));
     model_->open(*opened);
     compute_->setVisible(model_->wantsComputing());
     if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
     if (!decider.empty() && session_->hasProject()) {
-      if (const Result<void> told = tellQueue(decider); !told)
-        say(QString::fromStdString(told.error().sentence()));
+      if (const Result<void> told = tellQueue(decider); !told) say(sentenceOf(told.error()));
       session_->tellBatchChanged(batch);
     }
-    for (const std::string& warning : model_->review().warnings)
-      say(QString::fromStdString(warning));
+    for (const std::string& warning : model_->review().warnings) say(wordsOf(warning));
   });
 }
 
@@ -223,7 +222,7 @@ void ReviewStation::compute() {
   if (!session_ || !session_->hasProject()) return;
   const Result<void> queued = catalogue::queueAgain(
       session_->project().catalogue(), batch_.toStdString(), session_->initials().toStdString());
-  if (!queued) return say(QString::fromStdString(queued.error().sentence()));
+  if (!queued) return say(sentenceOf(queued.error()));
   compute_->hide();
   say(tr("%1 waits to be computed; only what changed is done again.").arg(batch_));
   session_->tellBatchChanged(batch_);
@@ -245,7 +244,7 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
     const Result<void> told = shown ? tellQueue(decision.by) : Result<void>();
     if (shown) compute_->setVisible(model_->wantsComputing());
     for (const Result<void>* done : {&told, &entered})
-      if (!*done) say(QString::fromStdString(done->error().sentence()));
+      if (!*done) say(sentenceOf(done->error()));
   }
   session_->tellBatchChanged(batch);
 }

@@ -12,7 +12,7 @@
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -182,7 +182,7 @@ void NumberingModel::follow() {
         continue;
       }
       shown = tokens;
-      if (warning_.isEmpty()) warning_ = QString::fromStdString(scheme->warning(tokens));
+      if (warning_.isEmpty()) warning_ = wordsOf(scheme->warning(tokens));
     }
   int next = std::max(wanted_.first, 1);
   if (const auto counter = scheme->counter(shown))

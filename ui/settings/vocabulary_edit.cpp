@@ -13,7 +13,7 @@
 #include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {

@@ -1,62 +1,106 @@
-#include "ui/jobs/sentence.h"
+#include "ui/words/sentence.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
+#include <algorithm>
+#include <vector>
+
+#include "ui/words/core_sentences.h"
+#include "ui/words/pattern.h"
 
 namespace ostraka::ui {
 namespace {
 
-// Of the core's fixed sentences those that reach a person while the hands are full: devices, disk,
-// catalogue. They are looked up by themselves; others stay as the core says them.
-[[maybe_unused]] constexpr const char* kKnown[] = {
-    QT_TRANSLATE_NOOP("ostraka::Error", "Stopped on request."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The camera is not plugged in."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The camera is not plugged in or not switched on."),
-    QT_TRANSLATE_NOOP(
-        "ostraka::Error",
-        "The camera does not answer; is it asleep? Switch its automatic power-off off."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The camera stays busy; switch it off and on."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The line to the camera is broken; look at its cable."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "The camera is held by another program, often the desktop's file manager; "
-                      "'ostraka devices' names it."),
-    QT_TRANSLATE_NOOP(
-        "ostraka::Error",
-        "The camera cannot be opened; may this user use it? Look at 'ostraka devices'."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "No photograph came from the camera; is it focused and set to manual?"),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The camera does not stop to deliver photographs."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "This camera shows no live picture."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The turntable does not reach its angle; is it blocked?"),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The turntable was paused at its own button."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The table's position is not known: home it, or align it."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The turntable does not answer in the network."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "The controller restarted; the table's position is not known."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "A reply of the turntable was lost and it cannot tell where it stands: home "
-                      "it, or align it."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "The turntable does not answer like a GRBL controller: is it switched on, "
-                      "and is it of this type?"),
-    QT_TRANSLATE_NOOP(
-        "ostraka::Error",
-        "The turntable does not answer like a ComXim: is it switched on, and is it of this type?"),
-    QT_TRANSLATE_NOOP("ostraka::Error", "USB does not work on this computer."),
-    QT_TRANSLATE_NOOP("ostraka::Error", "The disk is full; free some space and shoot on."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "The disk is full; free some space and start the same command again."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "The disk is full; make room, then try again. Nothing was lost."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "Another program keeps the catalogue busy; close it, then try again."),
-    QT_TRANSLATE_NOOP("ostraka::Error",
-                      "The image is cut off before its end; copy it from the camera again."),
+constexpr int kDeepest = 3;            // sentences within sentences
+constexpr std::size_t kMostInOne = 8;  // parts of a text that are one sentence of the core
+
+struct Known {
+  const char* source;
+  Pattern pattern;
 };
+
+// Those with most words of their own first: they say most exactly what is meant.
+const std::vector<Known>& known() {
+  static const std::vector<Known> kAll = [] {
+    std::vector<Known> all;
+    for (const Sentences& sentences : coreSentences())
+      for (const char* source : sentences)
+        all.push_back({source, Pattern(QString::fromUtf8(source))});
+    std::stable_sort(all.begin(), all.end(), [](const Known& a, const Known& b) {
+      return a.pattern.letters() > b.pattern.letters();
+    });
+    return all;
+  }();
+  return kAll;
+}
+
+// Where one sentence ends and another begins; where it is said what a sentence is about.
+const QRegularExpression& ends() {
+  static const QRegularExpression kEnds(QStringLiteral("(?<=[.?!]) (?=[A-Z0-9'])"));
+  return kEnds;
+}
+const QRegularExpression& endsOrNames() {
+  static const QRegularExpression kEnds(ends().pattern() + QStringLiteral("|: |; "));
+  return kEnds;
+}
+
+std::optional<QString> read(const QString& text, int depth);
+
+enum class Values { OfOneSentence, Any };
+
+std::optional<QString> readWhole(const QString& text, Values allowed, int depth) {
+  for (const Known& one : known()) {
+    std::optional<QStringList> values = one.pattern.valuesIn(text);
+    if (!values) continue;
+    if (allowed == Values::OfOneSentence && !values->filter(ends()).isEmpty()) continue;
+    for (QString& value : *values) value = read(value, depth + 1).value_or(value);
+    return filled(QCoreApplication::translate("ostraka::Error", one.source), *values);
+  }
+  return std::nullopt;
+}
+
+// A name and what is said of it, or one sentence after another; of those some may be unknown.
+std::optional<QString> readInParts(const QString& text, int depth) {
+  std::vector<QRegularExpressionMatch> cuts;
+  for (auto at = endsOrNames().globalMatch(text); at.hasNext();) cuts.push_back(at.next());
+  QString all;
+  bool any = false;
+  qsizetype from = 0;
+  for (std::size_t i = 0; i <= cuts.size();) {
+    // As much as is known as one sentence, or else the one part as it is.
+    std::size_t next = i + 1;
+    QString words = text.mid(from, i < cuts.size() ? cuts[i].capturedStart() - from : -1);
+    for (std::size_t j = std::min(cuts.size() + 1, i + kMostInOne); j-- > i;) {
+      const QString part = text.mid(from, j < cuts.size() ? cuts[j].capturedStart() - from : -1);
+      const auto read_part = readWhole(part, Values::OfOneSentence, depth);
+      if (!read_part) continue;
+      words = *read_part;
+      next = j + 1;
+      any = true;
+      break;
+    }
+    all += words;
+    if (next <= cuts.size()) {
+      all += cuts[next - 1].captured();
+      from = cuts[next - 1].capturedEnd();
+    }
+    i = next;
+  }
+  return any ? std::optional(all) : std::nullopt;
+}
+
+std::optional<QString> read(const QString& text, int depth) {
+  if (depth > kDeepest) return std::nullopt;
+  if (auto whole = readWhole(text, Values::OfOneSentence, depth)) return whole;
+  if (auto parts = readInParts(text, depth)) return parts;
+  return readWhole(text, Values::Any, depth);
+}
 
 }  // namespace
 
 QString wordsOf(const std::string& what) {
-  return QCoreApplication::translate("ostraka::Error", what.c_str());
+  const QString text = QString::fromStdString(what);
+  return read(text, 0).value_or(text);
 }
 
 QString sentenceOf(const Error& error) {

@@ -177,7 +177,7 @@ TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
   ASSERT_EQ(terms.size(), 3u);
   const Result<void> without = catalogue().setVocabulary("firing", {terms[0]}, anna);
   ASSERT_FALSE(without);
-  EXPECT_NE(without.error().what.find("'reduced' is used by 1"), std::string::npos);
+  EXPECT_NE(without.error().what.find("'reduced': 1;"), std::string::npos);
   terms.push_back({"sandwich", {{"de", "Sandwichbrand"}}, "http://example.org/1"});
   ASSERT_TRUE(catalogue().setVocabulary("firing", terms, anna));
   EXPECT_EQ(catalogue().vocabulary("firing")->back().labels.at("de"), "Sandwichbrand");

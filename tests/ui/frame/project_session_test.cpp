@@ -61,7 +61,7 @@ class ProjectSessionTest : public QObject {
     session_->setInitials(QString(300, 'X'));
     QVERIFY(!session_->act().person);
     QCOMPARE(refused.count(), 1);
-    QVERIFY(refused[0][0].toString().contains("too long"));
+    QVERIFY(refused[0][0].toString().contains("at most 200 letters"));
   }
 
  private:

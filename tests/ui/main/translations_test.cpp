@@ -73,29 +73,6 @@ class TranslationsTest : public QObject {
     }
   }
 
-  // They are found by their very words.
-  void theCoresSentencesStandInTheCore() {
-    QString core;
-    QDirIterator files(QStringLiteral(OSTRAKA_TRANSLATIONS "/../core"),
-                       {QStringLiteral("*.cpp"), QStringLiteral("*.h")}, QDir::Files,
-                       QDirIterator::Subdirectories);
-    while (files.hasNext()) {
-      QFile file(files.next());
-      QVERIFY(file.open(QIODevice::ReadOnly));
-      core += QString::fromUtf8(file.readAll());
-    }
-    static const QRegularExpression wrapped(QStringLiteral("\"\\s*\\n\\s*\""));
-    core.remove(wrapped);
-    int found = 0;
-    for (const Message& message : messagesOf(QStringLiteral("de")))
-      if (message.context == QLatin1String("ostraka::Error")) {
-        QVERIFY2(core.contains(QLatin1Char('"') + message.source + QLatin1Char('"')),
-                 qPrintable(message.source));
-        ++found;
-      }
-    QVERIFY(found > 20);
-  }
-
   void englishHasOneAndManyOfEachCount() {
     const QList<Message> messages = messagesOf(QStringLiteral("en"));
     QVERIFY(messages.size() > 20);

@@ -1,0 +1,27 @@
+#include <QtGlobal>
+
+#include "ui/words/core_sentences.h"
+
+namespace ostraka::ui {
+
+Sentences sentencesOfDrawing() {
+  static constexpr const char* kAll[] = {
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "What was taken for the lip hardly looks like one (%1 %); check the line "
+                        "of the rim before you trust the diameter."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "Drawn as a rim, which is likely (%1 %); check it."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "May be a rim (%1 %); if it is one, say so and draw it again."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "The drawing's scale must lie between 1:20 and 5:1."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A drawing needs a closed model (%1); make it with 'ostraka process'."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A drawing needs a closed model; make it with 'ostraka process'."),
+  };
+  return kAll;
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,27 @@
+#include <QtGlobal>
+
+#include "ui/words/core_sentences.h"
+
+namespace ostraka::ui {
+
+Sentences sentencesOfScan() {
+  static constexpr const char* kAll[] = {
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "A crumb of %1 mm at x %2, y %3 mm was left aside; if it is a sherd, shoot it alone."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Something flat at x %1, y %2 mm was left aside; it may be a marker or "
+                        "dirt on the plate."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Two sherds touch at x %1, y %2 mm and were cut apart there; leave a "
+                        "finger's width between sherds."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "The cloud of the plate has no normals."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "No sherd was found on the front side; check its masks and photographs."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "No sherd was found on the back side; check its masks and photographs."),
+  };
+  return kAll;
+}
+
+}  // namespace ostraka::ui

@@ -14,6 +14,7 @@
 #include "catalogue/typed_numbers.h"
 #include "catalogue/values.h"
 #include "cloud/ply.h"
+#include "pipeline/decisions.h"
 
 namespace ostraka::catalogue {
 namespace {
@@ -242,11 +243,10 @@ bool sameWord(const PairDecision& a, const PairDecision& b) {
 }
 
 // For each piece that the catalogue knows the index of the one found at its place, -1 if there is
-// none: within 10 mm, the nearest first (a piece's mean moves less when it is computed anew, and no
-// two pieces' means lie nearer). Without a place the name decides.
+// none; the nearest are matched first. Without a place the name decides.
 std::vector<int> samePieces(const std::vector<ScanRecord>& known,
                             const std::vector<ScanRecord>& found) {
-  constexpr double kSamePiece_mm = 10;
+  using pipeline::kSamePiece_mm;
   struct Candidate {
     double distance_mm;
     bool other_name;

@@ -1,7 +1,6 @@
 #include "catalogue/review_decisions.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "catalogue/catalogue.h"
 #include "catalogue/piece_decisions.h"
@@ -51,21 +50,19 @@ Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::Pair
   return {};
 }
 
-// By its place, as the results are (see pipeline::resolved); by its name where no place is known.
+// By its place, as the results are; by its name where no place is known.
 const ScanRecord* scanOf(const std::vector<ScanRecord>& scans, const pipeline::ScanRef& ref) {
-  const ScanRecord* nearest = nullptr;
-  double least_mm = 10;
+  std::vector<const ScanRecord*> there;
+  std::vector<pipeline::ScanRef> places;
   for (const ScanRecord& scan : scans) {
-    if (scan.side != ref.side || !scan.isThere() || !scan.plate_x_mm || !scan.plate_y_mm) continue;
-    const double distance_mm =
-        std::hypot(*scan.plate_x_mm - ref.place_mm.x(), *scan.plate_y_mm - ref.place_mm.y());
-    if (distance_mm >= least_mm) continue;
-    least_mm = distance_mm;
-    nearest = &scan;
+    if (!scan.isThere() || !scan.plate_x_mm || !scan.plate_y_mm) continue;
+    there.push_back(&scan);
+    places.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
   }
-  if (nearest != nullptr) return nearest;
+  if (const int nearest = resolved(ref, places); nearest >= 0)
+    return there[static_cast<std::size_t>(nearest)];
   const auto named = std::find_if(scans.begin(), scans.end(), [&](const ScanRecord& s) {
-    return s.side == ref.side && s.name == ref.id;
+    return s.side == ref.side && s.name == ref.id && !(s.plate_x_mm && s.plate_y_mm);
   });
   return named == scans.end() ? nullptr : &*named;
 }

@@ -173,7 +173,7 @@ Decisions changedSince(const Decisions& all, const Decisions& followed) {
 
 int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans) {
   int nearest = -1;
-  double least = 10;
+  double least = kSamePiece_mm;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     if (scans[i].side != ref.side) continue;
     if (!ref.photographs.empty() && !scans[i].photographs.empty() &&

@@ -80,9 +80,11 @@ Decisions followed(const Decisions& all, const std::filesystem::path& output);
 /// What holds and was not followed, and what was followed and holds no more.
 Decisions changedSince(const Decisions& all, const Decisions& followed);
 
-/// The index of the scan that is meant, -1 when none lies within 10 mm of the place: a sherd's
-/// mean moves less when it is computed anew, and no two sherds' means lie nearer. Scans of other
-/// photographs are not meant.
+/// A sherd's mean moves less when it is computed anew, and no two sherds' means lie nearer.
+inline constexpr double kSamePiece_mm = 10;
+
+/// The index of the scan that is meant, -1 when none lies within kSamePiece_mm of the place. Scans
+/// of other photographs are not meant.
 int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans);
 
 }  // namespace ostraka::pipeline

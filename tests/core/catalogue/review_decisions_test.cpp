@@ -110,6 +110,10 @@ TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
   d.scans = {{batch::Side::Front, "f001", {3, 1}}};
   ASSERT_TRUE(enter(d));
   EXPECT_EQ(catalogue().decisions(batch)->front().front, meant);
+  // Another piece has its old name by now, and none lies where it lay.
+  d.number = 2;
+  d.scans = {{batch::Side::Front, "f001", {90, 90}}};
+  EXPECT_FALSE(enter(d));
 }
 
 TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {

@@ -19,9 +19,27 @@ namespace {
 
 constexpr double kStep = 1.25;
 constexpr double kNearest = 4;  // screen pixels per pixel of the picture
+constexpr double kMargin_mm = 5;
+constexpr int kLook = 2;  // every second pixel: the thinnest line is wider
 
 QByteArray svgOf(const Page& page) {
   return QByteArray::fromStdString(formatSvg(page, {}));
+}
+
+// What is not white, with some paper around it; all of the sheet if that is empty.
+QRectF drawnOn(const QImage& sheet) {
+  QRect box;
+  for (int y = 0; y < sheet.height(); y += kLook) {
+    const auto* line = reinterpret_cast<const QRgb*>(sheet.constScanLine(y));
+    int first = 0, last = sheet.width() - 1;
+    while (first <= last && qGreen(line[first]) == 255) first += kLook;
+    if (first > last) continue;
+    while (last > first && qGreen(line[last]) == 255) last -= kLook;
+    box |= QRect(QPoint(first, y), QPoint(last, y));
+  }
+  const int margin = qRound(kMargin_mm / 1000 * sheet.dotsPerMeterX());
+  return box.isNull() ? sheet.rect()
+                      : box.marginsAdded({margin, margin, margin, margin}) & sheet.rect();
 }
 
 }  // namespace
@@ -44,21 +62,23 @@ void SheetView::showSheet(const QImage& sheet) {
   const bool same_size = sheet.size() == sheet_->pixmap().size();
   sheet_->setPixmap(QPixmap::fromImage(sheet));
   setSceneRect(sheet_->boundingRect());
+  drawn_ = drawnOn(sheet);
+  true_size_ = sheet.isNull() ? 1 : logicalDpiX() / 0.0254 / sheet.dotsPerMeterX();
   if (zoomed_ && same_size) return;
-  zoomed_ = false;
-  fitWidth();
-  verticalScrollBar()->setValue(0);
+  fitDrawn();
 }
 
 bool SheetView::hasSheet() const {
   return !sheet_->pixmap().isNull();
 }
 
-void SheetView::fitWidth() {
-  const double width = sheet_->boundingRect().width();
-  if (width <= 0) return;
-  const double factor = viewport()->width() / width;
+void SheetView::fitDrawn() {
+  zoomed_ = false;
+  if (drawn_.isEmpty()) return;
+  const double whole = viewport()->width() / sheet_->boundingRect().width();
+  const double factor = std::max(whole, std::min(true_size_, viewport()->width() / drawn_.width()));
   setTransform(QTransform::fromScale(factor, factor));
+  centerOn(drawn_.center().x(), drawn_.top() + viewport()->height() / factor / 2);
 }
 
 void SheetView::zoom(double factor) {
@@ -73,7 +93,7 @@ void SheetView::zoom(double factor) {
 
 void SheetView::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
-  if (!zoomed_) fitWidth();
+  if (!zoomed_) fitDrawn();
 }
 
 void SheetView::wheelEvent(QWheelEvent* event) {
@@ -85,14 +105,15 @@ void SheetView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoom(kStep);
   if (event->key() == Qt::Key_Minus) return zoom(1 / kStep);
   if (event->key() != Qt::Key_0) return QGraphicsView::keyPressEvent(event);
-  zoomed_ = false;
-  fitWidth();
+  fitDrawn();
 }
 
 QImage paintedSheet(const Page& page, double dots_per_inch) {
   const double per_mm = dots_per_inch / 25.4;
   QImage image(qCeil(page.width_mm * per_mm), qCeil(page.height_mm * per_mm), QImage::Format_RGB32);
   image.fill(Qt::white);
+  image.setDotsPerMeterX(qRound(per_mm * 1000));
+  image.setDotsPerMeterY(qRound(per_mm * 1000));
   QSvgRenderer renderer(svgOf(page));
   QPainter painter(&image);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);

@@ -16,14 +16,15 @@ struct Page;
 
 namespace ostraka::ui {
 
-/// A sheet of paper, looked at: as wide as the view at first, wheel or + and - come nearer,
-/// dragging moves it. Paper is white in every theme.
+/// A sheet of paper, looked at: at first what is drawn on it, in about its true size or as
+/// large as fits; wheel or + and - come nearer or further, 0 goes back, dragging moves it. Paper is
+/// white in every theme.
 class SheetView final : public QGraphicsView {
   Q_OBJECT
 
  public:
   explicit SheetView(QWidget* parent = nullptr);
-  void showSheet(const QImage& sheet);  ///< null: none
+  void showSheet(const QImage& sheet);  ///< with its resolution; null: none
   bool hasSheet() const;
 
  protected:
@@ -33,13 +34,15 @@ class SheetView final : public QGraphicsView {
 
  private:
   void zoom(double factor);
-  void fitWidth();
+  void fitDrawn();
 
   QGraphicsPixmapItem* sheet_ = nullptr;
+  QRectF drawn_;          // pixels of the sheet
+  double true_size_ = 1;  // screen pixels per pixel of the sheet
   bool zoomed_ = false;
 };
 
-/// The page as a picture, for jobs.
+/// The page as a picture that knows its resolution, for jobs.
 QImage paintedSheet(const Page& page, double dots_per_inch);
 /// All pages in true scale, each on paper of its own size; for jobs. Errors: the device.
 Result<void> printSheets(QPagedPaintDevice& device, const std::vector<Page>& pages);

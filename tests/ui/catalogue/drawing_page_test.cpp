@@ -125,6 +125,30 @@ class DrawingPageTest : public QObject {
     QCOMPARE(said.count(), 2);
   }
 
+  // A sherd of 3 cm on A4 is not shown as a stamp.
+  void theSheetIsShownWhereItIsDrawnOn() {
+    SheetView view;
+    view.resize(300, 300);
+    view.show();
+    Page page{210, 297, {}};
+    Sheet ruler;
+    ruler.line({60, 20}, {110, 20}, 0.5);
+    page.layers.push_back({ruler, {0, 0}, {}});
+    const QImage sheet = paintedSheet(page, 200);
+    view.showSheet(sheet);
+    const double per_mm = 200 / 25.4;
+    const auto seen = [&view] { return view.mapToScene(view.viewport()->rect()).boundingRect(); };
+    QVERIFY(seen().contains(QRectF(60 * per_mm, 20 * per_mm, 50 * per_mm, 1)));
+    QVERIFY(seen().width() < 100 * per_mm);
+    const double first = view.transform().m11();
+    QTest::keyClick(&view, Qt::Key_Plus);
+    QVERIFY(view.transform().m11() > first);
+    QTest::keyClick(&view, Qt::Key_0);
+    QCOMPARE(view.transform().m11(), first);
+    view.showSheet(paintedSheet({210, 297, {}}, 200));  // nothing on it: all of it
+    QVERIFY(seen().width() >= sheet.width());
+  }
+
   void printingKeepsPapersAndTrueScale() {
     Page upright{210, 297, {}}, across{297, 210, {}}, large{500, 400, {}};
     Sheet ruler;

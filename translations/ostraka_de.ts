@@ -4801,6 +4801,36 @@
       <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
     </message>
     <message>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: ihre Fotos stammen von verschiedenen Kameras (%2); jeder Kamera einen eigenen Namen geben, denn für alle mit demselben wird ein Objektiv berechnet.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: ihre Brennweite ist nicht in allen Fotos gleich (%2); für alle wird ein Objektiv berechnet, also den Zoom festsetzen und noch einmal fotografieren.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: ihre Blende ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: ihre Belichtungszeit ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: ihre Empfindlichkeit ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: ihr Weißabgleich ist nicht in allen Fotos gleich (%2); die Kamera auf manuell stellen: ungleiche Fotos machen Masken und Farben unsicherer.</translation>
+    </message>
+    <message>
       <source>No camera explains the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Kamera erklärt die Kalibrierbilder.</translation>

@@ -4801,6 +4801,36 @@
       <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
     </message>
     <message>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: οι φωτογραφίες της προέρχονται από διαφορετικές κάμερες (%2)· δώστε σε κάθε κάμερα δικό της όνομα, γιατί υπολογίζεται ένας φακός για όσες έχουν το ίδιο.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: η εστιακή της απόσταση δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· υπολογίζεται ένας φακός για όλες, οπότε σταθεροποιήστε το ζουμ και φωτογραφίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: το διάφραγμά της δεν είναι ίδιο σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: ο χρόνος έκθεσής της δεν είναι ίδιος σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: η ευαισθησία της δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: η ισορροπία λευκού της δεν είναι ίδια σε όλες τις φωτογραφίες (%2)· ρυθμίστε την κάμερα στο χειροκίνητο: οι άνισες φωτογραφίες κάνουν τις μάσκες και τα χρώματα λιγότερο σίγουρα.</translation>
+    </message>
+    <message>
       <source>No camera explains the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>

@@ -4801,6 +4801,36 @@
       <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
     </message>
     <message>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: sus fotos proceden de cámaras distintas (%2); dé a cada cámara su propio nombre, pues se calcula un solo objetivo para todas las que tienen el mismo.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: su distancia focal no es la misma en todas las fotos (%2); se calcula un solo objetivo para todas, así que fije el zoom y fotografíe otra vez.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: su apertura no es la misma en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: su tiempo de exposición no es el mismo en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: su sensibilidad no es la misma en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: su balance de blancos no es el mismo en todas las fotos (%2); ponga la cámara en manual: las fotos desiguales hacen menos seguras las máscaras y los colores.</translation>
+    </message>
+    <message>
       <source>No camera explains the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ninguna cámara explica las imágenes de calibración.</translation>

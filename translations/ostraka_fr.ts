@@ -4801,6 +4801,36 @@
       <translation>L’image est coupée avant sa fin ; copiez-la à nouveau depuis l’appareil.</translation>
     </message>
     <message>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : ses photos viennent d’appareils différents (%2) ; donnez à chaque appareil son propre nom, car un seul objectif est calculé pour tous ceux qui ont le même.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : sa distance focale n’est pas la même sur toutes les photos (%2) ; un seul objectif est calculé pour toutes, fixez donc le zoom et photographiez de nouveau.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : son ouverture n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : son temps de pose n’est pas le même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : sa sensibilité n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : sa balance des blancs n’est pas la même sur toutes les photos (%2) ; réglez l’appareil en manuel : des photos inégales rendent masques et couleurs moins sûrs.</translation>
+    </message>
+    <message>
       <source>No camera explains the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun appareil n’explique les images de calibration.</translation>

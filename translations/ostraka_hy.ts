@@ -4801,6 +4801,36 @@
       <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
     </message>
     <message>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. նրա լուսանկարները տարբեր տեսախցիկներից են (%2). յուրաքանչյուր տեսախցիկի տվեք իր անունը, քանի որ նույն անունն ունեցողների համար մեկ օբյեկտիվ է հաշվարկվում։</translation>
+    </message>
+    <message>
+      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. կիզակետային հեռավորությունը բոլոր լուսանկարներում նույնը չէ (%2). բոլորի համար մեկ օբյեկտիվ է հաշվարկվում, ուստի ամրացրեք խոշորացումը և նորից լուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. դիաֆրագման բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
+    </message>
+    <message>
+      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. լուսակայման ժամանակը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
+    </message>
+    <message>
+      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. զգայունությունը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
+    </message>
+    <message>
+      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. սպիտակի հաշվեկշիռը բոլոր լուսանկարներում նույնը չէ (%2). տեսախցիկը դրեք ձեռքի ռեժիմի. անհավասար լուսանկարները դիմակներն ու գույները դարձնում են պակաս հուսալի։</translation>
+    </message>
+    <message>
       <source>No camera explains the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի տեսախցիկ չի բացատրում տրամաչափման նկարները։</translation>

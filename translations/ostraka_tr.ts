@@ -4761,6 +4761,36 @@
       <translation>Resim sonundan önce kesilmiş; kameradan yeniden kopyalayın.</translation>
     </message>
     <message>
+      <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: fotoğrafları farklı kameralardan geliyor (%2); her kameraya kendi adını verin, çünkü aynı adı taşıyanların hepsi için tek bir mercek hesaplanır.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its focal length is not the same in all photographs (%2); one lens is computed for all of them, so fix the zoom and photograph again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: odak uzaklığı bütün fotoğraflarda aynı değil (%2); hepsi için tek bir mercek hesaplanır, bu yüzden zumu sabitleyip yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its aperture is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: diyafram açıklığı bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its exposure time is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: poz süresi bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: duyarlılığı bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
+    </message>
+    <message>
+      <source>Camera %1: its white balance is not the same in all photographs (%2); set the camera to manual: uneven photographs make masks and colours less sure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: beyaz dengesi bütün fotoğraflarda aynı değil (%2); kamerayı elle ayara alın: eşit olmayan fotoğraflar maskeleri ve renkleri daha az güvenilir kılar.</translation>
+    </message>
+    <message>
       <source>No camera explains the calibration pictures.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hiçbir kamera ayar resimlerini açıklamıyor.</translation>

@@ -9,6 +9,8 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "batch/batch.h"
+#include "batch/exif.h"
+#include "capture/manifest.h"
 #include "catalogue/review_decisions.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/typed_numbers.h"
@@ -439,6 +441,10 @@ Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, Batc
   const Result<batch::Batch> folder =
       batch::readBatch(project / "batches" / record->number, {}, progress);
   if (!folder) return folder.error();
+  // What the capture noted; a batch from elsewhere has none.
+  const Result<capture::Manifest> noted =
+      capture::readManifest(project / "batches" / record->number);
+  if (!noted) progress.note(NoteLevel::Warning, noted.error().sentence());
   struct Photograph {
     PhotographRecord shot;
     FileRecord file;
@@ -454,6 +460,16 @@ Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, Batc
       p.shot.camera = static_cast<char>('A' + shot.camera);
       p.shot.stop = shot.stop;
       p.shot.path = relativeTo(project, shot.file);
+      const batch::Exif exif = batch::exifIn(bytes);
+      p.shot.exif_json = exif.json();
+      p.shot.serial = exif.serial;
+      const capture::ManifestEntry* entry =
+          noted ? noted->find(shot.side, shot.stop, shot.camera) : nullptr;
+      if (entry) {
+        if (!entry->camera_serial.empty()) p.shot.serial = entry->camera_serial;
+        p.shot.angle_deg = entry->angle_seen_deg.value_or(entry->angle_deg);
+        if (entry->checked) p.shot.sharpness = entry->sharpness;
+      }
       p.file.path = p.shot.path;
       p.file.sha256 = sha256(bytes);
       p.file.bytes = static_cast<std::int64_t>(bytes.size());

@@ -11,6 +11,7 @@
 #include "base/parallel.h"
 #include "cloud/ply.h"
 #include "pairing/common_scale.h"
+#include "pipeline/camera_settings.h"
 #include "pipeline/candidate_table.h"
 #include "pipeline/lone_scans.h"
 #include "pipeline/no_plate.h"
@@ -393,6 +394,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   WarningsKept reading(progress);
   const Result<batch::Batch> batch = batch::readBatch(options.batch, {}, reading);
   if (!batch) return batch.error();
+  for (const std::string& warning : settingsWarnings(*batch, options.threads))
+    reading.note(NoteLevel::Warning, warning);
   const Result<Preflight> ahead = preflight(*batch, options, freeMemoryMb());
   if (!ahead) return ahead.error();
   const Result<Decisions> decisions = readDecisions(options.output);

@@ -75,7 +75,8 @@ Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& pl
   catalogue::BatchRecord batch;
   if (*bag != 0) batch.bags.push_back({*bag});
   batch.operator_ = act.person;
-  batch.started_ms = batch.ended_ms = rows.now();
+  batch.started_ms = copied.first_taken_ms;  // the day of the import is not the photographs'
+  batch.ended_ms = copied.last_taken_ms;
   batch.state = catalogue::BatchState::Failed;  // until its files are in place
   const auto row = rows.addBatch(batch, act);
   if (!row) return row.error();

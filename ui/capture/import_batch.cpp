@@ -11,6 +11,7 @@
 
 #include "base/files.h"
 #include "batch/batch.h"
+#include "batch/exif.h"
 
 namespace ostraka::ui {
 namespace {
@@ -144,6 +145,10 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
       return written.error();
     }
     ++imported.files;
+    const std::optional<std::int64_t> taken_ms = batch::exifIn(*bytes).takenMs();
+    if (!taken_ms) continue;
+    imported.first_taken_ms = std::min(imported.first_taken_ms.value_or(*taken_ms), *taken_ms);
+    imported.last_taken_ms = std::max(imported.last_taken_ms.value_or(*taken_ms), *taken_ms);
   }
   return imported;
 }

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -20,6 +22,8 @@ struct ImportOptions {
 struct Imported {
   std::filesystem::path folder;  ///< a whole copy beside the project's batches, not yet one of them
   int files = 0;
+  /// By the cameras' clocks, since 1970, UTC; nothing where no photograph says it.
+  std::optional<std::int64_t> first_taken_ms, last_taken_ms;
   std::string same_as;  ///< "B0031" has most of these photographs or scans; nothing was copied
 };
 

@@ -51,6 +51,10 @@ Result<MapPicture> readMap(const fs::path& output, const std::stop_token& stop) 
   return picture;
 }
 
+QString dayText(const QDateTime& moment) {
+  return QLocale::c().toString(moment.date(), "yyyy-MM-dd");
+}
+
 // The dialog prints into a file, too.
 QString printedWords(const QPrinter& printer, const QString& sent) {
   return printer.outputFileName().isEmpty()
@@ -214,15 +218,14 @@ bool MapStation::isOfScans() const {
   return !front.entryList({QStringLiteral("*.ply")}, QDir::Files).isEmpty();
 }
 
-// The day of the shooting; of a batch that no catalogue knows the file says it.
+// The day of the shooting, if the catalogue knows it; where there is no catalogue the file says it.
 QString MapStation::dayOf(const MapPicture& picture) const {
-  QDateTime shot;
   if (session_->hasProject())
     if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
-      if (batch->started_ms) shot = QDateTime::fromMSecsSinceEpoch(*batch->started_ms);
+      return batch->started_ms ? dayText(QDateTime::fromMSecsSinceEpoch(*batch->started_ms))
+                               : QString();
   const QFileInfo file(QString::fromStdString(picture.map.front.photograph.string()));
-  if (!shot.isValid() && file.exists()) shot = file.lastModified();
-  return shot.isValid() ? QLocale::c().toString(shot.date(), "yyyy-MM-dd") : QString();
+  return file.exists() ? dayText(file.lastModified()) : QString();
 }
 
 void MapStation::nameMarks() {

@@ -6,6 +6,28 @@ namespace ostraka::ui {
 
 Sentences sentencesOfPipeline() {
   static constexpr const char* kAll[] = {
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Camera %1: its photographs come from different cameras (%2); give each camera its own "
+          "name, for one lens is computed for all that have the same."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Camera %1: its focal length is not the same in all photographs (%2); one "
+                        "lens is computed for all of them, so fix the zoom and photograph again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Camera %1: its aperture is not the same in all photographs (%2); set the "
+                        "camera to manual: uneven photographs make masks and colours less sure."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Camera %1: its exposure time is not the same in all photographs (%2); set the camera to "
+          "manual: uneven photographs make masks and colours less sure."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Camera %1: its sensitivity is not the same in all photographs (%2); set the camera to "
+          "manual: uneven photographs make masks and colours less sure."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Camera %1: its white balance is not the same in all photographs (%2); set the camera to "
+          "manual: uneven photographs make masks and colours less sure."),
       QT_TRANSLATE_NOOP("ostraka::Error", "No batch folder was given."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A candidate names a scan that is not there."),
       QT_TRANSLATE_NOOP(

@@ -1,5 +1,7 @@
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/files.h"
+#include "capture/manifest.h"
 #include "catalogue/enter_results.h"
 #include "small_project.h"
 
@@ -39,6 +41,43 @@ TEST_F(EnterPhotographs, GivesEachItsPlaceAndItsChecksum) {
   ASSERT_EQ(files.size(), 8u);
   EXPECT_EQ(files[0].role, "photo");
   EXPECT_EQ(files[0].sha256.size(), 64u);
+}
+
+// Orientation 6, all that this camera wrote, behind the start of the JPEG.
+std::string withExif(std::string jpeg) {
+  return jpeg.insert(2, std::string("\xFF\xE1\0\x22"
+                                    "Exif\0\0MM\0*\0\0\0\x08\0\x01"
+                                    "\x01\x12\0\x03\0\0\0\x01\0\x06\0\0\0\0\0\0",
+                                    36));
+}
+
+TEST_F(EnterPhotographs, KeepsWhatTheCameraAndTheCaptureWrote) {
+  const std::filesystem::path folder = project_->batchFolder("B0001");
+  const std::filesystem::path file = folder / "front" / "cam1_pos02.jpg";
+  ASSERT_TRUE(writeFileAtomically(file, withExif(*readFile(file))));
+  capture::Manifest manifest;
+  manifest.stops = 4;
+  manifest.cameras = 2;
+  capture::ManifestEntry entry;
+  entry.camera = 1;
+  entry.stop = 2;
+  entry.file = "front/cam1_pos02.jpg";
+  entry.camera_serial = "063021004567";
+  entry.angle_deg = 180;
+  entry.angle_seen_deg = 179.5;
+  entry.sharpness = 12.5;
+  entry.checked = true;
+  manifest.entries.push_back(entry);
+  ASSERT_TRUE(capture::writeManifest(folder, manifest));
+  ASSERT_TRUE(enter());
+  const std::vector<PhotographRecord> all = *catalogue().photographs(batch);
+  EXPECT_EQ(all[2].exif_json, R"({"Orientation":6})");
+  EXPECT_EQ(all[2].serial, "063021004567");
+  EXPECT_EQ(all[2].angle_deg, 179.5);
+  EXPECT_EQ(all[2].sharpness, 12.5);
+  EXPECT_EQ(all[3].exif_json, "{}");
+  EXPECT_EQ(all[3].serial, "");
+  EXPECT_FALSE(all[3].angle_deg);
 }
 
 TEST_F(EnterPhotographs, TwiceChangesNothingAndAChangedPhotographIsInTheHistory) {

@@ -1,3 +1,5 @@
+#include <QBuffer>
+#include <QImage>
 #include <QSignalSpy>
 #include <QTranslator>
 #include <QtTest>
@@ -39,6 +41,7 @@ class ImportTest : public QObject {
     const catalogue::BatchRecord& batch = batches->front();
     QCOMPARE(batch.state, catalogue::BatchState::Queued);
     QCOMPARE(batch.bags.size(), std::size_t{1});
+    QVERIFY(!batch.started_ms);  // nobody knows when it was scanned
     const auto copy = session_->project().batchFolder(batch.number);
     QCOMPARE(*readFile(copy / "back" / "c.ply"), std::string("back/c.ply"));
     QVERIFY(!std::filesystem::exists(copy / "truth"));
@@ -117,6 +120,44 @@ class ImportTest : public QObject {
     importer.start(QString::fromStdString(path("scans").string()), ImportKind::Scans, {});
     QTRY_VERIFY(!why.isEmpty());
     QVERIFY2(why.startsWith('<') && why.endsWith('>'), qPrintable(why));
+  }
+
+  // A JPEG whose Exif says when it was taken and nothing else: at 09:30:00 and 09:30:12.
+  static std::string photographOf(const char* second) {
+    QByteArray jpeg;
+    QBuffer buffer(&jpeg);
+    QImage image(64, 48, QImage::Format_RGB32);
+    image.fill(Qt::gray);
+    image.save(&buffer, "JPG");
+    const std::string exif = std::string(
+                                 "\xFF\xE1\0\x48"
+                                 "Exif\0\0MM\0*\0\0\0\x08"
+                                 "\0\x01\x87\x69\0\x04\0\0\0\x01\0\0\0\x1A\0\0\0\0"
+                                 "\0\x01\x90\x03\0\x02\0\0\0\x14\0\0\0\x2C\0\0\0\0",
+                                 54) +
+                             "2026:07:14 09:30:" + second + '\0';
+    return jpeg.toStdString().insert(2, exif);
+  }
+
+  void aBatchIsOfTheDayWhenItWasPhotographed() {
+    for (const char* side : {"front", "back"})
+      for (int stop = 0; stop < 4; ++stop)
+        QVERIFY(
+            writeFileAtomically(path("week") / side / ("cam0_pos0" + std::to_string(stop) + ".jpg"),
+                                photographOf(stop == 0 ? "00" : "12"))
+                .has_value());
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    std::string sentence;
+    connect(&importer, &BatchImporter::failed, this,
+            [&](const Error& error) { sentence = error.sentence(); });
+    QSignalSpy imported(&importer, &BatchImporter::imported);
+    importer.start(QString::fromStdString(path("week").string()), ImportKind::Photographs, {});
+    QTRY_VERIFY2(imported.count() == 1, sentence.c_str());
+    const catalogue::BatchRecord batch = session_->project().catalogue().batches()->front();
+    const QDate day(2026, 7, 14);  // its clock is this computer's: it says no other
+    QCOMPARE(batch.started_ms, QDateTime(day, QTime(9, 30, 0)).toMSecsSinceEpoch());
+    QCOMPARE(batch.ended_ms, QDateTime(day, QTime(9, 30, 12)).toMSecsSinceEpoch());
   }
 
   void photographsThatAreNoBatchAreRefused() {

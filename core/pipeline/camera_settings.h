@@ -1,0 +1,21 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "batch/batch.h"
+#include "batch/exif.h"
+
+namespace ostraka::pipeline {
+
+/// What differs between the photographs of one camera, front and back together, by what the cameras
+/// wrote: the body (one lens is computed for all), focal length, aperture, exposure time, ISO,
+/// white balance. Whole sentences; photographs that say nothing of a setting differ from none.
+/// exif: one a shot.
+std::vector<std::string> settingsWarnings(std::span<const batch::Shot> shots,
+                                          std::span<const batch::Exif> exif);
+
+/// The same, read from the batch's photographs.
+std::vector<std::string> settingsWarnings(const batch::Batch& batch, int threads);
+
+}  // namespace ostraka::pipeline

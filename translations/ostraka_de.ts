@@ -1600,6 +1600,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde mitten in dieser Seite unterbrochen.</translation>
     </message>
+    <message>
+      <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist ganz fotografiert, aber niemand hat gesagt, dass sie richtig ist: die Fotos ansehen, dann weitermachen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1600,6 +1600,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 διακόπηκε στη μέση αυτής της πλευράς.</translation>
     </message>
+    <message>
+      <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 φωτογραφήθηκε ολόκληρη, αλλά κανείς δεν είπε ότι είναι σωστή: δείτε τις φωτογραφίες της και συνεχίστε.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

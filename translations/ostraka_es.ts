@@ -1600,6 +1600,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se interrumpió en mitad de esta cara.</translation>
     </message>
+    <message>
+      <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 está fotografiada entera, pero nadie ha dicho que sea correcta: mire sus fotos y siga.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

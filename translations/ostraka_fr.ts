@@ -1600,6 +1600,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été interrompue au milieu de cette face.</translation>
     </message>
+    <message>
+      <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est photographié en entier, mais personne n’a dit qu’il est juste : regardez ses photos, puis continuez.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

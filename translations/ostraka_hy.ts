@@ -1600,6 +1600,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն ընդհատվել է այս կողմի կեսին։</translation>
     </message>
+    <message>
+      <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն ամբողջությամբ լուսանկարված է, բայց ոչ ոք չի ասել, որ այն ճիշտ է. նայեք լուսանկարները, ապա շարունակեք։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1581,6 +1581,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bu yüzün ortasında kesildi.</translation>
     </message>
+    <message>
+      <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bütünüyle fotoğraflandı, ama kimse doğru olduğunu söylemedi: fotoğraflarına bakın, sonra sürdürün.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -43,6 +43,8 @@ Result<MapSide> sideOf(const LivePairs& live, Side side, std::vector<MapMark> ma
     Result<std::vector<Eigen::Vector2d>> outline = live.outlineIn(*image, mark.scan);
     if (!outline) return outline.error();
     mark.outline = std::move(*outline);
+    const auto& scans = side == Side::Front ? live.table().fronts : live.table().backs;
+    mark.place_mm = scans.at(static_cast<std::size_t>(mark.scan)).place_mm;
     for (const Eigen::Vector2d& p : mark.outline)
       mark.at += p / static_cast<double>(mark.outline.size());
     map.marks.push_back(std::move(mark));

@@ -10,7 +10,8 @@ namespace ostraka::pipeline {
 
 /// One sherd in the photograph of one side.
 struct MapMark {
-  int scan = 0;        ///< index of the side's scan
+  int scan = 0;                                        ///< index of the side's scan
+  Eigen::Vector2d place_mm = Eigen::Vector2d::Zero();  ///< the scan's, see ScanRef
   std::string number;  ///< of its sherd: "03"; empty: nobody's back, or set aside
   /// A doubtful pair shows both numbers: the one that it would have with its rival. Else empty.
   std::string other_number;

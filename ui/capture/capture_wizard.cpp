@@ -107,8 +107,13 @@ void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices
   if (!batch_.isThere()) return enter(CapturePhase::Place);
   const BatchState state = batch_.state();
   // Whole, and only a person says that it is right where there were doubts.
-  if (state == BatchState::Back)
-    return doubts_.isEmpty() ? queueBatch() : enter(CapturePhase::Done);
+  if (state == BatchState::Back) {
+    if (doubts_.isEmpty())  // what they were is not known any more
+      doubts_ << tr("%1 is photographed whole, but nobody said that it is right: look at its "
+                    "photographs, then go on.")
+                     .arg(batch_.number());
+    return enter(CapturePhase::Done);
+  }
   enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
   if (state == BatchState::Placed || state == BatchState::Flipped)
     goOnWithin(state == BatchState::Placed ? batch::Side::Front : batch::Side::Back);
@@ -247,6 +252,7 @@ void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retak
   fault_.reset();
   holders_.clear();
   doubts_.clear();
+  queued_ = false;  // what was queued are other photographs
   stop_ = -1;
   if (goes_on) {
     std::erase_if(shots_, [](const TakenShot& shot) { return shot.refused; });

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "catalogue/catalogue.h"
+#include "pipeline/decisions.h"
 
 namespace ostraka::ui {
 namespace {
@@ -58,17 +59,25 @@ QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::Pl
   if (!scans || !rows) return labels;
   const auto sherds = catalogue.sherds(*rows);
   if (!sherds) return labels;
+  // By their places: the results that the map shows may be newer than those in the catalogue, or
+  // older, and number the pieces otherwise.
+  std::vector<pipeline::ScanRef> places;
+  std::vector<catalogue::ScanRow> fronts;
+  for (const catalogue::ScanRecord& scan : *scans) {
+    if (scan.side != batch::Side::Front || !scan.isThere()) continue;
+    if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
+    places.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
+    fronts.push_back(scan.row);
+  }
   qsizetype next = 0;
   for (const pipeline::MapMark& mark : map.front.marks) {
     if (mark.number.empty() || next >= labels.size()) continue;
     SherdLabel& label = labels[next++];
-    const int index = QString::fromStdString(mark.number).toInt();
-    const auto scan = std::find_if(scans->begin(), scans->end(), [&](const auto& s) {
-      return s.side == batch::Side::Front && s.index == index;
-    });
-    if (scan == scans->end()) continue;
+    const int at = pipeline::resolved({batch::Side::Front, {}, mark.place_mm, {}}, places);
+    if (at < 0) continue;
+    const catalogue::ScanRow front = fronts[static_cast<std::size_t>(at)];
     const auto sherd = std::find_if(sherds->begin(), sherds->end(),
-                                    [&](const auto& s) { return s.front == scan->row; });
+                                    [&](const auto& s) { return s.front == front; });
     if (sherd == sherds->end()) continue;
     label.context = placeOf(sherd->site, sherd->trench, sherd->context_number, sherd->bag_number);
     if (!sherd->number.empty()) label.number = QString::fromStdString(sherd->number);

@@ -188,6 +188,7 @@ void MapStation::openBatch(const QString& batch) {
   stale_.clear();
   batches_->setCurrentText(batch);
   message_->clear();
+  print_->setEnabled(false);  // what is shown is about to be another
   if (opening_) opening_->drop();
   const fs::path output = session_->folder() / "results" / batch.toStdString();
   opening_ = session_->jobs().start(

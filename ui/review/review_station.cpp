@@ -189,7 +189,7 @@ void ReviewStation::showItem(const QString& batch) {
   openOutput(batch);
 }
 
-void ReviewStation::openOutput(const QString& batch, const std::string& decider) {
+void ReviewStation::openOutput(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   model_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
@@ -203,16 +203,12 @@ void ReviewStation::openOutput(const QString& batch, const std::string& decider)
       makeJob(tr("Opening %1").arg(batch),
               [output = outputOf(batch)](Progress&, std::stop_token) { return openBatch(output); }),
       this);
-  connect(opening_, &JobHandle::finished, this, [this, batch, decider](const JobOutcome& outcome) {
+  connect(opening_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     const auto opened = outcomeAs<OpenedBatch>(outcome);
     if (!opened) return say(sentenceOf(opened.error()));
     model_->open(*opened);
     compute_->setVisible(model_->wantsComputing());
     if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
-    if (!decider.empty() && session_->hasProject()) {
-      if (const Result<void> told = tellQueue(decider); !told) say(sentenceOf(told.error()));
-      session_->tellBatchChanged(batch);
-    }
     for (const std::string& warning : model_->review().warnings) say(wordsOf(warning));
   });
 }
@@ -231,7 +227,7 @@ void ReviewStation::compute() {
 void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& decision) {
   const QString batch = QString::fromStdString(output.filename().string());
   const bool shown = model_->shows(output);
-  if (!shown) openOutput(batch, decision.by);  // so that one sees what was done there
+  if (!shown) openOutput(batch);  // so that one sees what was done there
   const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
                       decision.kind == pipeline::DecisionKind::Split;
   say(pieces ? tr("Saved. The pairs of the new pieces come when it is computed.")
@@ -241,27 +237,50 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
   if (session_->hasProject()) {
     catalogue::Catalogue& rows = session_->project().catalogue();
     const Result<void> entered = catalogue::enterDecision(rows, batch.toStdString(), decision);
-    const Result<void> told = shown ? tellQueue(decision.by) : Result<void>();
-    if (shown) compute_->setVisible(model_->wantsComputing());
-    for (const Result<void>* done : {&told, &entered})
-      if (!*done) say(sentenceOf(done->error()));
+    if (shown) {
+      compute_->setVisible(model_->wantsComputing());
+      settle(batch, decision.by, {figuresOf(model_->review()), model_->wantsComputing()});
+    } else {
+      settleUnseen(output, decision.by);
+    }
+    if (!entered) say(sentenceOf(entered.error()));
   }
   session_->tellBatchChanged(batch);
 }
 
 // The queue's row follows: its figures, and whether the batch still wants a person.
-Result<void> ReviewStation::tellQueue(const std::string& person) {
+void ReviewStation::settle(const QString& batch, const std::string& person,
+                           const BatchStanding& standing) {
+  ++settled_[batch];
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const QString batch = QString::fromStdString(model_->live()->output().filename().string());
   BatchFigures figures = keptFigures(rows, batch).value_or(BatchFigures{});
-  const ReviewFigures now = figuresOf(model_->review());
-  figures.sherds = now.sherds;
-  figures.sure = now.sure;
-  figures.decided = now.decided;
-  figures.ask = now.ask;
-  if (const Result<void> kept = keepFigures(rows, batch, figures); !kept) return kept;
-  return catalogue::settleBatch(rows, batch.toStdString(), person,
-                                now.ask == 0 && !model_->wantsComputing());
+  figures.sherds = standing.figures.sherds;
+  figures.sure = standing.figures.sure;
+  figures.decided = standing.figures.decided;
+  figures.ask = standing.figures.ask;
+  const Result<void> kept = keepFigures(rows, batch, figures);
+  const Result<void> done = catalogue::settleBatch(
+      rows, batch.toStdString(), person, standing.figures.ask == 0 && !standing.wants_computing);
+  for (const Result<void>* told : {&kept, &done})
+    if (!*told) say(sentenceOf(told->error()));
+}
+
+// Of pairs that are not shown: an act on them was undone or done again.
+void ReviewStation::settleUnseen(const fs::path& output, const std::string& person) {
+  const QString batch = QString::fromStdString(output.filename().string());
+  JobHandle* job = session_->jobs().start(
+      makeJob(tr("Opening %1").arg(batch),
+              [output](Progress&, std::stop_token) { return standingOf(output); }),
+      this);
+  connect(job, &JobHandle::finished, this,
+          [this, batch, person, turn = ++settled_[batch],
+           session = session_](const JobOutcome& outcome) {
+            const auto standing = outcomeAs<BatchStanding>(outcome);
+            if (!standing) return say(sentenceOf(standing.error()));
+            if (!session || session != session_ || turn != settled_[batch]) return;
+            settle(batch, person, *standing);
+            session_->tellBatchChanged(batch);
+          });
 }
 
 // What another station did to this batch: new pairs are shown, a mere change of its state is not.
@@ -270,12 +289,14 @@ void ReviewStation::follow(const QString& batch) {
   if (batches_->findText(batch) < 0) return;
   if (batch == batch_) showScale();
   // The first batch that is computed shows itself; one that was computed anew is read anew.
-  if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) != stamp_)) openOutput(batch);
+  if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) > stamp_)) openOutput(batch);
 }
 
+// The report is written last, and is gone while the batch is computed.
 fs::file_time_type ReviewStation::stampOf(const QString& batch) const {
   std::error_code gone;
-  return fs::last_write_time(outputOf(batch) / "work" / "pairs" / "candidates.json", gone);
+  return std::max(fs::last_write_time(outputOf(batch) / "work" / "pairs" / "candidates.json", gone),
+                  fs::last_write_time(outputOf(batch) / "report.json", gone));
 }
 
 void ReviewStation::setInFront(bool in_front) {

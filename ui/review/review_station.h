@@ -1,4 +1,5 @@
 #pragma once
+#include <QHash>
 #include <QPointer>
 #include <filesystem>
 #include <memory>
@@ -6,6 +7,7 @@
 #include "pipeline/decisions.h"
 #include "ui/frame/station.h"
 #include "ui/jobs/job.h"
+#include "ui/review/review_work.h"
 
 class QComboBox;
 class QFrame;
@@ -45,11 +47,11 @@ class ReviewStation final : public Station {
 
  private:
   void listBatches();
-  /// decider: who took back or did again a decision on a batch that was not shown.
-  void openOutput(const QString& batch, const std::string& decider = {});
+  void openOutput(const QString& batch);
   void compute();
   void enter(const std::filesystem::path& output, const pipeline::PairDecision& decision);
-  Result<void> tellQueue(const std::string& person);  ///< of the pairs that are shown
+  void settle(const QString& batch, const std::string& person, const BatchStanding& standing);
+  void settleUnseen(const std::filesystem::path& output, const std::string& person);
   void follow(const QString& batch);
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
@@ -68,7 +70,8 @@ class ReviewStation final : public Station {
   PairReviewModel* model_ = nullptr;
   QPointer<ReviewPane> pane_;
   QPointer<JobHandle> opening_;
-  std::filesystem::file_time_type stamp_;  ///< of the pairs that are shown
+  std::filesystem::file_time_type stamp_;  ///< of the results that are shown
+  QHash<QString, int> settled_;            ///< how often; what was read before the last is past
 };
 
 }  // namespace ostraka::ui

@@ -45,6 +45,19 @@ Result<OpenedBatch> openBatch(const std::filesystem::path& output) {
   return OpenedBatch{*live, std::move(*decisions), std::move(followed)};
 }
 
+Result<BatchStanding> standingOf(const std::filesystem::path& output) {
+  const Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
+  if (!decisions) return decisions.error();
+  const Result<pipeline::CandidateTable> table = pipeline::readCandidatesOf(output);
+  if (!table) return table.error();
+  const auto review = pipeline::reviewOf(*table, pipeline::standing(*decisions));
+  if (!review) return review.error();
+  const pipeline::Decisions followed = pipeline::followed(*decisions, output);
+  return BatchStanding{
+      figuresOf(*review),
+      !pipeline::onlyConfirm(*table, pipeline::changedSince(*decisions, followed))};
+}
+
 Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,
                                                    const Eigen::Isometry3d& pose, Clouds clouds) {
   auto scene = std::make_shared<PairScene>();

@@ -9,6 +9,7 @@
 
 #include "pipeline/live_pairs.h"
 #include "pipeline/review.h"
+#include "ui/review/review_rows.h"
 
 /// What the review computes away from the window's thread: values in, values out.
 namespace ostraka::ui {
@@ -22,6 +23,13 @@ struct OpenedBatch {
   pipeline::Decisions followed;   ///< by the results as they are
 };
 Result<OpenedBatch> openBatch(const std::filesystem::path& output);
+
+/// How a batch stands, whether it is shown or not; from its files alone.
+struct BatchStanding {
+  ReviewFigures figures;
+  bool wants_computing = false;
+};
+Result<BatchStanding> standingOf(const std::filesystem::path& output);
 
 /// A pair at a pose with all that is shown of it.
 struct PairScene {

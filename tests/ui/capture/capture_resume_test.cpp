@@ -167,6 +167,28 @@ class CaptureResumeTest : public QObject {
     QVERIFY(!bench.wizard.doubts().isEmpty());
   }
 
+  void aBatchThatNobodySaidToBeRightIsNotQueuedByItself() {
+    InlineJobRunner jobs;
+    {
+      Bench bench(folder(), jobs);
+      bench.rig.back = 8;
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    }
+    Bench again(folder(), jobs);
+    again.wizard.setRig(sourceOf(again.rig));
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Done);
+    QCOMPARE(again.batch().state, BatchState::Back);
+    QVERIFY2(again.wizard.doubts().join(' ').contains("B0001"),
+             qPrintable(again.wizard.doubts().join(' ')));
+    again.wizard.next();
+    QTRY_COMPARE(again.batch().state, BatchState::Queued);
+  }
+
   void aNewerBatchFromElsewhereDoesNotHideTheOneThatWasInterrupted() {
     InlineJobRunner jobs;
     {

@@ -214,6 +214,27 @@ class CaptureWizardTest : public QObject {
     QVERIFY(bench.wizard.doubts().isEmpty());
   }
 
+  // What is in the queue are the photographs before.
+  void aSideThatIsPhotographedAgainAfterItWasQueuedIsQueuedOnceMore() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    const QString number = bench.wizard.batchNumber();
+    bench.rig.back = 8;
+    bench.wizard.again();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    QVERIFY(!bench.wizard.doubts().isEmpty());
+    QCOMPARE(bench.batch().state, BatchState::Back);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    QCOMPARE(bench.wizard.batchNumber(), number);
+  }
+
   void whoStillHasTheSherdsInHandIsToldThatTheyAreComputed() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

@@ -27,7 +27,7 @@ struct Heard {
                      [this](NoteLevel, const QString& text) { notes.push_back(text); });
     QObject::connect(handle, &JobHandle::finished, handle, [this](const JobOutcome& outcome) {
       outcomes.push_back(outcome);
-      window_thread = QThread::currentThread() == qApp->thread();
+      window_thread = QThread::currentThread() == QCoreApplication::instance()->thread();
     });
   }
   std::vector<JobProgress> progress;

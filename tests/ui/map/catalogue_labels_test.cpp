@@ -189,9 +189,11 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QVERIFY(batch_row.has_value());
   catalogue::ScanRecord scan;
   scan.batch = *batch_row;
-  scan.index = 2;
-  scan.name = "f002";
-  scan.path = "results/B0001/scans/f002.ply";
+  scan.index = 3;  // as it was numbered before; the map has newer results
+  scan.name = "f003";
+  scan.path = "results/B0001/scans/f003.ply";
+  scan.plate_x_mm = 30;
+  scan.plate_y_mm = 10;
   const auto scan_row = rows.save(scan, {});
   QVERIFY2(scan_row.has_value(), scan_row ? "" : scan_row.error().sentence().c_str());
   catalogue::SherdRecord sherd;
@@ -215,6 +217,9 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   pipeline::PlateMap map;
   map.front.marks.resize(3);
   map.front.marks[0].number = "01";
+  map.front.marks[0].place_mm = {-50, 0};
+  map.front.marks[1].place_mm = {-10, -30};
+  map.front.marks[2].place_mm = {31, 12};
   map.front.marks[2].number = "02";  // the one between is set aside
   const QVector<SherdLabel> plain = {{"B0001-01", {}, "2026-07-14", "OST1:S:B0001-01"},
                                      {"B0001-02", {}, "2026-07-14", "OST1:S:B0001-02"}};
@@ -235,6 +240,8 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   draft.context = *context_row;
   scan.index = 1;
   scan.name = "f001";
+  scan.plate_x_mm = -51;
+  scan.plate_y_mm = 0;
   draft.front = *rows.save(scan, {});
   const auto draft_row = rows.addSherd(draft, {});
   QVERIFY(draft_row.has_value());

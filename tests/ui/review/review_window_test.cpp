@@ -325,9 +325,9 @@ void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
   QTRY_VERIFY(compute->isVisible());
   // As the computation leaves it that followed the join.
   QVERIFY(writeFileAtomically(out_.output / "report.json", R"({"decisions": [1]})"));
-  station_->showItem("B0001");
-  QTRY_VERIFY(model()->isOpen());
+  session_->tellBatchChanged("B0001");
   QTRY_VERIFY(!compute->isVisible());
+  QTRY_VERIFY(model()->isOpen());
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
   QTRY_VERIFY(compute->isVisible());

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "review_window.h"
+#include "ui/queue/batch_figures.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"
 
@@ -21,6 +22,7 @@ class TwoBatchesTest : public ReviewWindow {
   void nothingIsDecidedWhileAnotherBatchOpens();
   void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
   void aDecisionOnAnotherBatchIsTakenBackThere();
+  void twoBatchesTakenBackAtOnceBothWantAPersonAgain();
   void enterInTheListOfBatchesOnlyChooses();
 
  private:
@@ -115,6 +117,28 @@ void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {
   QVERIFY(standingOnDisk().empty());
   QCOMPARE(entered("B0001"), std::size_t{2});
   queue.setSession(nullptr);
+}
+
+// The second act opens another batch before the first one was read.
+void TwoBatchesTest::twoBatchesTakenBackAtOnceBothWantAPersonAgain() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  const auto decided = [this](const char* number) {
+    return keptFigures(session_->project().catalogue(), number).value_or(BatchFigures{}).decided;
+  };
+  for (const char* number : {"B0001", "B0002"}) {
+    station_->showItem(number);
+    QTRY_COMPARE(shown(), QString(number));
+    key(Qt::Key_Return);
+    QTRY_COMPARE(decided(number), 1);
+  }
+  const pipeline::SyntheticOut third = addBatch("B0003");
+  station_->showItem("B0003");
+  QTRY_COMPARE(shown(), QStringLiteral("B0003"));
+  session_->undo().undo();
+  session_->undo().undo();
+  QTRY_COMPARE(decided("B0001"), 0);
+  QTRY_COMPARE(decided("B0002"), 0);
 }
 
 // As keys come from a keyboard: to the window that has them, and past every shortcut.

@@ -3940,6 +3940,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Angehalten; nichts wurde geändert.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) got no number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe bekam keine Nummer: %1</numerusform>
+        <numerusform>%n Scherben bekamen keine Nummer: %1</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdTableModel</name>
@@ -4189,6 +4197,11 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Falls sie schon Nummern haben: jede folgt ihrer Scherbe durch das Wenden. Taste N.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 got no number. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1 bekam keine Nummer. %2</translation>
     </message>
   </context>
   <context>
@@ -4804,6 +4817,16 @@
       <source>The image is cut off before its end; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
+    </message>
+    <message>
+      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ ist keine Art von Befund; möglich sind layer, cut, fill, structure, surface oder unstratified.</translation>
+    </message>
+    <message>
+      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fundorte und Schnitte, die es noch nicht gab: %1; nachsehen, dass keiner ein Schreibfehler ist.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
@@ -6726,9 +6749,9 @@
       <translation>Die Spalte '%1' ist unbekannt; ihre Werte werden als eigenes Feld behalten.</translation>
     </message>
     <message>
-      <source>The file holds zero bytes; it is no table.</source>
+      <source>The file is no text: it holds binary data, which no table does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Datei enthält Nullbytes; sie ist keine Tabelle.</translation>
+      <translation>Die Datei ist kein Text: sie enthält binäre Daten, die keine Tabelle hat.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

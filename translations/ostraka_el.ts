@@ -3940,6 +3940,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σταμάτησε· δεν άλλαξε τίποτα.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) got no number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο δεν πήρε αριθμό: %1</numerusform>
+        <numerusform>%n όστρακα δεν πήραν αριθμό: %1</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdTableModel</name>
@@ -4189,6 +4197,11 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αν έχουν ήδη αριθμούς: ο καθένας ακολουθεί το όστρακό του στο γύρισμα. Πλήκτρο N.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 got no number. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο %1 δεν πήρε αριθμό. %2</translation>
     </message>
   </context>
   <context>
@@ -4804,6 +4817,16 @@
       <source>The image is cut off before its end; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
+    </message>
+    <message>
+      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» δεν είναι είδος πλαισίου· μπορεί να είναι layer, cut, fill, structure, surface ή unstratified.</translation>
+    </message>
+    <message>
+      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Θέσεις και τομές που δεν υπήρχαν: %1· ελέγξτε ότι καμία δεν είναι λάθος γραφής.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
@@ -6726,9 +6749,9 @@
       <translation>Η στήλη '%1' δεν είναι γνωστή· οι τιμές της κρατιούνται ως δικό σας πεδίο.</translation>
     </message>
     <message>
-      <source>The file holds zero bytes; it is no table.</source>
+      <source>The file is no text: it holds binary data, which no table does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το αρχείο περιέχει μηδενικά byte· δεν είναι πίνακας.</translation>
+      <translation>Το αρχείο δεν είναι κείμενο: περιέχει δυαδικά δεδομένα, που κανένας πίνακας δεν έχει.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

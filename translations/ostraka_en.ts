@@ -305,6 +305,13 @@
         <numerusform>number %n sherds</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) got no number: %1</source>
+      <translation>
+        <numerusform>%n sherd got no number: %1</numerusform>
+        <numerusform>%n sherds got no number: %1</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MaskPage</name>

@@ -3940,6 +3940,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detenido; no cambió nada.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) got no number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento no recibió número: %1</numerusform>
+        <numerusform>%n fragmentos no recibieron número: %1</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdTableModel</name>
@@ -4189,6 +4197,11 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si ya tienen números: cada uno sigue a su fragmento al darle la vuelta. Tecla N.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 got no number. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El fragmento %1 no recibió número. %2</translation>
     </message>
   </context>
   <context>
@@ -4804,6 +4817,16 @@
       <source>The image is cut off before its end; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
+    </message>
+    <message>
+      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» no es un tipo de contexto; puede ser layer, cut, fill, structure, surface o unstratified.</translation>
+    </message>
+    <message>
+      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yacimientos y cortes que no existían: %1; compruebe que ninguno sea una errata.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
@@ -6726,9 +6749,9 @@
       <translation>La columna '%1' no se conoce; sus valores se guardan como un campo propio.</translation>
     </message>
     <message>
-      <source>The file holds zero bytes; it is no table.</source>
+      <source>The file is no text: it holds binary data, which no table does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El archivo contiene bytes nulos; no es una tabla.</translation>
+      <translation>El archivo no es texto: contiene datos binarios, que ninguna tabla tiene.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

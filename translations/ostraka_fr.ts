@@ -3940,6 +3940,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêté ; rien n’a été modifié.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) got no number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson n’a pas reçu de numéro : %1</numerusform>
+        <numerusform>%n tessons n’ont pas reçu de numéro : %1</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdTableModel</name>
@@ -4189,6 +4197,11 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>S’ils ont déjà des numéros : chacun suit son tesson au retournement. Touche N.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 got no number. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tesson %1 n’a pas reçu de numéro. %2</translation>
     </message>
   </context>
   <context>
@@ -4804,6 +4817,16 @@
       <source>The image is cut off before its end; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image est coupée avant sa fin ; copiez-la à nouveau depuis l’appareil.</translation>
+    </message>
+    <message>
+      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » n’est pas un type de contexte ; ce peut être layer, cut, fill, structure, surface ou unstratified.</translation>
+    </message>
+    <message>
+      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sites et tranchées qui n’existaient pas : %1 ; vérifiez qu’aucun n’est une faute de frappe.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
@@ -6726,9 +6749,9 @@
       <translation>La colonne '%1' n’est pas connue ; ses valeurs sont gardées comme un champ à vous.</translation>
     </message>
     <message>
-      <source>The file holds zero bytes; it is no table.</source>
+      <source>The file is no text: it holds binary data, which no table does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le fichier contient des octets nuls ; ce n’est pas un tableau.</translation>
+      <translation>Le fichier n’est pas du texte : il contient des données binaires, ce qu’aucun tableau n’a.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

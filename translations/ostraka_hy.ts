@@ -3940,6 +3940,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցված է. ոչինչ չի փոխվել։</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) got no number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n խեցաբեկոր համար չստացավ. %1</numerusform>
+        <numerusform>%n խեցաբեկոր համար չստացավ. %1</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdTableModel</name>
@@ -4189,6 +4197,11 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եթե արդեն համարներ ունեն՝ յուրաքանչյուրը հետևում է իր խեցաբեկորին շրջելիս։ N ստեղնը։</translation>
+    </message>
+    <message>
+      <source>Sherd %1 got no number. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 խեցաբեկորը համար չստացավ. %2</translation>
     </message>
   </context>
   <context>
@@ -4804,6 +4817,16 @@
       <source>The image is cut off before its end; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
+    </message>
+    <message>
+      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը համատեքստի տեսակ չէ. այն կարող է լինել layer, cut, fill, structure, surface կամ unstratified։</translation>
+    </message>
+    <message>
+      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հուշարձաններ և խրամատներ, որոնք չկային. %1. ստուգեք, որ դրանցից ոչ մեկը վրիպակ չլինի։</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
@@ -6726,9 +6749,9 @@
       <translation>'%1' սյունակը հայտնի չէ. դրա արժեքները պահվում են որպես ձեր սեփական դաշտ։</translation>
     </message>
     <message>
-      <source>The file holds zero bytes; it is no table.</source>
+      <source>The file is no text: it holds binary data, which no table does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ֆայլը պարունակում է զրոյական բայտեր. այն աղյուսակ չէ։</translation>
+      <translation>Ֆայլը տեքստ չէ. այն պարունակում է երկուական տվյալներ, որոնք ոչ մի աղյուսակում չեն լինում։</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

@@ -3902,6 +3902,13 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durduruldu; hiçbir şey değişmedi.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) got no number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça numara almadı: %1</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdTableModel</name>
@@ -4151,6 +4158,11 @@
       <source>If they have numbers already: each follows its sherd through the flip. Key N.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zaten numaraları varsa: her biri çevirmede parçasını izler. N tuşu.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 got no number. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numaralı parça numara almadı. %2</translation>
     </message>
   </context>
   <context>
@@ -4764,6 +4776,16 @@
       <source>The image is cut off before its end; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim sonundan önce kesilmiş; kameradan yeniden kopyalayın.</translation>
+    </message>
+    <message>
+      <source>'%1' is no kind of context; it is layer, cut, fill, structure, surface or unstratified.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>“%1” bir kontekst türü değil; layer, cut, fill, structure, surface ya da unstratified olabilir.</translation>
+    </message>
+    <message>
+      <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz olmayan alanlar ve açmalar: %1; hiçbirinin yazım hatası olmadığına bakın.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
@@ -6686,9 +6708,9 @@
       <translation>'%1' sütunu bilinmiyor; değerleri kendi alanınız olarak saklanıyor.</translation>
     </message>
     <message>
-      <source>The file holds zero bytes; it is no table.</source>
+      <source>The file is no text: it holds binary data, which no table does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dosyada sıfır baytlar var; bu bir tablo değil.</translation>
+      <translation>Dosya metin değil: hiçbir tabloda olmayan ikili veriler içeriyor.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

@@ -1,5 +1,8 @@
 // Persons, sites, trenches, contexts and bags.
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "catalogue/catalogue.h"
 #include "catalogue/database.h"
@@ -9,6 +12,10 @@
 
 namespace ostraka::catalogue {
 namespace {
+
+// As the catalogue's schema has them; empty: not said.
+constexpr std::string_view kContextKinds[] = {"",          "layer",   "cut",         "fill",
+                                              "structure", "surface", "unstratified"};
 
 // A code or number that people read: composed, without blanks at its ends, not empty.
 std::string needed(const std::string& text, const char* what) {
@@ -269,6 +276,11 @@ Result<ContextRow> Catalogue::save(const ContextRecord& c, const Act& act) {
   return database_->inTransaction([&] {
     const std::string number = needed(c.number, "number of a context"), key = uniqueKey(number);
     if (!c.site) refuse("A context belongs to a site.", number);
+    if (std::find(std::begin(kContextKinds), std::end(kContextKinds), c.kind) ==
+        std::end(kContextKinds))
+      refuse("'" + c.kind +
+             "' is no kind of context; it is layer, cut, fill, structure, surface or "
+             "unstratified.");
     const std::string day = checked(checkedDay(c.excavated_on), "excavated_on");
     const std::string edtf = checked(checkedEdtf(c.date_edtf), "date_edtf");
     if (c.trench) {

@@ -1,7 +1,9 @@
 // Sites, trenches, contexts and bags from a table.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "base/text.h"
 #include "catalogue/names.h"
 #include "catalogue/values.h"
 #include "exchange/csv.h"
@@ -147,6 +149,7 @@ class ContextRows {
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
     if (!entered) {
       places_.forget();
+      places_.forgetMade();
       refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
       return {};
     }
@@ -155,8 +158,11 @@ class ContextRows {
     report_.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
                                         : changed ? RowFate::Changed
                                                   : RowFate::Same);
+    for (const std::string& place : places_.made()) made_.insert(place);
+    places_.forgetMade();
     return {};
   }
+  std::vector<std::string> madePlaces() const { return {made_.begin(), made_.end()}; }
 
  private:
   void refuse(Refusal refusal) {
@@ -170,6 +176,7 @@ class ContextRows {
   const Act& act_;
   ImportReport& report_;
   Places places_;
+  std::set<std::string> made_;
 };
 
 }  // namespace
@@ -198,6 +205,7 @@ Result<ContextRow> Places::context(const std::string& site_code, const std::stri
     const Result<SiteRow> made = catalogue_.save(record, act_);
     if (!made) return made.error();
     site = *made;
+    made_.push_back(site_code);
   }
   TrenchRow trench;
   if (!trench_code.empty()) {
@@ -212,6 +220,7 @@ Result<ContextRow> Places::context(const std::string& site_code, const std::stri
       const Result<TrenchRow> made = catalogue_.save(record, act_);
       if (!made) return made.error();
       trench = *made;
+      made_.push_back(site_code + " " + trench_code);
     }
   }
   ContextRecord record;
@@ -256,6 +265,9 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
                       [&](std::size_t i) { return entering.row(table.rows[i]); });
   if (!entered) return entered.error();
   report.not_reached = static_cast<int>(table.rows.size() - *entered);
+  if (const std::vector<std::string> made = entering.madePlaces(); !made.empty())
+    report.warnings.push_back("Sites and trenches that were not there: " + joined(made, ", ") +
+                              "; look that none is a slip of the pen.");
   return report;
 }
 

@@ -60,7 +60,8 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   else
     text = bytes.substr(bytes.starts_with(kBom) ? kBom.size() : 0);
   if (text.find('\0') != std::string::npos)
-    return Error::unusable("The file holds zero bytes; it is no table.", where);
+    return Error::unusable("The file is no text: it holds binary data, which no table does.",
+                           where);
   if (!catalogue::isUtf8(text)) {
     std::size_t good = 0;
     int line = 1;

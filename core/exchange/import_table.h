@@ -93,12 +93,16 @@ class Places {
                                         const std::string& number);
   Result<catalogue::BagRow> bag(catalogue::ContextRow context, const std::string& number);
   void forget() { known_.clear(); }  ///< after a row was taken back
+  /// Codes of sites ("ARM1") and trenches ("ARM1 T3") that were made since they were forgotten.
+  const std::vector<std::string>& made() const { return made_; }
+  void forgetMade() { made_.clear(); }
 
  private:
   catalogue::Catalogue& catalogue_;
   UnknownPlaces unknown_;
   catalogue::Act act_;
   std::map<std::string, std::int64_t> known_;
+  std::vector<std::string> made_;
 };
 
 }  // namespace ostraka::exchange

@@ -40,8 +40,12 @@ NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
 
 void NumberEdit::choose(int sherd) {
   if (sherd != sherd_) {
-    if (!keepTyped()) return;
+    // Whoever points at another sherd types that one's number next.
+    const int before = sherd_;
+    const QString refused = give() ? QString() : note_->text();
     showSherd(sherd);
+    if (!refused.isEmpty())
+      note_->setText(tr("Sherd %1 got no number. %2").arg(before + 1).arg(refused));
   }
   edit_->setFocus();
   edit_->selectAll();
@@ -83,7 +87,8 @@ bool NumberEdit::eventFilter(QObject* watched, QEvent* event) {
   if (watched == edit_ && event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     const int by = key == Qt::Key_Down ? 1 : key == Qt::Key_Up ? -1 : 0;
-    if (by != 0 && sherd_ + by >= 0 && sherd_ + by < numbers_->count()) choose(sherd_ + by);
+    if (by != 0 && sherd_ + by >= 0 && sherd_ + by < numbers_->count() && keepTyped())
+      choose(sherd_ + by);
     if (by != 0) return true;
     if (key == Qt::Key_Escape) {
       showSherd(sherd_);

@@ -99,7 +99,7 @@ void BulkEdit::setSherds(ProjectSession* session, std::vector<catalogue::SherdRo
   session_ = session;
   sherds_ = std::move(sherds);
   heading_->setText(tr("%n sherd(s) chosen", nullptr, static_cast<int>(sherds_.size())));
-  value_->clear();
+  value_->setText({});  // clear() would count as a person's act
   offerTerms();
   preview();
 }

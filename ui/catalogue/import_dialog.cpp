@@ -178,6 +178,7 @@ void ImportDialog::refresh() {
     places_->setChecked(model_.makesPlaces());
   }
   places_->setEnabled(!works && state != State::Done);
+  places_->setVisible(!model_.isOfContexts());  // such a table is there to make them
   summary_->setText(state == State::Looking ? tr("Looking at it …")
                     : state == State::Done  ? tr("Entered: %1").arg(model_.summary())
                                             : model_.summary());

@@ -206,6 +206,11 @@ QStringList ImportModel::warnings() const {
   return all;
 }
 
+bool ImportModel::isOfContexts() const {
+  return !columns_.isEmpty() && !columns_.contains(QStringLiteral("number")) &&
+         !columns_.contains(QStringLiteral("uuid"));
+}
+
 bool ImportModel::canEnter() const {
   return session_ && state_ == State::Ready && report_ && report_->fresh + report_->changed > 0;
 }

@@ -32,6 +32,7 @@ class ImportModel final : public QObject {
   State state() const { return state_; }
   const QString& source() const { return source_; }
   bool makesPlaces() const { return make_places_; }
+  bool isOfContexts() const;  ///< a table without numbers of sherds
   /// A file or a folder; what it would do is found out at once, on a copy of the catalogue.
   void setSource(const QString& path);
   void setMakesPlaces(bool make);

@@ -10,6 +10,7 @@
 #include <QStringListModel>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "catalogue/values.h"
 #include "ui/catalogue/field_words.h"
@@ -18,6 +19,15 @@
 
 namespace ostraka::ui {
 namespace {
+
+// As it is typed, but for a computed length's fifteen digits: a hundredth of a millimetre is more
+// than is known.
+QString shownText(const catalogue::SherdRecord& sherd, const catalogue::SherdField& field) {
+  const std::string text = catalogue::textOf(sherd, field.name);
+  const auto value = catalogue::parsedNumber(text);
+  if (field.kind != catalogue::FieldKind::Number || !value) return QString::fromStdString(text);
+  return QString::fromStdString(catalogue::numberText(std::round(*value * 100) / 100));
+}
 
 constexpr int kSmallPicture = 64;
 
@@ -228,7 +238,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
                  : wordsOf(proposed.error().what));
   }
   for (const catalogue::SherdField& field : catalogue::sherdFields())
-    if (field.editable) setText(field.name, QString::fromStdString(textOf(*sherd, field.name)));
+    if (field.editable) setText(field.name, shownText(*sherd, field));
   place_->clear();
   if (const auto contexts = catalogue.contexts())
     for (const catalogue::ContextRecord& context : *contexts) {

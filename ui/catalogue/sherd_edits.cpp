@@ -14,20 +14,38 @@ namespace {
 
 using Changes = std::vector<catalogue::FieldChange>;
 
-Result<Changes> numbersFor(const catalogue::Catalogue& catalogue,
+// Numbers for those that can have one; the others lack a part of it, mostly their context.
+struct Numbers {
+  Changes changes;
+  int left = 0;
+  Error why_left{};
+};
+
+Result<Numbers> numbersFor(const catalogue::Catalogue& catalogue,
                            const std::vector<catalogue::SherdRow>& sherds) {
   const Result<std::vector<catalogue::SherdRecord>> records = catalogue.sherds(sherds);
   if (!records) return records.error();
   std::vector<catalogue::SherdRow> drafts;
   for (const catalogue::SherdRecord& sherd : *records)
     if (sherd.state == catalogue::SherdState::Draft) drafts.push_back(sherd.row);
-  Changes changes;
-  if (drafts.empty()) return changes;
-  const Result<std::vector<std::string>> numbers = catalogue.proposeNumbers(drafts);
-  if (!numbers) return numbers.error();
+  Numbers made;
+  if (drafts.empty()) return made;
+  const int wanted = static_cast<int>(drafts.size());
+  Result<std::vector<std::string>> numbers = catalogue.proposeNumbers(drafts);
+  if (!numbers) {
+    std::erase_if(drafts, [&](const catalogue::SherdRow& draft) {
+      const auto alone = catalogue.proposeNumbers(std::span(&draft, 1));
+      if (!alone) made.why_left = alone.error();
+      return !alone.has_value();
+    });
+    if (drafts.empty()) return numbers.error();
+    made.left = wanted - static_cast<int>(drafts.size());
+    numbers = catalogue.proposeNumbers(drafts);
+    if (!numbers) return numbers.error();
+  }
   for (std::size_t i = 0; i < drafts.size(); ++i)
-    changes.push_back({drafts[i], "number", (*numbers)[i]});
-  return changes;
+    made.changes.push_back({drafts[i], "number", (*numbers)[i]});
+  return made;
 }
 
 }  // namespace
@@ -121,19 +139,33 @@ QString SherdEdits::assignNumbers(const std::vector<catalogue::SherdRow>& sherds
   const auto title = [](const Changes& changes) {
     return tr("number %n sherd(s)", nullptr, static_cast<int>(changes.size()));
   };
+  const auto leftWords = [](const Numbers& numbers) {
+    if (numbers.left == 0) return QString();
+    return tr("%n sherd(s) got no number: %1", nullptr, numbers.left)
+        .arg(sentenceOf(numbers.why_left));
+  };
   if (sherds.size() > kAtOnce) {
+    const auto left = std::make_shared<Numbers>();  // written before the job ends, read after it
     changeMany(
         tr("Numbers"),
-        [sherds](const catalogue::Catalogue& catalogue) { return numbersFor(catalogue, sherds); },
-        [this, title, nothing](const Made& made) {
+        [sherds, left](const catalogue::Catalogue& catalogue) -> Result<Changes> {
+          Result<Numbers> numbers = numbersFor(catalogue, sherds);
+          if (!numbers) return numbers.error();
+          *left = *numbers;
+          return std::move(numbers->changes);
+        },
+        [this, title, nothing, left, leftWords](const Made& made) {
           if (made.undo.empty()) return emit failed(nothing);
           session_.undo().push(new SherdEditCommand(*this, title(made.done), made.done, made.undo));
+          if (left->left > 0) emit failed(leftWords(*left));
         });
     return {};
   }
-  const Result<Changes> changes = numbersFor(session_.project().catalogue(), sherds);
-  if (!changes) return sentenceOf(changes.error());
-  return changes->empty() ? nothing : change(title(*changes), *changes);
+  const Result<Numbers> numbers = numbersFor(session_.project().catalogue(), sherds);
+  if (!numbers) return sentenceOf(numbers.error());
+  if (numbers->changes.empty()) return nothing;
+  const QString refused = change(title(numbers->changes), numbers->changes);
+  return refused.isEmpty() ? leftWords(*numbers) : refused;
 }
 
 void SherdEdits::changeMany(const QString& title, const Making& making,

@@ -8,6 +8,7 @@
 
 #include "ui/frame/look.h"
 #include "ui/jobs/job.h"
+#include "ui/frame/wheel_guard.h"
 #include "ui/main/main_window.h"
 #include "ui/settings/window_settings.h"
 #include "ui/viewport/sherd_view.h"
@@ -53,6 +54,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     QApplication::installTranslator(&qts);
   if (ours.load(locale, QStringLiteral("ostraka"), QStringLiteral("_"), QStringLiteral(":/i18n")))
     QApplication::installTranslator(&ours);
+  application.installEventFilter(new WheelGuard(&application));
   applyLook(application, settings.theme, settings.text_percent);
   ThreadedJobRunner runner;
   MainWindow window(runner);

@@ -81,7 +81,8 @@ class PairReviewModel final : public QAbstractListModel {
   void joinWith(batch::Side side, int row);
   /// The side in hand is two pieces, cut along a line as the picture shows it (front's frame, mm).
   void split(batch::Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm);
-  void fetchModel();  ///< the closed model as last computed
+  void fetchModel();                                ///< the closed model as last computed
+  void fetchScans() { fetchScene(Clouds::Fetch); }  ///< both sides as they are on trial
 
  signals:
   void cardChanged();  ///< another card is in hand, or its state changed

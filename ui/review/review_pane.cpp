@@ -151,11 +151,11 @@ void ReviewPane::buildViewActions() {
   along_rim_ = toggle("alongRim", tr("Rim gap"), Qt::Key_R);
   connect(along_rim_, &QAction::toggled, this, &ReviewPane::colourRim);
   closed_ = toggle("closed", tr("Model"), Qt::Key_V);
-  connect(closed_, &QAction::toggled, this, [this](bool on) {
+  connect(closed_, &QAction::triggered, this, [this](bool on) {
     if (on)
       model_.fetchModel();
-    else if (scene_)
-      model_.selectRow(model_.rowInHand());
+    else
+      model_.fetchScans();
   });
 }
 

@@ -10,6 +10,9 @@ Sentences sentencesOfCatalogue() {
                         "The disk is full; make room, then try again. Nothing was lost."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Another program keeps the catalogue busy; close it, then try again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "'%1' is no kind of context; it is layer, cut, fill, structure, surface or "
+                        "unstratified."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A plate holds 1 to 60 sherds; 0 means not counted."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",

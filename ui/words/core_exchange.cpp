@@ -6,6 +6,9 @@ namespace ostraka::ui {
 
 Sentences sentencesOfExchange() {
   static constexpr const char* kAll[] = {
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Sites and trenches that were not there: %1; look that none is a slip of the pen."),
       QT_TRANSLATE_NOOP("ostraka::Error", "There is no scale to draw it at."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A preview is taken back."),
       QT_TRANSLATE_NOOP("ostraka::Error", "An archive must not lie in the project itself."),
@@ -46,7 +49,8 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The column '%1' is not known; its values are kept as a field of your own."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The file holds zero bytes; it is no table."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The file is no text: it holds binary data, which no table does."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The table has more than 1,000,000 rows; split it."),

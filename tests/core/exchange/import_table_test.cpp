@@ -158,6 +158,20 @@ TEST_F(Import, OfContextsMakesAndChangesThem) {
   EXPECT_EQ(again.fresh + again.changed, 0);
 }
 
+TEST_F(Import, OfContextsNamesTheSitesThatItMakesAndTheKindsThatThereAre) {
+  const ImportReport report =
+      import("site,trench,context,kind\nNOPE,T1,0010,layer\nNOPE,T1,0011,pit\nNIX,T1,0012,hole\n");
+  EXPECT_EQ(report.fresh, 1);
+  ASSERT_EQ(report.refusals.size(), 2u);
+  EXPECT_EQ(report.refusals[0].reason,
+            "'pit' is no kind of context; it is layer, cut, fill, structure, surface or "
+            "unstratified.");
+  ASSERT_EQ(report.warnings.size(), 1u);
+  EXPECT_EQ(report.warnings[0],
+            "Sites and trenches that were not there: NOPE, NOPE T1; look that none is a slip of "
+            "the pen.");
+}
+
 TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {
   const ImportReport report =
       import("site;trench;context;description;Öffner\nARM1;T3;0012;dark fill;LT\n");

@@ -356,10 +356,12 @@ class CaptureStationTest : public QObject {
     QCOMPARE(numbers.of(1), QStringLiteral("ARM1-T3-0012-0008"));
     QCOMPARE(edit.sherd(), 0);
     QTest::keyClicks(line, "8");
-    edit.choose(2);             // by a click on the plate
-    QCOMPARE(edit.sherd(), 0);  // two sherds of one number: it stays and says so
-    QCOMPARE(line->text(), QStringLiteral("8"));
-    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")->text().startsWith("Sherd 2 of this plate"));
+    edit.choose(2);  // by a click on the plate: what is typed next is that one's
+    QCOMPARE(edit.sherd(), 2);
+    QCOMPARE(line->text(), QStringLiteral("OLD-9"));
+    QVERIFY(edit.findChild<QLabel*>("sherdNumberNote")
+                ->text()
+                .startsWith("Sherd 1 got no number. Sherd 2 of this plate"));
     QTest::keyClick(line, Qt::Key_Escape);
     QCOMPARE(numbers.of(0), QStringLiteral("ARM1-T3-0012-0007"));
     edit.choose(1);

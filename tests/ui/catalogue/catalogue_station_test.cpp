@@ -236,6 +236,11 @@ class CatalogueStationTest : public QObject {
     QCOMPARE(sample_->value(0, "condition"), QString("burnt"));
     QCOMPARE(sample_->value(39, "condition"), QString("burnt"));
     QCOMPARE(sample_->value(1, "condition"), QString());
+    // A second click on the same place empties nothing.
+    QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
+    QVERIFY(!child<QPushButton>("bulkApply")->isEnabled());
+    QVERIFY(!child<QLabel>("bulkSummary")->text().contains("change,"));
+    QCOMPARE(sample_->value(0, "condition"), QString("burnt"));
     sample_->session().undo().undo();
     QCOMPARE(sample_->value(39, "condition"), QString());
   }
@@ -285,6 +290,33 @@ class CatalogueStationTest : public QObject {
     QCOMPARE(sample_->value(40, "number"), QString("ARM1-T3-0012-0021"));
     sample_->session().undo().undo();
     QCOMPARE(sample_->value(40, "number"), QString());
+  }
+
+  void whoLacksAContextDoesNotKeepTheOthersFromTheirNumbers() {
+    sample_->addDraft();
+    sample_->addDraft(false);
+    sample_->addDraft();
+    filter("state:draft");
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+    QTest::mouseClick(child<QPushButton>("bulkNumbers"), Qt::LeftButton);
+    QCOMPARE(sample_->value(40, "number"), QString("ARM1-T3-0012-0021"));
+    QCOMPARE(sample_->value(41, "number"), QString());
+    QCOMPARE(sample_->value(42, "number"), QString("ARM1-T3-0012-0022"));
+    const QString said = child<QLabel>("problem")->text();
+    QVERIFY2(said.startsWith("1 sherd") && said.contains("context"), qPrintable(said));
+  }
+
+  void aComputedLengthHasNoFifteenDigits() {
+    for (int i = 0; i < 40; ++i)  // whichever is the first row
+      SampleProject::must(sample_->session().project().catalogue().change(
+          std::vector<catalogue::FieldChange>{{sample_->row(i), "length_mm", "53.929898797564384"}},
+          {}));
+    choose(0);
+    auto* field = child<QLineEdit>("field_length_mm");
+    QTRY_COMPARE(field->text(), QStringLiteral("53.93"));
+    QTest::keyClick(field, Qt::Key_Return);  // nothing was typed
+    QCOMPARE(sample_->value(0, "length_mm"), QStringLiteral("53.929898797564384"));
   }
 
   void anotherStationCanShowASherd() {

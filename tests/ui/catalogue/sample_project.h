@@ -57,9 +57,10 @@ class SampleProject {
     return QString::fromStdString(catalogue::textOf(
         must(catalogue().sherd(sherds_[static_cast<std::size_t>(sherd)])), field));
   }
-  catalogue::SherdRow addDraft() {
+  catalogue::SherdRow row(int sherd) const { return sherds_[static_cast<std::size_t>(sherd)]; }
+  catalogue::SherdRow addDraft(bool with_context = true) {
     catalogue::SherdRecord s;
-    s.context = contexts_[0];
+    if (with_context) s.context = contexts_[0];
     sherds_.push_back(must(catalogue().addSherd(s, act_)));
     return sherds_.back();
   }

@@ -12,6 +12,7 @@
 #include "batch/exif.h"
 #include "capture/manifest.h"
 #include "catalogue/review_decisions.h"
+#include "catalogue/same_pieces.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/typed_numbers.h"
 #include "catalogue/values.h"
@@ -63,6 +64,7 @@ struct ReadSherd {
 };
 struct ReadResults {
   std::vector<ScanRecord> scans;
+  pipeline::Decisions edits;  ///< joins and cuts of these photographs, also those taken back
   std::vector<PairDecision> pairs;
   std::vector<std::pair<std::string, std::string>> pair_names;
   std::vector<ReadSherd> sherds;
@@ -86,6 +88,7 @@ class Reading {
       pairsOf(pairs);
       scansOf("front");
       scansOf("back");
+      edits();
       for (const json& sherd : report.at("sherds")) sherdOf(sherd, report.value("has_scale", true));
       for (const json& stage : report.at("stages"))
         if (stage.at("stage") == "cameras") camerasOf(stage.at("figures"));
@@ -136,14 +139,16 @@ class Reading {
   }
 
   // Those that were paired: where a person joined or cut pieces, they lie in a folder of their own.
-  std::vector<fs::path> scanFiles(const std::string& side) const {
+  std::vector<fs::path> scanFiles(const std::string& side) {
     const fs::path work = out_ / "work", table = work / "pairs" / "candidates.json";
     std::vector<fs::path> files;
     std::error_code code;
     if (fs::exists(table, code)) {
       const json candidates = orRefuse(readJson(table));
-      for (const json& scan : candidates.at(side + "s"))
+      for (const json& scan : candidates.at(side + "s")) {
         files.push_back(work / scan.at("file").get<std::string>());
+        photographs_[side] = scan.value("photographs", "");
+      }
       return files;
     }
     for (const fs::directory_entry& entry : fs::directory_iterator(work / ("scans_" + side), code))
@@ -169,6 +174,16 @@ class Reading {
       scan.plate_y_mm = sum.y() / static_cast<double>(cloud.size());
       file(path, "scan", {}, {});
       results_.scans.push_back(std::move(scan));
+    }
+  }
+
+  void edits() {
+    using pipeline::DecisionKind;
+    for (pipeline::PairDecision& d : orRefuse(pipeline::readDecisions(out_))) {
+      if (d.kind != DecisionKind::Join && d.kind != DecisionKind::Split) continue;
+      const std::string& seen = d.scans.front().photographs;
+      const std::string& now = photographs_[batch::name(d.scans.front().side)];
+      if (seen.empty() || now.empty() || seen == now) results_.edits.push_back(std::move(d));
     }
   }
 
@@ -228,6 +243,7 @@ class Reading {
   Progress& progress_;
   std::stop_token stop_;
   ReadResults results_;
+  std::map<std::string, std::string> photographs_;  ///< of each side, where they are known
   std::int64_t total_ = 1;
 };
 
@@ -244,48 +260,13 @@ bool sameWord(const PairDecision& a, const PairDecision& b) {
          samePose(a.front_from_back, b.front_from_back);
 }
 
-// For each piece that the catalogue knows the index of the one found at its place, -1 if there is
-// none; the nearest are matched first. Without a place the name decides.
-std::vector<int> samePieces(const std::vector<ScanRecord>& known,
-                            const std::vector<ScanRecord>& found) {
-  using pipeline::kSamePiece_mm;
-  struct Candidate {
-    double distance_mm;
-    bool other_name;
-    std::size_t known, found;
-    auto operator<=>(const Candidate&) const = default;
-  };
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < known.size(); ++i)
-    for (std::size_t j = 0; j < found.size(); ++j) {
-      if (known[i].side != found[j].side) continue;
-      const bool other_name = known[i].name != found[j].name;
-      if (!known[i].plate_x_mm || !known[i].plate_y_mm) {
-        if (!other_name) candidates.push_back({kSamePiece_mm, other_name, i, j});
-        continue;
-      }
-      const double distance_mm = std::hypot(*known[i].plate_x_mm - *found[j].plate_x_mm,
-                                            *known[i].plate_y_mm - *found[j].plate_y_mm);
-      if (distance_mm < kSamePiece_mm) candidates.push_back({distance_mm, other_name, i, j});
-    }
-  std::sort(candidates.begin(), candidates.end());
-  std::vector<int> same(known.size(), -1);
-  std::vector<bool> taken(found.size());
-  for (const Candidate& c : candidates) {
-    if (same[c.known] >= 0 || taken[c.found]) continue;
-    same[c.known] = static_cast<int>(c.found);
-    taken[c.found] = true;
-  }
-  return same;
-}
-
 class Entering {
  public:
   Entering(Catalogue& catalogue, BatchRow batch, const Act& act)
       : catalogue_(catalogue), batch_(batch), act_{{}, "process", act.why} {}
 
   EnteredResults enter(const ReadResults& read, const fs::path& out) {
-    scans(read.scans);
+    scans(read.scans, read.edits);
     orRefuse(enterStanding(catalogue_, orRefuse(catalogue_.batch(batch_)).number, out));
     decide(read);
     for (const ReadSherd& sherd : read.sherds) model(sherd);
@@ -310,9 +291,9 @@ class Entering {
  private:
   // Pieces are numbered anew by each computation, in the order of their places; what a person said
   // about one must stay with it, so it is known by its place.
-  void scans(std::vector<ScanRecord> found) {
+  void scans(std::vector<ScanRecord> found, const pipeline::Decisions& edits) {
     const std::vector<ScanRecord> known = orRefuse(catalogue_.scans(batch_));
-    const std::vector<int> same = samePieces(known, found);
+    const std::vector<int> same = samePieces(known, found, edits);
     for (std::size_t i = 0; i < known.size(); ++i) {
       const bool gone = same[i] < 0;
       if (gone && !known[i].isThere()) continue;

@@ -269,6 +269,57 @@ TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
   EXPECT_TRUE(sherds().front().back);
 }
 
+// The pieces at 40 and 70 mm are fragments of one sherd, whose mean lies 15 mm from either.
+TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
+  const auto apart = [&] {
+    out.places_mm = {{40, 0}, {70, 0}, {120, 0}};
+    out.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}};
+    out.gone.clear();
+    out.write();
+    enter();
+  };
+  out.photographs = "first";
+  apart();
+  const SherdRecord before = sherds().front();
+  ASSERT_TRUE(set(before.row, "number", "A-1"));
+  pipeline::PairDecision join;
+  join.by = "AP";
+  join.kind = pipeline::DecisionKind::Join;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const std::string c = side == batch::Side::Front ? "f" : "b";
+    join.scans = {{side, c + "001", {40, 0}, "first"}, {side, c + "002", {70, 0}, "first"}};
+    ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), join));
+  }
+  out.places_mm[0] = {55, 0};
+  out.gone = {2};
+  out.pairs() = {{1, 1, false}, {3, 3, false}};
+  out.write();
+  EXPECT_EQ(enter().new_sherds, 0);
+  const SherdRecord joined = sherds().front();
+  EXPECT_EQ(joined.number, "A-1");
+  EXPECT_EQ(joined.front, before.front);
+  EXPECT_EQ(joined.back, before.back);
+  EXPECT_FALSE(joined.model_path.empty());
+  EXPECT_EQ(sherds().size(), 2U) << "that of the other fragment was a draft";
+  for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+    if (scan.row == before.front) {
+      EXPECT_EQ(scan.plate_x_mm, 55);
+    }
+
+  for (const int number : {1, 2}) {
+    pipeline::PairDecision back;
+    back.by = "AP";
+    back.kind = pipeline::DecisionKind::Withdraw;
+    back.replaces = {number};
+    ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), back));
+  }
+  apart();
+  EXPECT_EQ(sherds().front().number, "A-1");
+  EXPECT_EQ(sherds().front().front, before.front);
+  EXPECT_TRUE(sherds().front().back);
+  EXPECT_EQ(sherds().size(), 3U);
+}
+
 TEST_F(Entering, WithoutAScaleNoLengthIsKnown) {
   out.has_scale = false;
   out.write();

@@ -1,12 +1,14 @@
 #pragma once
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "base/files.h"
 #include "base/json.h"
 #include "cloud/ply.h"
+#include "pipeline/candidate_table.h"
 
 namespace ostraka::catalogue {
 
@@ -27,6 +29,10 @@ class ResultFolder {
   std::vector<Pair>& pairs() { return pairs_; }
   /// Of each piece, both sides alike: piece 1 is the first.
   std::vector<Eigen::Vector2d> places_mm;
+  /// Pieces that a person joined to others: they keep their index, and are not written.
+  std::set<int> gone;
+  /// A name for the photographs of both sides; without it there is no table of candidates.
+  std::string photographs;
   double length_mm = 50;
   bool has_scale = true;
   std::vector<std::string> scale_doubts;
@@ -69,14 +75,22 @@ class ResultFolder {
     }
     for (const char* side : {"front", "back"})
       std::filesystem::remove_all(out_ / "work" / ("scans_" + std::string(side)));
+    pipeline::CandidateTable table;
     for (std::size_t i = 0; i < places_mm.size(); ++i) {
       PointCloud cloud;
       for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-1, -1), {1, -1}, {0, 2}})
         cloud.points.emplace_back((places_mm[i] + corner).x(), (places_mm[i] + corner).y(), 0);
       const int n = static_cast<int>(i) + 1;
+      if (gone.contains(n)) continue;
+      table.fronts.push_back({batch::Side::Front, name('f', n), places_mm[i], photographs});
+      table.backs.push_back({batch::Side::Back, name('b', n), places_mm[i], photographs});
+      table.front_files.push_back("scans_front/" + name('f', n) + ".ply");
+      table.back_files.push_back("scans_back/" + name('b', n) + ".ply");
       put(out_ / "work/scans_front" / (name('f', n) + ".ply"), formatPly(cloud, "plate_front"));
       put(out_ / "work/scans_back" / (name('b', n) + ".ply"), formatPly(cloud, "plate_back"));
     }
+    if (!photographs.empty())
+      put(out_ / "work/pairs/candidates.json", pipeline::toJson(table).dump());
     put(out_ / "pairs.json", ordered_json({{"unit", "mm"}, {"pairs", pairs}}).dump());
     put(out_ / "report.json",
         ordered_json(

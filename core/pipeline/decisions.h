@@ -75,7 +75,8 @@ Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDec
 nlohmann::ordered_json toJson(const Decisions& decisions);
 
 /// Those whose numbers OUT/report.json names: what holds may have changed since. None where there
-/// are no results; all where they name none (an earlier program), if nothing was written since.
+/// are no results; all that hold where they name none (an earlier program), if nothing was written
+/// since.
 Decisions followed(const Decisions& all, const std::filesystem::path& output);
 /// What holds and was not followed, and what was followed and holds no more.
 Decisions changedSince(const Decisions& all, const Decisions& followed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/piece_decisions.h"
 
@@ -10,42 +11,66 @@ namespace {
 
 using pipeline::DecisionKind;
 
-// Rows that stand for a decision say its number in the file, so that a withdrawal finds them.
-std::string marked(int number, const std::string& note) {
-  return "decision " + std::to_string(number) + (note.empty() ? "" : ": " + note);
+// Rows that stand for a decision say its number in the file, so that a withdrawal finds them, and
+// its moment: a file on another computer, or one begun anew, counts from 1 as well.
+std::string markOf(int number, const std::string& at) {
+  return "decision " + std::to_string(number) + (at.empty() ? "" : " of " + at);
 }
 
-bool isMarked(const std::string& note, int number) {
-  const std::string mark = marked(number, {});
+std::string marked(const pipeline::PairDecision& d) {
+  return markOf(d.number, d.at) + (d.note.empty() ? "" : ": " + d.note);
+}
+
+bool begins(const std::string& note, const std::string& mark) {
   return note == mark || note.rfind(mark + ":", 0) == 0;
+}
+
+// An earlier program wrote the number only; a decision is entered after it was taken.
+bool marksEarlierWay(const std::string& note, std::int64_t entered_ms, int number,
+                     const std::string& at) {
+  return begins(note, markOf(number, {})) && (at.empty() || utcDay(entered_ms) >= at.substr(0, 10));
+}
+
+// The rows of this decision, of pairs or of pieces.
+template <class Row>
+std::vector<Row> rowsOf(const std::vector<Row>& all, int number, const std::string& at) {
+  std::vector<Row> exactly, earlier_way;
+  for (const Row& row : all) {
+    if (!row.by || row.verdict == decltype(row.verdict)::Withdraw) continue;
+    if (begins(row.note, markOf(number, at)))
+      exactly.push_back(row);
+    else if (marksEarlierWay(row.note, row.at_ms, number, at))
+      earlier_way.push_back(row);
+  }
+  return exactly.empty() ? earlier_way : exactly;
+}
+
+template <class Row>
+Row takenBack(const Row& earlier, const std::string& note) {
+  Row back = earlier;
+  back.row = {};
+  back.verdict = decltype(back.verdict)::Withdraw;
+  back.replaces = earlier.row;
+  back.note = note;
+  return back;
 }
 
 Result<void> withdraw(Catalogue& catalogue, BatchRow batch, const pipeline::PairDecision& decision,
                       const Act& act) {
   const auto all = catalogue.decisions(batch);
   if (!all) return all.error();
-  for (const PairDecision& earlier : *all) {
-    const bool meant = std::any_of(decision.replaces.begin(), decision.replaces.end(),
-                                   [&](int number) { return isMarked(earlier.note, number); });
-    if (!meant || !earlier.by || earlier.verdict == Verdict::Withdraw) continue;
-    PairDecision back = earlier;
-    back.row = {};
-    back.verdict = Verdict::Withdraw;
-    back.replaces = earlier.row;
-    back.note = marked(decision.number, decision.note);
-    if (const auto row = catalogue.decide(back, act); !row) return row.error();
-  }
   const auto pieces = pieceDecisions(catalogue, batch);
   if (!pieces) return pieces.error();
-  for (const PieceDecision& earlier : *pieces) {
-    const bool meant = std::any_of(decision.replaces.begin(), decision.replaces.end(),
-                                   [&](int number) { return isMarked(earlier.note, number); });
-    if (!meant || earlier.verdict == PieceVerdict::Withdraw) continue;
-    PieceDecision back = earlier;
-    back.verdict = PieceVerdict::Withdraw;
-    back.replaces = earlier.row;
-    back.note = marked(decision.number, decision.note);
-    if (const auto row = decidePieces(catalogue, back, act); !row) return row.error();
+  for (std::size_t i = 0; i < decision.replaces.size(); ++i) {
+    const int number = decision.replaces[i];
+    const std::string at =
+        i < decision.replaced_at.size() ? decision.replaced_at[i] : std::string();
+    for (const PairDecision& row : rowsOf(*all, number, at))
+      if (const auto done = catalogue.decide(takenBack(row, marked(decision)), act); !done)
+        return done.error();
+    for (const PieceDecision& row : rowsOf(*pieces, number, at))
+      if (const auto done = decidePieces(catalogue, takenBack(row, marked(decision)), act); !done)
+        return done.error();
   }
   return {};
 }
@@ -76,7 +101,7 @@ Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
   row.verdict = decision.kind == DecisionKind::Join ? PieceVerdict::Join : PieceVerdict::Cut;
   for (const pipeline::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
   row.cut_mm = decision.cut_mm;
-  row.note = marked(decision.number, decision.note);
+  row.note = marked(decision);
   const auto entered = decidePieces(catalogue, row, act);
   return entered ? Result<void>() : Result<void>(entered.error());
 }
@@ -100,7 +125,7 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
     PairDecision row;
     row.batch = batch->row;
     row.front_from_back = decision.front_from_back;
-    row.note = marked(decision.number, decision.note);
+    row.note = marked(decision);
     row.verdict = decision.kind == DecisionKind::Pair    ? Verdict::Accept
                   : decision.kind == DecisionKind::Aside ? Verdict::Aside
                                                          : Verdict::Reshoot;
@@ -128,18 +153,13 @@ Result<int> enterStanding(Catalogue& catalogue, const std::string& batch_number,
   if (!all) return all.error();
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
-  std::vector<std::string> notes;
   const auto pairs = catalogue.decisions(batch->row);
   if (!pairs) return pairs.error();
-  for (const PairDecision& d : *pairs)
-    if (d.by) notes.push_back(d.note);
   const auto pieces = pieceDecisions(catalogue, batch->row);
   if (!pieces) return pieces.error();
-  for (const PieceDecision& d : *pieces) notes.push_back(d.note);
   int entered = 0;
   for (const pipeline::PairDecision& d : pipeline::standing(*all)) {
-    if (std::any_of(notes.begin(), notes.end(),
-                    [&](const std::string& note) { return isMarked(note, d.number); }))
+    if (!rowsOf(*pairs, d.number, d.at).empty() || !rowsOf(*pieces, d.number, d.at).empty())
       continue;
     const Result<void> done = enterDecision(catalogue, batch_number, d);
     if (!done && done.error().code != ErrorCode::Missing) return done.error();

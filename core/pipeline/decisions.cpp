@@ -98,6 +98,15 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
   return d;
 }
 
+void nameMoments(PairDecision& decision, const Decisions& all) {
+  decision.replaced_at.clear();
+  for (const int number : decision.replaces) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const PairDecision& d) { return d.number == number; });
+    decision.replaced_at.push_back(found == all.end() ? std::string() : found->at);
+  }
+}
+
 bool aboutPartners(DecisionKind kind) {
   return kind == DecisionKind::Pair || kind == DecisionKind::Aside || kind == DecisionKind::Reshoot;
 }
@@ -239,6 +248,7 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
                      where};
       decisions.push_back(std::move(*decision));
     }
+    for (PairDecision& d : decisions) nameMoments(d, decisions);
   } catch (const json::exception&) {
     return Error{ErrorCode::UnusableInput,
                  "These are no decisions of this program; move the file away, or put a copy of it "
@@ -273,6 +283,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   }
   decision.number = decisions->empty() ? 1 : decisions->back().number + 1;
   decision.at = utcNow();
+  nameMoments(decision, *decisions);
   decisions->push_back(decision);
   const Result<void> written = writeJson(
       fileIn(output), {{"format", kFormat}, {"unit", "mm"}, {"decisions", toJson(*decisions)}});

@@ -43,6 +43,9 @@ enum class Settle {
 struct PairDecision {
   int number = 0;             ///< 1, 2, ... in the order taken; given when it is appended
   std::vector<int> replaces;  ///< numbers; empty: the program's own proposal
+  /// `at` of those in `replaces`, which no decision of another file has; from the file, when it is
+  /// read or appended.
+  std::vector<std::string> replaced_at = {};
   DecisionKind kind = DecisionKind::Pair;
   std::string at;              ///< UTC, 2026-07-14T09:30:12Z; given when it is appended
   std::string by;              ///< initials or name of the person

@@ -141,6 +141,45 @@ TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
   EXPECT_EQ(now.by, anna.person);
 }
 
+// Rows that came with another computer's export, or of a results folder that was moved away.
+TEST_F(ReviewDecisions, ADecisionOfAnotherFileIsNotMistakenForOneOfTheSameNumber) {
+  const std::filesystem::path output = project_->resultsFolder("B0001");
+  std::filesystem::create_directories(output);
+  pipeline::PairDecision elsewhere = decision(DecisionKind::Pair, 1);
+  elsewhere.at = "2026-03-01T09:30:12Z";
+  ASSERT_TRUE(enter(elsewhere));
+  pipeline::PairDecision here = decision(DecisionKind::Pair, 0);
+  here = *pipeline::appendDecision(output, here);
+  ASSERT_EQ(here.number, 1);
+  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 1) << "it is not there already";
+  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
+  back.replaces = {1};
+  ASSERT_TRUE(enter(*pipeline::appendDecision(output, back)));
+  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u) << "the other's word stands";
+  EXPECT_EQ(catalogue().currentDecisions(batch)->front().note,
+            "decision 1 of 2026-03-01T09:30:12Z");
+}
+
+TEST_F(ReviewDecisions, RowsThatAnEarlierProgramMarkedByTheNumberAloneAreKnown) {
+  const std::filesystem::path output = project_->resultsFolder("B0001");
+  std::filesystem::create_directories(output);
+  now_ms = 4'102'444'800'000;  // 1 January 2100: they are entered after they were taken
+  ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
+  ASSERT_EQ(catalogue().decisions(batch)->front().note, "decision 1");
+  ASSERT_TRUE(pipeline::appendDecision(output, decision(DecisionKind::Pair, 0)));
+  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 0);
+  pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
+  back.replaces = {1};
+  const pipeline::PairDecision taken = *pipeline::appendDecision(output, back);
+  ASSERT_TRUE(enter(taken));
+  EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
+  // One that was entered before this file was begun is none of it.
+  now_ms = 946'684'800'000;  // 1 January 2000
+  ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
+  ASSERT_TRUE(enter(taken));
+  EXPECT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+}
+
 TEST_F(ReviewDecisions, TheBatchIsQueuedAgain) {
   ASSERT_TRUE(queueAgain(catalogue(), "B0001", "AP"));
   EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Queued);

@@ -72,6 +72,13 @@ TEST_F(DecisionsOf, AreReadBackAsTheyWereTaken) {
   EXPECT_EQ(r.scans[1].place_mm, Eigen::Vector2d(100, 20));
 }
 
+TEST_F(DecisionsOf, NameTheMomentsOfThoseThatTheyReplace) {
+  const PairDecision first = append(pair(1, 2));
+  const PairDecision second = append(pair(1, 3));
+  EXPECT_EQ(second.replaced_at, std::vector<std::string>{first.at});
+  EXPECT_EQ(readDecisions(out_)->back().replaced_at, std::vector<std::string>{first.at});
+}
+
 TEST_F(DecisionsOf, ANewPairReplacesAllThatWasSaidAboutItsTwoScans) {
   append(pair(1, 2));
   append(pair(2, 1));

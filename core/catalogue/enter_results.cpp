@@ -267,7 +267,7 @@ class Entering {
 
   EnteredResults enter(const ReadResults& read, const fs::path& out) {
     scans(read.scans, read.edits);
-    orRefuse(enterStanding(catalogue_, orRefuse(catalogue_.batch(batch_)).number, out));
+    orRefuse(followDecisions(catalogue_, orRefuse(catalogue_.batch(batch_)).number, out));
     decide(read);
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {

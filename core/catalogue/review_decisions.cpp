@@ -1,10 +1,15 @@
 #include "catalogue/review_decisions.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "base/text.h"
 #include "catalogue/catalogue.h"
+#include "catalogue/database.h"
 #include "catalogue/piece_decisions.h"
+#include "catalogue/sherd_columns.h"
+#include "pipeline/review.h"
 
 namespace ostraka::catalogue {
 namespace {
@@ -31,18 +36,25 @@ bool marksEarlierWay(const std::string& note, std::int64_t entered_ms, int numbe
   return begins(note, markOf(number, {})) && (at.empty() || utcDay(entered_ms) >= at.substr(0, 10));
 }
 
-// The rows of this decision, of pairs or of pieces.
+// The rows of this decision, of pairs or of pieces, that were not taken back.
 template <class Row>
 std::vector<Row> rowsOf(const std::vector<Row>& all, int number, const std::string& at) {
+  using Kind = decltype(Row::verdict);
   std::vector<Row> exactly, earlier_way;
   for (const Row& row : all) {
-    if (!row.by || row.verdict == decltype(row.verdict)::Withdraw) continue;
+    if (!row.by || row.verdict == Kind::Withdraw) continue;
     if (begins(row.note, markOf(number, at)))
       exactly.push_back(row);
     else if (marksEarlierWay(row.note, row.at_ms, number, at))
       earlier_way.push_back(row);
   }
-  return exactly.empty() ? earlier_way : exactly;
+  std::vector<Row>& rows = exactly.empty() ? earlier_way : exactly;
+  std::erase_if(rows, [&](const Row& row) {
+    return std::any_of(all.begin(), all.end(), [&](const Row& other) {
+      return other.verdict == Kind::Withdraw && other.replaces == row.row;
+    });
+  });
+  return rows;
 }
 
 template <class Row>
@@ -92,6 +104,41 @@ const ScanRecord* scanOf(const std::vector<ScanRecord>& scans, const pipeline::S
   return named == scans.end() ? nullptr : &*named;
 }
 
+// What the program calls the results: none where an earlier one left no such table.
+using Table = std::optional<pipeline::CandidateTable>;
+
+// The scan that is meant in these results, as the chain understood it.
+const ScanRecord* scanIn(const Table& table, const std::vector<ScanRecord>& scans,
+                         const pipeline::ScanRef& ref) {
+  if (!table) return scanOf(scans, ref);
+  const auto& side = ref.side == batch::Side::Front ? table->fronts : table->backs;
+  const int index = resolved(ref, side);
+  return index < 0 ? nullptr : scanOf(scans, side[static_cast<std::size_t>(index)]);
+}
+
+// A pair needs both scans; of several that are set aside each has a row. Empty: no effect.
+std::vector<PairDecision> rowsFor(BatchRow batch, const pipeline::PairDecision& decision,
+                                  const Table& table, const std::vector<ScanRecord>& scans) {
+  std::vector<PairDecision> rows;
+  PairDecision row;
+  row.batch = batch;
+  row.front_from_back = decision.front_from_back;
+  row.note = marked(decision);
+  row.verdict = decision.kind == DecisionKind::Pair    ? Verdict::Accept
+                : decision.kind == DecisionKind::Aside ? Verdict::Aside
+                                                       : Verdict::Reshoot;
+  for (const pipeline::ScanRef& ref : decision.scans) {
+    const ScanRecord* scan = scanIn(table, scans, ref);
+    if (scan == nullptr) continue;
+    (ref.side == batch::Side::Front ? row.front : row.back) = scan->row;
+    if (decision.kind == DecisionKind::Pair) continue;
+    rows.push_back(row);
+    row.front = row.back = {};
+  }
+  if (row.front && row.back) rows.push_back(row);
+  return rows;
+}
+
 // Pieces are kept by name and place: their scans come and go with each computation.
 Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
                          const pipeline::PairDecision& decision, const Act& act) {
@@ -105,6 +152,126 @@ Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
   const auto entered = decidePieces(catalogue, row, act);
   return entered ? Result<void>() : Result<void>(entered.error());
 }
+
+// Brings what the catalogue holds of one decisions.json in line with it.
+class Following {
+ public:
+  Following(Catalogue& catalogue, BatchRow batch, const pipeline::Decisions& all,
+            const Table& table)
+      : catalogue_(catalogue), batch_(batch), all_(all), standing_(pipeline::standing(all)) {
+    want(table, orRefuse(catalogue.scans(batch)));
+  }
+
+  /// How many were added.
+  int rows() {
+    pieces();
+    const std::vector<PairDecision> held = orRefuse(catalogue_.decisions(batch_));
+    for (const Wanted& wanted : wanted_)
+      if (!isAmong(rowsOf(held, wanted.of->number, wanted.of->at), wanted.row))
+        count(catalogue_.decide(wanted.row, actOf(*wanted.of)));
+    std::map<DecisionRow, const pipeline::PairDecision*> stale;
+    for (const pipeline::PairDecision& d : all_)
+      for (const PairDecision& row : rowsOf(held, d.number, d.at))
+        if (!isWanted(d, row)) stale[row.row] = &d;
+    while (takeBack(stale)) {
+    }
+    return added_;
+  }
+
+ private:
+  struct Wanted {
+    const pipeline::PairDecision* of;
+    PairDecision row;
+  };
+
+  // As the chain does it: of two that are about one scan the later holds.
+  void want(const Table& table, const std::vector<ScanRecord>& scans) {
+    std::set<ScanRow> claimed;
+    for (auto d = standing_.rbegin(); d != standing_.rend(); ++d) {
+      if (isOfPieces(*d)) continue;
+      const std::vector<PairDecision> rows = rowsFor(batch_, *d, table, scans);
+      const bool free = std::none_of(rows.begin(), rows.end(), [&](const PairDecision& row) {
+        return claimed.contains(row.front) || claimed.contains(row.back);
+      });
+      for (const PairDecision& row : rows)
+        for (const ScanRow scan : {row.front, row.back})
+          if (scan) claimed.insert(scan);
+      for (std::size_t i = rows.size(); free && i-- > 0;) wanted_.push_back({&*d, rows[i]});
+    }
+    std::reverse(wanted_.begin(), wanted_.end());
+  }
+
+  static bool isOfPieces(const pipeline::PairDecision& d) {
+    return d.kind == DecisionKind::Join || d.kind == DecisionKind::Split;
+  }
+  static bool isAmong(const std::vector<PairDecision>& rows, const PairDecision& row) {
+    return std::any_of(rows.begin(), rows.end(), [&](const PairDecision& other) {
+      return other.verdict == row.verdict && other.front == row.front && other.back == row.back;
+    });
+  }
+  bool isWanted(const pipeline::PairDecision& d, const PairDecision& row) const {
+    return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& wanted) {
+      return wanted.of->number == d.number && isAmong({wanted.row}, row);
+    });
+  }
+
+  // Of what holds no more those rows that count; one that a later row is above of does no harm,
+  // and counts again where that is taken back. What was below may count then.
+  bool takeBack(std::map<DecisionRow, const pipeline::PairDecision*>& stale) {
+    bool any = false;
+    for (const PairDecision& counts : orRefuse(catalogue_.currentDecisions(batch_))) {
+      const auto found = stale.find(counts.row);
+      if (found == stale.end()) continue;
+      const auto [act, note] = endOf(*found->second, counts.by);
+      count(catalogue_.decide(takenBack(counts, note), act));
+      stale.erase(found);
+      any = true;
+    }
+    return any;
+  }
+
+  // Where the pieces of a join are now is asked by the chain alone.
+  void pieces() {
+    const std::vector<PieceDecision> held = orRefuse(pieceDecisions(catalogue_, batch_));
+    for (const pipeline::PairDecision& d : all_) {
+      if (!isOfPieces(d)) continue;
+      const std::vector<PieceDecision> rows = rowsOf(held, d.number, d.at);
+      const bool holds =
+          std::any_of(standing_.begin(), standing_.end(),
+                      [&](const pipeline::PairDecision& s) { return s.number == d.number; });
+      if (holds && rows.empty()) count(enterPieces(catalogue_, batch_, d, actOf(d)));
+      if (holds) continue;
+      for (const PieceDecision& row : rows) {
+        const auto [act, note] = endOf(d, row.by);
+        count(decidePieces(catalogue_, takenBack(row, note), act));
+      }
+    }
+  }
+
+  Act actOf(const pipeline::PairDecision& d) {
+    return {orRefuse(catalogue_.personByInitials(d.by, {})), "window", d.note};
+  }
+  // Who took it back, and the note that says so; nobody did where its scans are gone.
+  std::pair<Act, std::string> endOf(const pipeline::PairDecision& d, PersonRow by) {
+    for (auto end = all_.rbegin(); end != all_.rend(); ++end)
+      if (end->kind == DecisionKind::Withdraw &&
+          std::find(end->replaces.begin(), end->replaces.end(), d.number) != end->replaces.end())
+        return {actOf(*end), marked(*end)};
+    return {{by, "process", {}}, markOf(d.number, d.at) + " does not hold for these results"};
+  }
+  template <class T>
+  void count(const Result<T>& row) {
+    if (!row) throw Refused(row.error());
+    ++added_;
+  }
+
+  Catalogue& catalogue_;
+  BatchRow batch_;
+  const pipeline::Decisions& all_;
+  pipeline::Decisions standing_;
+  std::vector<Wanted> wanted_;
+  int added_ = 0;
+};
 
 }  // namespace
 
@@ -122,50 +289,31 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
       return enterPieces(catalogue, batch->row, decision, act);
     const auto scans = catalogue.scans(batch->row);
     if (!scans) return scans.error();
-    PairDecision row;
-    row.batch = batch->row;
-    row.front_from_back = decision.front_from_back;
-    row.note = marked(decision);
-    row.verdict = decision.kind == DecisionKind::Pair    ? Verdict::Accept
-                  : decision.kind == DecisionKind::Aside ? Verdict::Aside
-                                                         : Verdict::Reshoot;
-    for (const pipeline::ScanRef& ref : decision.scans) {
-      const ScanRecord* scan = scanOf(*scans, ref);
-      if (scan == nullptr)
+    for (const pipeline::ScanRef& ref : decision.scans)
+      if (scanOf(*scans, ref) == nullptr)
         return Error{ErrorCode::Missing,
                      "The decision is saved with the batch, but " + ref.id +
                          " is not in the catalogue yet; it is entered with the next results.",
                      batch_number};
-      (ref.side == batch::Side::Front ? row.front : row.back) = scan->row;
-      if (decision.kind == DecisionKind::Pair) continue;
+    for (const PairDecision& row : rowsFor(batch->row, decision, {}, *scans))
       if (const auto entered = catalogue.decide(row, act); !entered) return entered.error();
-      row.front = row.back = {};
-    }
-    if (decision.kind != DecisionKind::Pair) return {};
-    const auto entered = catalogue.decide(row, act);
-    return entered ? Result<void>() : Result<void>(entered.error());
+    return {};
   });
 }
 
-Result<int> enterStanding(Catalogue& catalogue, const std::string& batch_number,
-                          const std::filesystem::path& output) {
+Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
+                            const std::filesystem::path& output) {
   const Result<pipeline::Decisions> all = pipeline::readDecisions(output);
   if (!all) return all.error();
+  Table table;
+  if (Result<pipeline::CandidateTable> read = pipeline::readCandidatesOf(output))
+    table = std::move(*read);
+  else if (read.error().code != ErrorCode::Missing)
+    return read.error();
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
-  const auto pairs = catalogue.decisions(batch->row);
-  if (!pairs) return pairs.error();
-  const auto pieces = pieceDecisions(catalogue, batch->row);
-  if (!pieces) return pieces.error();
-  int entered = 0;
-  for (const pipeline::PairDecision& d : pipeline::standing(*all)) {
-    if (!rowsOf(*pairs, d.number, d.at).empty() || !rowsOf(*pieces, d.number, d.at).empty())
-      continue;
-    const Result<void> done = enterDecision(catalogue, batch_number, d);
-    if (!done && done.error().code != ErrorCode::Missing) return done.error();
-    entered += done ? 1 : 0;
-  }
-  return entered;
+  return catalogue.database().inTransaction(
+      [&] { return Following(catalogue, batch->row, *all, table).rows(); });
 }
 
 Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,

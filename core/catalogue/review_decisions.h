@@ -15,11 +15,14 @@ class Catalogue;
 Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
                            const pipeline::PairDecision& decision);
 
-/// Enters those of OUT/decisions.json that hold and are not there yet: taken while the batch was
-/// computed, or without a catalogue. One about scans that are gone is left. Returns how many.
+/// What the catalogue holds of OUT/decisions.json follows the file and these results: rows are
+/// added for decisions that hold in them and are not there (taken while the batch was computed,
+/// without a catalogue, or when it was busy), and for the end of those that hold no more: taken
+/// back, about a piece that is gone, or about earlier photographs. What the file does not name
+/// stays: persons decide in the catalogue, too, and on other computers. Returns the rows added.
 /// Errors: a file that cannot be read, the batch is not there.
-Result<int> enterStanding(Catalogue& catalogue, const std::string& batch_number,
-                          const std::filesystem::path& output);
+Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
+                            const std::filesystem::path& output);
 
 /// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
 /// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left

@@ -43,12 +43,14 @@ TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
   out.places_mm.push_back({160, 0});
   out.write();
   const fs::path work = project_->resultsFolder("B0001") / "work";
-  nlohmann::json candidates;
+  nlohmann::json candidates = {
+      {"back_scale", 1}, {"has_scale", true}, {"on_plate", true}, {"candidates", {}}};
   const auto piece = [&](const std::string& side, const std::string& name) {
     const std::string file = "pieces_" + side + "/" + name + ".ply";
     fs::create_directories(work / ("pieces_" + side));
     fs::copy_file(work / ("scans_" + side) / (name + ".ply"), work / file);
-    candidates[side + "s"].push_back({{"id", name}, {"file", file}});
+    const double x_mm = 40.0 * (name.back() - '0');
+    candidates[side + "s"].push_back({{"id", name}, {"file", file}, {"place_mm", {x_mm, 0}}});
   };
   for (const char* name : {"f001", "f002", "f003", "f004"}) piece("front", name);
   for (const char* name : {"b001", "b003", "b004"}) piece("back", name);
@@ -282,6 +284,12 @@ TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
   apart();
   const SherdRecord before = sherds().front();
   ASSERT_TRUE(set(before.row, "number", "A-1"));
+  pipeline::PairDecision pair;
+  pair.by = "AP";
+  pair.scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
+                {batch::Side::Back, "b001", {40, 0}, "first"}};
+  ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), pair));
+  EXPECT_EQ(enter().kept_decisions, 1);
   pipeline::PairDecision join;
   join.by = "AP";
   join.kind = pipeline::DecisionKind::Join;
@@ -294,7 +302,9 @@ TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
   out.gone = {2};
   out.pairs() = {{1, 1, false}, {3, 3, false}};
   out.write();
-  EXPECT_EQ(enter().new_sherds, 0);
+  const EnteredResults entered = enter();
+  EXPECT_EQ(entered.new_sherds, 0);
+  EXPECT_EQ(entered.kept_decisions, 0) << "the person's word was about the fragments";
   const SherdRecord joined = sherds().front();
   EXPECT_EQ(joined.number, "A-1");
   EXPECT_EQ(joined.front, before.front);
@@ -306,7 +316,7 @@ TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
       EXPECT_EQ(scan.plate_x_mm, 55);
     }
 
-  for (const int number : {1, 2}) {
+  for (const int number : {2, 3}) {
     pipeline::PairDecision back;
     back.by = "AP";
     back.kind = pipeline::DecisionKind::Withdraw;

@@ -1,7 +1,11 @@
 // A person's decisions in the catalogue: rows are only added, and what counts follows.
 #include "catalogue/review_decisions.h"
 
+#include <nlohmann/json.hpp>
+
+#include "base/files.h"
 #include "catalogue/piece_decisions.h"
+#include "pipeline/candidate_table.h"
 #include "result_folder.h"
 #include "small_project.h"
 
@@ -133,8 +137,8 @@ TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
   ASSERT_TRUE(enter(append(DecisionKind::Aside, {front})));
   append(DecisionKind::Pair, {front, back});
   append(DecisionKind::Aside, {{batch::Side::Front, "f007", {90, 90}}});
-  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 1) << "f007 is gone";
-  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 0);
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "f007 is gone";
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
   ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
   const PairDecision now = catalogue().currentDecisions(batch)->front();
   EXPECT_EQ(now.verdict, Verdict::Accept);
@@ -151,7 +155,7 @@ TEST_F(ReviewDecisions, ADecisionOfAnotherFileIsNotMistakenForOneOfTheSameNumber
   pipeline::PairDecision here = decision(DecisionKind::Pair, 0);
   here = *pipeline::appendDecision(output, here);
   ASSERT_EQ(here.number, 1);
-  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 1) << "it is not there already";
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "it is not there already";
   pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
   back.replaces = {1};
   ASSERT_TRUE(enter(*pipeline::appendDecision(output, back)));
@@ -167,7 +171,7 @@ TEST_F(ReviewDecisions, RowsThatAnEarlierProgramMarkedByTheNumberAloneAreKnown) 
   ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
   ASSERT_EQ(catalogue().decisions(batch)->front().note, "decision 1");
   ASSERT_TRUE(pipeline::appendDecision(output, decision(DecisionKind::Pair, 0)));
-  EXPECT_EQ(*enterStanding(catalogue(), "B0001", output), 0);
+  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
   pipeline::PairDecision back = decision(DecisionKind::Withdraw, 0);
   back.replaces = {1};
   const pipeline::PairDecision taken = *pipeline::appendDecision(output, back);
@@ -178,6 +182,150 @@ TEST_F(ReviewDecisions, RowsThatAnEarlierProgramMarkedByTheNumberAloneAreKnown) 
   ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
   ASSERT_TRUE(enter(taken));
   EXPECT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+}
+
+// Two fronts and two backs with their places, and decisions.json beside the table of these results.
+class ResultsOfDecisions : public ReviewDecisions {
+ protected:
+  ResultsOfDecisions() : output(project_->resultsFolder("B0001")) {
+    std::filesystem::create_directories(output);
+    for (int i = 1; i <= 2; ++i)
+      for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+        ScanRecord record;
+        for (const ScanRecord& there : valueIn(catalogue().scans(batch)))
+          if (there.side == side && there.index == i) record = there;
+        record.batch = batch;
+        record.side = side;
+        record.index = i;
+        record.name = idOf(side, i);
+        record.path = "results/B0001/scans/" + record.name + ".ply";
+        record.plate_x_mm = 40 * i;
+        record.plate_y_mm = 0;
+        rows[{side, i}] = *catalogue().save(record, {});
+      }
+    computed("first", {40, 80});
+  }
+  static std::string idOf(batch::Side side, int i) {
+    return (side == batch::Side::Front ? "f00" : "b00") + std::to_string(i);
+  }
+  // The chain's results: pieces of both sides at these places, in photographs of this name.
+  void computed(const std::string& photographs, const std::vector<double>& at_mm) {
+    pipeline::CandidateTable table;
+    for (std::size_t i = 0; i < at_mm.size(); ++i) {
+      const int n = static_cast<int>(i) + 1;
+      table.fronts.push_back({batch::Side::Front, idOf(batch::Side::Front, n), {at_mm[i], 0}, {}});
+      table.backs.push_back({batch::Side::Back, idOf(batch::Side::Back, n), {at_mm[i], 0}, {}});
+      table.fronts.back().photographs = table.backs.back().photographs = photographs;
+    }
+    ASSERT_TRUE(
+        writeFileAtomically(output / "work/pairs/candidates.json", pipeline::toJson(table).dump()));
+  }
+  pipeline::PairDecision taken(DecisionKind kind, std::vector<pipeline::ScanRef> scans,
+                               std::vector<int> replaces = {}) {
+    pipeline::PairDecision d;
+    d.kind = kind;
+    d.by = "AP";
+    d.scans = std::move(scans);
+    d.replaces = std::move(replaces);
+    return valueIn(pipeline::appendDecision(output, d));
+  }
+  static pipeline::ScanRef front(int i) {
+    return {batch::Side::Front, idOf(batch::Side::Front, i), {40.0 * i, 0}, "first"};
+  }
+  static pipeline::ScanRef back(int i) {
+    return {batch::Side::Back, idOf(batch::Side::Back, i), {40.0 * i, 0}, "first"};
+  }
+  int follow() { return valueIn(followDecisions(catalogue(), "B0001", output)); }
+  /// "f1-b2 f2": what counts, fronts first.
+  std::string counting() {
+    std::string text;
+    for (const PairDecision& d : valueIn(catalogue().currentDecisions(batch))) {
+      text += text.empty() ? "" : " ";
+      for (const auto& [key, row] : rows)
+        if (key.first == batch::Side::Front && row == d.front)
+          text += "f" + std::to_string(key.second);
+      for (const auto& [key, row] : rows)
+        if (key.first == batch::Side::Back && row == d.back)
+          text += "-b" + std::to_string(key.second);
+    }
+    return text;
+  }
+  std::filesystem::path output;
+  std::map<std::pair<batch::Side, int>, ScanRow> rows;
+};
+
+TEST_F(ResultsOfDecisions, AWithdrawalThatTheCatalogueMissedIsEntered) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
+  taken(DecisionKind::Withdraw, {}, {1});
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(counting(), "");
+  const PairDecision end = valueIn(catalogue().decisions(batch)).back();
+  EXPECT_EQ(end.by, anna.person);
+  EXPECT_EQ(end.note.rfind("decision 2 of ", 0), 0U) << end.note;
+  EXPECT_EQ(follow(), 0);
+  EXPECT_EQ(catalogue().decisions(batch)->size(), 2U) << "nothing is deleted";
+}
+
+TEST_F(ResultsOfDecisions, WhatWasSaidOfEarlierPhotographsDoesNotCount) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
+  taken(DecisionKind::Aside, {front(2)});  // the catalogue was busy
+  computed("second", {40, 80});
+  follow();
+  EXPECT_EQ(counting(), "");
+  EXPECT_EQ(follow(), 0);
+  computed("first", {40, 80});  // the photographs were put back
+  EXPECT_EQ(follow(), 2);
+  EXPECT_EQ(counting(), "f1-b2 f2");
+}
+
+TEST_F(ResultsOfDecisions, WhatWasSaidOfAPieceThatIsGoneDoesNotCount) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Aside, {front(2), back(2)})));
+  computed("first", {55, 80});
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(counting(), "-b2 f2");
+}
+
+TEST_F(ResultsOfDecisions, WhatALaterDecisionStandsAboveCountsAgainWhenThatIsTakenBack) {
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
+  EXPECT_EQ(follow(), 0);
+  EXPECT_EQ(counting(), "f1-b2");
+  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {2})));
+  EXPECT_EQ(counting(), "f1-b1");
+  EXPECT_EQ(follow(), 0);
+  // One that replaced only a part of an earlier one frees the rest of it.
+  ASSERT_TRUE(enter(taken(DecisionKind::Aside, {front(1), front(2)})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(counting(), "f1-b1");
+}
+
+TEST_F(ResultsOfDecisions, WhatWasDecidedInTheCatalogueStays) {
+  PairDecision own;
+  own.batch = batch;
+  own.front = rows.at({batch::Side::Front, 1});
+  own.back = rows.at({batch::Side::Back, 2});
+  ASSERT_TRUE(catalogue().decide(own, anna));
+  own.note = "decision 1 of 2026-03-01T09:30:12Z";  // of another computer's file
+  own.front = rows.at({batch::Side::Front, 2});
+  own.back = rows.at({batch::Side::Back, 1});
+  ASSERT_TRUE(catalogue().decide(own, anna));
+  taken(DecisionKind::Reshoot, {front(1)});
+  taken(DecisionKind::Withdraw, {}, {1});
+  computed("second", {300, 400});
+  EXPECT_EQ(follow(), 0);
+  EXPECT_EQ(counting(), "f1-b2 f2-b1");
+}
+
+TEST_F(ResultsOfDecisions, JoinsThatWereTakenBackAreTakenBack) {
+  taken(DecisionKind::Join, {front(1), front(2)});
+  EXPECT_EQ(follow(), 1);
+  computed("first", {60});
+  EXPECT_EQ(follow(), 0) << "its pieces are one now";
+  taken(DecisionKind::Withdraw, {}, {1});
+  EXPECT_EQ(follow(), 1);
+  EXPECT_EQ(pieceDecisions(catalogue(), batch)->back().verdict, PieceVerdict::Withdraw);
 }
 
 TEST_F(ReviewDecisions, TheBatchIsQueuedAgain) {

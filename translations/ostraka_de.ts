@@ -1178,8 +1178,8 @@
       <source>%1: %n file(s) imported; it is in the queue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>%1: eine Datei eingelesen; es ist in der Warteschlange.</numerusform>
-        <numerusform>%1: %n Dateien eingelesen; es ist in der Warteschlange.</numerusform>
+        <numerusform>%1: eine Datei eingelesen; die Ladung ist in der Warteschlange.</numerusform>
+        <numerusform>%1: %n Dateien eingelesen; die Ladung ist in der Warteschlange.</numerusform>
       </translation>
     </message>
     <message>
@@ -1260,7 +1260,7 @@
     <message>
       <source>%1 The desktop holds a camera, by its program %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 Der Schreibtisch hält eine Kamera fest, mit seinem Programm %2.</translation>
+      <translation>%1 Der Desktop hält eine Kamera fest, mit seinem Programm %2.</translation>
     </message>
     <message>
       <source>Type the sherds' numbers</source>
@@ -1436,7 +1436,7 @@
     <message>
       <source>All turned: shoot the backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alle gewendet: Rückseiten aufnehmen</translation>
+      <translation>Gewendet: Rückseiten aufnehmen</translation>
     </message>
     <message>
       <source>Next batch</source>
@@ -1558,12 +1558,12 @@
     <message>
       <source>Making the desktop let go of the camera</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Schreibtisch soll die Kamera loslassen</translation>
+      <translation>Der Desktop soll die Kamera loslassen</translation>
     </message>
     <message>
       <source>Make the desktop let go</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera vom Schreibtisch lösen</translation>
+      <translation>Kamera vom Desktop lösen</translation>
     </message>
     <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
@@ -1634,7 +1634,7 @@
     <message>
       <source>Who is working? Your initials go into the history:</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wer arbeitet? Ihr Kürzel kommt in die Geschichte:</translation>
+      <translation>Wer arbeitet? Ihr Kürzel kommt in den Verlauf:</translation>
     </message>
     <message>
       <source>Sherds</source>
@@ -2519,7 +2519,7 @@
     <message>
       <source>%1 new, %2 changed, %3 as they are, %4 refused.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 neu, %2 verändert, %3 wie sie sind, %4 abgelehnt.</translation>
+      <translation>%1 neu, %2 verändert, %3 unverändert, %4 abgelehnt.</translation>
     </message>
     <message>
       <source>Import</source>
@@ -3324,7 +3324,7 @@
     <message>
       <source>This one</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses</translation>
+      <translation>Diese</translation>
     </message>
     <message>
       <source>Next pair</source>
@@ -3434,7 +3434,7 @@
     <message>
       <source>This one   Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses   Eingabe</translation>
+      <translation>Diese   Eingabe</translation>
     </message>
     <message>
       <source>The rims are compared … Esc stops.</source>
@@ -3532,7 +3532,7 @@
     <message>
       <source>Taken back. Both are kept in the history.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zurückgenommen. Beides bleibt in der Geschichte.</translation>
+      <translation>Zurückgenommen. Beides bleibt im Verlauf.</translation>
     </message>
     <message>
       <source>Saved, with your name.</source>
@@ -3566,6 +3566,11 @@
       <source>None of the measures of %1 is sure. %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keines der Maße von %1 ist sicher. %2</translation>
+    </message>
+    <message>
+      <source>Models of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelle von %1</translation>
     </message>
   </context>
   <context>
@@ -3657,11 +3662,44 @@
     </message>
   </context>
   <context>
+    <name>ostraka::ui::RightsEdit</name>
+    <message>
+      <source>Rights to the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rechte am offenen Projekt</translation>
+    </message>
+    <message>
+      <source>for instance CC-BY-4.0; empty: none is named</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zum Beispiel CC-BY-4.0; leer: keine wird genannt</translation>
+    </message>
+    <message>
+      <source>&amp;Licence of what is exported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Lizenz des Ausgegebenen</translation>
+    </message>
+    <message>
+      <source>Who &amp;holds the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wer die &amp;Rechte hat</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert.</translation>
+    </message>
+    <message>
+      <source>change the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rechte ändern</translation>
+    </message>
+  </context>
+  <context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wie der Schreibtisch</translation>
+      <translation>Wie im System</translation>
     </message>
     <message>
       <source>Light</source>
@@ -3817,7 +3855,7 @@
     <message>
       <source>History</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geschichte</translation>
+      <translation>Verlauf</translation>
     </message>
     <message>
       <source>file</source>
@@ -4080,7 +4118,7 @@
     <message>
       <source>A sherd will be</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Scherbe wird</translation>
+      <translation>Eine Scherbe heißt dann</translation>
     </message>
     <message>
       <source>%1
@@ -4331,7 +4369,7 @@
     <message>
       <source>A sherd will be</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Scherbe wird</translation>
+      <translation>Eine Scherbe heißt dann</translation>
     </message>
     <message>
       <source>First number of this computer</source>
@@ -4829,6 +4867,11 @@
       <translation>Fundorte und Schnitte, die es noch nicht gab: %1; nachsehen, dass keiner ein Schreibfehler ist.</translation>
     </message>
     <message>
+      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ergebnisse dieser Ladung sind nicht mehr da; sie noch einmal berechnen, dann entscheiden.</translation>
+    </message>
+    <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1: ihre Fotos stammen von verschiedenen Kameras (%2); jeder Kamera einen eigenen Namen geben, denn für alle mit demselben wird ein Objektiv berechnet.</translation>
@@ -5026,7 +5069,7 @@
     <message>
       <source>This is no batch: it has neither the folders 'front' and 'back' nor 'top_images' and 'bottom_images'; name the folder of a batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine Ladung: Es fehlen die Ordner 'front' und 'back' wie auch 'top_images' und 'bottom_images'; den Ordner einer Ladung nennen.</translation>
+      <translation>Das ist keine Ladung: Es fehlen die Ordner 'front' und 'back' (oder 'top_images' und 'bottom_images'); den Ordner einer Ladung nennen.</translation>
     </message>
     <message>
       <source>The name is not of the form %1; this photograph is left out.</source>

@@ -3567,6 +3567,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Καμία μέτρηση της %1 δεν είναι βέβαιη. %2</translation>
     </message>
+    <message>
+      <source>Models of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μοντέλα της %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>
@@ -3654,6 +3659,39 @@
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διάστημα</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RightsEdit</name>
+    <message>
+      <source>Rights to the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δικαιώματα στο ανοιχτό έργο</translation>
+    </message>
+    <message>
+      <source>for instance CC-BY-4.0; empty: none is named</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>για παράδειγμα CC-BY-4.0· κενό: δεν δηλώνεται καμία</translation>
+    </message>
+    <message>
+      <source>&amp;Licence of what is exported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ά&amp;δεια των εξαγωγών</translation>
+    </message>
+    <message>
+      <source>Who &amp;holds the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ποιος έχει τα δικα&amp;ιώματα</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε.</translation>
+    </message>
+    <message>
+      <source>change the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αλλαγή δικαιωμάτων</translation>
     </message>
   </context>
   <context>
@@ -4827,6 +4865,11 @@
       <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Θέσεις και τομές που δεν υπήρχαν: %1· ελέγξτε ότι καμία δεν είναι λάθος γραφής.</translation>
+    </message>
+    <message>
+      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αποτελέσματα αυτής της παρτίδας δεν υπάρχουν πια· υπολογίστε την ξανά και μετά αποφασίστε.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>

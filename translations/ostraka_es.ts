@@ -3567,6 +3567,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ninguna de las medidas de %1 es segura. %2</translation>
     </message>
+    <message>
+      <source>Models of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelos de %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>
@@ -3654,6 +3659,39 @@
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Espacio</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RightsEdit</name>
+    <message>
+      <source>Rights to the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Derechos sobre el proyecto abierto</translation>
+    </message>
+    <message>
+      <source>for instance CC-BY-4.0; empty: none is named</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>por ejemplo CC-BY-4.0; vacío: no se nombra ninguna</translation>
+    </message>
+    <message>
+      <source>&amp;Licence of what is exported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Licencia de lo exportado</translation>
+    </message>
+    <message>
+      <source>Who &amp;holds the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Quién tiene los &amp;derechos</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado.</translation>
+    </message>
+    <message>
+      <source>change the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiar los derechos</translation>
     </message>
   </context>
   <context>
@@ -4827,6 +4865,11 @@
       <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yacimientos y cortes que no existían: %1; compruebe que ninguno sea una errata.</translation>
+    </message>
+    <message>
+      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los resultados de esta tanda ya no están; calcúlela otra vez y decida después.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>

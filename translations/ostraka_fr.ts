@@ -3567,6 +3567,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune des mesures de %1 n’est sûre. %2</translation>
     </message>
+    <message>
+      <source>Models of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modèles de %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>
@@ -3654,6 +3659,39 @@
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Espace</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RightsEdit</name>
+    <message>
+      <source>Rights to the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Droits sur le projet ouvert</translation>
+    </message>
+    <message>
+      <source>for instance CC-BY-4.0; empty: none is named</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>par exemple CC-BY-4.0 ; vide : aucune n’est indiquée</translation>
+    </message>
+    <message>
+      <source>&amp;Licence of what is exported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Licence de ce qui est exporté</translation>
+    </message>
+    <message>
+      <source>Who &amp;holds the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Qui détient les &amp;droits</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré.</translation>
+    </message>
+    <message>
+      <source>change the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modifier les droits</translation>
     </message>
   </context>
   <context>
@@ -4827,6 +4865,11 @@
       <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sites et tranchées qui n’existaient pas : %1 ; vérifiez qu’aucun n’est une faute de frappe.</translation>
+    </message>
+    <message>
+      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les résultats de ce lot ne sont plus là ; recalculez-le, puis décidez.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>

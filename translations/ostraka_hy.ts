@@ -3567,6 +3567,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի ոչ մի չափը վստահելի չէ։ %2</translation>
     </message>
+    <message>
+      <source>Models of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի մոդելները</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>
@@ -3654,6 +3659,39 @@
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացատ</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RightsEdit</name>
+    <message>
+      <source>Rights to the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց նախագծի իրավունքները</translation>
+    </message>
+    <message>
+      <source>for instance CC-BY-4.0; empty: none is named</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>օրինակ՝ CC-BY-4.0. դատարկ՝ ոչ մեկը չի նշվում</translation>
+    </message>
+    <message>
+      <source>&amp;Licence of what is exported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանվածի &amp;լիցենզիան</translation>
+    </message>
+    <message>
+      <source>Who &amp;holds the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ով ունի &amp;իրավունքները</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։</translation>
+    </message>
+    <message>
+      <source>change the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փոխել իրավունքները</translation>
     </message>
   </context>
   <context>
@@ -4827,6 +4865,11 @@
       <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հուշարձաններ և խրամատներ, որոնք չկային. %1. ստուգեք, որ դրանցից ոչ մեկը վրիպակ չլինի։</translation>
+    </message>
+    <message>
+      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի արդյունքներն այլևս չկան. նորից հաշվարկեք այն, ապա որոշեք։</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>

@@ -3530,6 +3530,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 partisinin hiçbir ölçüsü kesin değil. %2</translation>
     </message>
+    <message>
+      <source>Models of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 modelleri</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>
@@ -3617,6 +3622,39 @@
       <source>Space</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boşluk</translation>
+    </message>
+  </context>
+  <context>
+    <name>ostraka::ui::RightsEdit</name>
+    <message>
+      <source>Rights to the open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Açık projenin hakları</translation>
+    </message>
+    <message>
+      <source>for instance CC-BY-4.0; empty: none is named</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>örneğin CC-BY-4.0; boş: hiçbiri belirtilmez</translation>
+    </message>
+    <message>
+      <source>&amp;Licence of what is exported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarılanın &amp;lisansı</translation>
+    </message>
+    <message>
+      <source>Who &amp;holds the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Hakların sahibi</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi.</translation>
+    </message>
+    <message>
+      <source>change the rights</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hakları değiştir</translation>
     </message>
   </context>
   <context>
@@ -4786,6 +4824,11 @@
       <source>Sites and trenches that were not there: %1; look that none is a slip of the pen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Henüz olmayan alanlar ve açmalar: %1; hiçbirinin yazım hatası olmadığına bakın.</translation>
+    </message>
+    <message>
+      <source>The results of this batch are not there any more; compute it again, then decide.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partinin sonuçları artık yok; yeniden hesaplayın, sonra karar verin.</translation>
     </message>
     <message>
       <source>Camera %1: its photographs come from different cameras (%2); give each camera its own name, for one lens is computed for all that have the same.</source>

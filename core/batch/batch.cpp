@@ -33,18 +33,28 @@ bool take(std::string_view& name, int& number) {
   return digits > 0;
 }
 
-// "cam3_pos07" gives {3, 7} for between = "_pos".
-bool camNumbers(const fs::path& file, std::string_view between, int& camera, int& number) {
-  const std::string stem = lowerCase(file.stem().string());
-  std::string_view name = stem;
-  return take(name, "cam") && take(name, camera) && take(name, between) && take(name, number) &&
-         name.empty();
+// A number, or the letter that the camera has in the window: A is the first.
+bool takeCamera(std::string_view& name, int first, int& camera) {
+  if (take(name, camera)) return true;
+  if (name.empty() || name[0] < 'a' || name[0] > 'z') return false;
+  camera = name[0] - 'a' + first;
+  name.remove_prefix(1);
+  return true;
 }
 
-bool emptyPlateCamera(const fs::path& file, int& camera) {
+// "cam3_pos07" gives {3, 7} for between = "_pos", and "camD_pos07" where cameras count from 0.
+bool camNumbers(const fs::path& file, std::string_view between, int first, int& camera,
+                int& number) {
   const std::string stem = lowerCase(file.stem().string());
   std::string_view name = stem;
-  return take(name, "empty_cam") && take(name, camera) && name.empty();
+  return take(name, "cam") && takeCamera(name, first, camera) && take(name, between) &&
+         take(name, number) && name.empty();
+}
+
+bool emptyPlateCamera(const fs::path& file, int first, int& camera) {
+  const std::string stem = lowerCase(file.stem().string());
+  std::string_view name = stem;
+  return take(name, "empty_cam") && takeCamera(name, first, camera) && name.empty();
 }
 
 std::vector<fs::path> imagesIn(const fs::path& folder) {
@@ -132,7 +142,7 @@ class Reader {
       Shot shot;
       shot.side = side;
       shot.file = file;
-      if (!camNumbers(file, layout.between, shot.camera, shot.stop) ||
+      if (!camNumbers(file, layout.between, layout.first_camera, shot.camera, shot.stop) ||
           shot.camera < layout.first_camera) {
         warn(file, std::string("The name is not of the form ") + layout.pattern +
                        "; this photograph is left out.");
@@ -266,8 +276,8 @@ class Reader {
       CalibrationShot shot;
       shot.file = file;
       int number = 0;
-      const bool empty = emptyPlateCamera(file, shot.camera);
-      if (!empty && !camNumbers(file, "_cal", shot.camera, number)) {
+      const bool empty = emptyPlateCamera(file, 0, shot.camera);
+      if (!empty && !camNumbers(file, "_cal", 0, shot.camera, number)) {
         warn(file,
              "The name is neither cam<C>_cal<NN>.jpg nor empty_cam<C>.jpg; this picture is "
              "left out.");

@@ -11,6 +11,7 @@
 #include "batch/batch.h"
 #include "batch/exif.h"
 #include "capture/manifest.h"
+#include "catalogue/project.h"
 #include "catalogue/review_decisions.h"
 #include "catalogue/same_pieces.h"
 #include "catalogue/sherd_columns.h"
@@ -413,6 +414,29 @@ Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& projec
   if (!read) return read.error();
   return catalogue.database().inTransaction(
       [&] { return Entering(catalogue, batch, act).enter(*read, out); });
+}
+
+Result<bool> enterLostModels(const fs::path& project, const std::string& batch, Progress& progress,
+                             std::stop_token stop) {
+  const fs::path out = project / "results" / batch;
+  std::error_code failed;
+  if (!fs::exists(out / "report.json", failed)) return false;
+  Result<Catalogue> catalogue = Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  const Result<BatchRecord> record = catalogue->batchByNumber(batch);
+  if (!record) return record.error();
+  const Result<std::vector<SherdRow>> rows = catalogue->sherdRows(record->row);
+  if (!rows) return rows.error();
+  const Result<std::vector<SherdRecord>> sherds = catalogue->sherds(*rows);
+  if (!sherds) return sherds.error();
+  if (std::none_of(sherds->begin(), sherds->end(), [](const SherdRecord& sherd) {
+        return sherd.front && sherd.back && sherd.model_path.empty();
+      }))
+    return false;
+  const Result<EnteredResults> entered =
+      enterResults(*catalogue, project, record->row, out, {{}, "process", {}}, progress, stop);
+  if (!entered) return entered.error();
+  return entered->models > 0;
 }
 
 Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, BatchRow batch,

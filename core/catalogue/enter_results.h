@@ -25,6 +25,11 @@ Result<EnteredResults> enterResults(Catalogue& catalogue, const std::filesystem:
                                     BatchRow batch, const std::filesystem::path& out,
                                     const Act& act, Progress& progress, std::stop_token stop);
 
+/// Enters the results of a batch again if a sherd with both sides has no model in the catalogue, as
+/// after a pair was given up and taken back. False: none lacks one, or there are no whole results.
+Result<bool> enterLostModels(const std::filesystem::path& project, const std::string& batch,
+                             Progress& progress, std::stop_token stop);
+
 /// The photographs of a batch folder as rows, with their files and hashes; idempotent.
 Result<int> enterPhotographs(Catalogue& catalogue, const std::filesystem::path& project,
                              BatchRow batch, const Act& act, Progress& progress,

@@ -40,8 +40,7 @@ struct Act {
 // 7), given by the catalogue. Times are milliseconds UTC; days are ISO texts (2026-07-14).
 
 struct ProjectRecord {
-  std::string id, code, title, institution, rights_holder;
-  std::string licence = "CC-BY-4.0";
+  std::string id, code, title, institution, rights_holder, licence;
   std::string numbering = "{site}-{trench}-{context}-{n:04}";
   std::string word_for_context = "context";
 };

@@ -266,6 +266,11 @@ ordered_json toJson(const Decisions& decisions) {
 
 Result<PairDecision> appendDecision(const fs::path& output, PairDecision decision) {
   if (const Result<void> valid = checked(decision); !valid) return valid.error();
+  std::error_code failed;
+  if (!fs::is_directory(output, failed))  // a decision alone would stand in the way of new results
+    return Error{ErrorCode::Missing,
+                 "The results of this batch are not there any more; compute it again, then decide.",
+                 output.string()};
   Result<Decisions> decisions = readDecisions(output);
   if (!decisions) return decisions.error();
   const Decisions holding = standing(*decisions);

@@ -20,6 +20,14 @@ std::string nameOf(const fs::path& file, const batch::Batch& batch) {
   return file.lexically_proximate(batch.folder).generic_string();
 }
 
+// What is left when results were deleted to be computed anew, and what people decided was kept.
+bool holdsDecisionsAlone(const fs::path& output) {
+  std::error_code failed;
+  for (fs::directory_iterator at(output, failed), end; !failed && at != end; at.increment(failed))
+    if (at->path().filename() != "decisions.json") return false;
+  return !failed;
+}
+
 // An OUT belongs to one batch. It is the same one while a third of its photographs are the same:
 // one side may have been shot again. Plate and calibration are those of many batches.
 Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const batch::Batch& batch,
@@ -29,7 +37,8 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
     // A run that ended before it could name its batch leaves the lock alone.
     const bool own = fs::exists(file.parent_path() / "lock", failed) &&
                      !fs::exists(file.parent_path() / kScansFile, failed);
-    if (!own && fs::exists(output, failed) && !fs::is_empty(output, failed))
+    if (!own && !holdsDecisionsAlone(output) && fs::exists(output, failed) &&
+        !fs::is_empty(output, failed))
       return Error{ErrorCode::UnusableInput,
                    "The output folder holds something that is not from this program; choose "
                    "another or an empty one.",

@@ -162,6 +162,7 @@ QWidget* CaptureStation::buildWorkPage() {
   auto* page = new QWidget(this);
   headline_ = new QLabel(page);
   headline_->setObjectName(QStringLiteral("captureHeadline"));
+  headline_->setWordWrap(true);
   instruction_ = new QLabel(page);
   instruction_->setWordWrap(true);
   middle_ = new QStackedWidget(page);

@@ -91,7 +91,7 @@ QWidget* CatalogueStation::buildFilterLine() {
   to_export->setObjectName("exportThese");
   connect(to_export, &QPushButton::clicked, this, [this] {
     const QString rows = chosen();
-    emit wantsStation("export", rows.isEmpty() ? "filter:" + filter_->text() : rows);
+    emit wantsStation("export", rows.startsWith("rows:") ? rows : "filter:" + filter_->text());
   });
   filter_->addButton(to_import);
   filter_->addButton(to_export);
@@ -367,11 +367,11 @@ std::vector<catalogue::SherdRow> CatalogueStation::selected() const {
   return sherds;
 }
 
-// One alone is the one that is looked at.
+// One alone is the one that is looked at, and perhaps meant.
 QString CatalogueStation::chosen() const {
   QStringList rows;
   for (const catalogue::SherdRow row : selected()) rows << QString::number(row.value);
-  return rows.size() > 1 ? "rows:" + rows.join(',') : QString();
+  return rows.isEmpty() ? QString() : (rows.size() > 1 ? "rows:" : "row:") + rows.join(',');
 }
 
 void CatalogueStation::showSelection() {

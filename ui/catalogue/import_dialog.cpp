@@ -97,6 +97,7 @@ void ImportDialog::buildLayout() {
   cancel_ = button("importCancel", "cancel", {});
   connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
   enter_ = button("importEnter", "check", {});
+  enter_->setDefault(true);
   connect(enter_, &QPushButton::clicked, &model_, &ImportModel::enter);
   auto* first = new QHBoxLayout;
   first->addWidget(table);

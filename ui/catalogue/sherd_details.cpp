@@ -84,11 +84,15 @@ void SherdDetails::buildLayout() {
   number_ = new QLabel(page);
   number_->setFont(scaledFont(*this, 1.4));
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  number_->setWordWrap(true);
   number_->setAccessibleName(tr("Number of the sherd"));
   give_number_ = new QPushButton(icon("label"), tr("Give the number %1").arg(QString()), page);
   give_number_->setObjectName("giveNumber");
   give_number_->setMinimumHeight(targetSize(*this));
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
+  why_no_number_ = new QLabel(page);
+  why_no_number_->setObjectName("whyNoNumber");
+  why_no_number_->setWordWrap(true);
   buildRefusal(page);
   form_ = new QFormLayout;
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
@@ -119,6 +123,7 @@ void SherdDetails::buildLayout() {
   };
   column->addWidget(number_);
   column->addWidget(give_number_);
+  column->addWidget(why_no_number_);
   column->addWidget(refusal_);
   column->addLayout(form_);
   column->addWidget(heading(tr("Measured")));
@@ -229,13 +234,17 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   refusal_->hide();
   number_->setText(sherd->number.empty() ? tr("no number yet")
                                          : QString::fromStdString(sherd->number));
-  give_number_->setVisible(sherd->number.empty());
+  give_number_->hide();
+  why_no_number_->hide();
   if (sherd->number.empty()) {
     const auto proposed = catalogue.proposeNumbers(std::span(&row, 1));
-    give_number_->setEnabled(proposed.has_value());
-    give_number_->setText(
-        proposed ? tr("Give the number %1").arg(QString::fromStdString(proposed->front()))
-                 : wordsOf(proposed.error().what));
+    give_number_->setVisible(proposed.has_value());
+    why_no_number_->setVisible(!proposed);
+    if (proposed)
+      give_number_->setText(
+          tr("Give the number %1").arg(QString::fromStdString(proposed->front())));
+    else
+      why_no_number_->setText(wordsOf(proposed.error().what));
   }
   for (const catalogue::SherdField& field : catalogue::sherdFields())
     if (field.editable) setText(field.name, shownText(*sherd, field));
@@ -320,6 +329,7 @@ void SherdDetails::clear() {
   sherd_ = {};
   refusal_->hide();
   give_number_->hide();
+  why_no_number_->hide();
   number_->setText(tr("Choose a sherd."));
   place_->clear();
   for (const catalogue::SherdField& field : catalogue::sherdFields())

@@ -51,6 +51,7 @@ class SherdDetails final : public QScrollArea {
   catalogue::SherdRow sherd_;
   QLabel* number_ = nullptr;
   QPushButton* give_number_ = nullptr;
+  QLabel* why_no_number_ = nullptr;
   QFormLayout* form_ = nullptr;
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;

@@ -74,6 +74,12 @@ void ExportModel::setChosen(std::vector<catalogue::SherdRow> sherds) {
   measureSize();
 }
 
+void ExportModel::offerChosen(std::vector<catalogue::SherdRow> sherds) {
+  chosen_ = std::move(sherds);
+  if (what_ == What::Chosen) return measureSize();
+  emit changed();
+}
+
 void ExportModel::setForm(exchange::Form form, bool wanted) {
   if (wanted)
     forms_.insert(form);

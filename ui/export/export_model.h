@@ -34,6 +34,8 @@ class ExportModel final : public QObject {
   void setAll();
   void setFilter(const QString& line);
   void setChosen(std::vector<catalogue::SherdRow> sherds);
+  /// What could be chosen; what is exported stays.
+  void offerChosen(std::vector<catalogue::SherdRow> sherds);
   void setForm(exchange::Form form, bool wanted);
   void setDrawingScale(std::optional<double> scale);  ///< nothing: what fits the sheet
   /// Models with fewer triangles, this far off at most, mm; 0: as computed.

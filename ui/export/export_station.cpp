@@ -233,7 +233,11 @@ void ExportStation::showItem(const QString& what) {
 }
 
 void ExportStation::takeChosen(const QString& what) {
-  if (!what.isEmpty() && model_.state() != ExportModel::State::Running) showItem(what);
+  if (what.isEmpty() || model_.state() == ExportModel::State::Running) return;
+  if (what.startsWith("row:"))
+    model_.offerChosen({{what.mid(4).toLongLong()}});
+  else
+    showItem(what);
 }
 
 void ExportStation::browse() {

@@ -1,5 +1,7 @@
 #include "ui/frame/thumbnails.h"
 
+#include <QDateTime>
+#include <QFileInfo>
 #include <QImageReader>
 
 #include "ui/jobs/job.h"
@@ -27,7 +29,12 @@ Thumbnails::Thumbnails(JobRunner& runner, QObject* parent)
     : QObject(parent), runner_(runner), kept_(kKept_kib) {}
 
 QPixmap Thumbnails::get(const QString& file, const QSize& size) {
-  const QString key = QStringLiteral("%1@%2x%3").arg(file).arg(size.width()).arg(size.height());
+  // A batch that is computed anew writes other pictures under the same names.
+  const QString key = QStringLiteral("%1@%2x%3@%4")
+                          .arg(file)
+                          .arg(size.width())
+                          .arg(size.height())
+                          .arg(QFileInfo(file).lastModified().toMSecsSinceEpoch());
   if (const QPixmap* kept = kept_.object(key)) return *kept;
   if (file.isEmpty() || on_the_way_.contains(key) || unreadable_.contains(key)) return {};
   on_the_way_.insert(key);

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "catalogue/enter_results.h"
 #include "catalogue/project.h"
 #include "catalogue/review_decisions.h"
 #include "ui/frame/look.h"
@@ -157,6 +158,7 @@ void ReviewStation::closeProject() {
   if (session_) disconnect(session_, nullptr, this, nullptr);
   model_ = nullptr;
   session_.clear();
+  elsewhere_ = 0;
   batch_.clear();
   batches_->clear();
   message_->clear();
@@ -194,6 +196,7 @@ void ReviewStation::openOutput(const QString& batch) {
   model_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
   stamp_ = stampOf(batch);
+  countElsewhere();
   batches_->setCurrentText(batch);
   compute_->hide();
   message_->clear();
@@ -263,6 +266,27 @@ void ReviewStation::settle(const QString& batch, const std::string& person,
       rows, batch.toStdString(), person, standing.figures.ask == 0 && !standing.wants_computing);
   for (const Result<void>* told : {&kept, &done})
     if (!*told) say(sentenceOf(told->error()));
+  if (!standing.wants_computing) restoreModels(batch);
+}
+
+// A sherd that lost its back lost its model. When the pair is again as it was computed, its results
+// lie there still.
+void ReviewStation::restoreModels(const QString& batch) {
+  JobHandle* job = session_->jobs().start(
+      makeJob(tr("Models of %1").arg(batch),
+              [folder = session_->folder(), number = batch.toStdString()](
+                  Progress& progress, std::stop_token stop) -> Result<bool> {
+                return catalogue::enterLostModels(folder, number, progress, stop);
+              }),
+      this);
+  connect(job, &JobHandle::finished, this,
+          [this, batch, session = session_](const JobOutcome& outcome) {
+            const auto restored = outcomeAs<bool>(outcome);
+            if (!restored) return say(sentenceOf(restored.error()));
+            if (!*restored || !session || session != session_) return;
+            session_->tellBatchChanged(batch);
+            session_->tellSherdsChanged();
+          });
 }
 
 // Of pairs that are not shown: an act on them was undone or done again.
@@ -285,6 +309,7 @@ void ReviewStation::settleUnseen(const fs::path& output, const std::string& pers
 
 // What another station did to this batch: new pairs are shown, a mere change of its state is not.
 void ReviewStation::follow(const QString& batch) {
+  countElsewhere();
   if (batches_->findText(batch) < 0) listBatches();
   if (batches_->findText(batch) < 0) return;
   if (batch == batch_) showScale();
@@ -303,8 +328,23 @@ void ReviewStation::setInFront(bool in_front) {
   if (in_front && pane_) pane_->setFocus();
 }
 
+// Of all batches: what is not opened yet waits as well.
 int ReviewStation::waiting() const {
-  return model_ != nullptr ? model_->waiting() : 0;
+  return (model_ != nullptr ? model_->waiting() : 0) + elsewhere_;
+}
+
+void ReviewStation::countElsewhere() {
+  elsewhere_ = 0;
+  if (session_ && session_->hasProject()) {
+    const catalogue::Catalogue& rows = session_->project().catalogue();
+    if (const auto batches = rows.batches())
+      for (const catalogue::BatchRecord& batch : *batches) {
+        const QString number = QString::fromStdString(batch.number);
+        if (batch.state != catalogue::BatchState::Review || number == batch_) continue;
+        if (const auto figures = keptFigures(rows, number)) elsewhere_ += figures->ask;
+      }
+  }
+  emit waitingChanged();
 }
 
 QString ReviewStation::waitingText() const {

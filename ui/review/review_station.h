@@ -51,8 +51,10 @@ class ReviewStation final : public Station {
   void compute();
   void enter(const std::filesystem::path& output, const pipeline::PairDecision& decision);
   void settle(const QString& batch, const std::string& person, const BatchStanding& standing);
+  void restoreModels(const QString& batch);
   void settleUnseen(const std::filesystem::path& output, const std::string& person);
   void follow(const QString& batch);
+  void countElsewhere();
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
   QWidget* buildScale();
@@ -71,6 +73,7 @@ class ReviewStation final : public Station {
   QPointer<ReviewPane> pane_;
   QPointer<JobHandle> opening_;
   std::filesystem::file_time_type stamp_;  ///< of the results that are shown
+  int elsewhere_ = 0;                      ///< what waits in batches that are not shown
   QHash<QString, int> settled_;            ///< how often; what was read before the last is past
 };
 

@@ -13,6 +13,7 @@
 
 #include "ui/frame/form_rows.h"
 #include "ui/settings/numbering_edit.h"
+#include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
 
 namespace ostraka::ui {
@@ -26,7 +27,8 @@ SettingsPage::SettingsPage(QWidget* parent)
       initials_(new QLineEdit(this)),
       threads_(new QSpinBox(this)),
       numbering_(new NumberingEdit(this)),
-      vocabulary_(new VocabularyEdit(this)) {
+      vocabulary_(new VocabularyEdit(this)),
+      rights_(new RightsEdit(this)) {
   setObjectName(QStringLiteral("settings"));
   theme_->setObjectName(QStringLiteral("settingsTheme"));
   for (const auto& [theme, words] :
@@ -94,6 +96,8 @@ void SettingsPage::buildLayout() {
   parts->addWidget(numbering_);
   parts->addSpacing(fontMetrics().height());
   parts->addWidget(vocabulary_);
+  parts->addSpacing(fontMetrics().height());
+  parts->addWidget(rights_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(24, 24, 24, 24);
   auto* close = new QPushButton(icon(QStringLiteral("previous")), tr("Back to work (Esc)"), this);
@@ -115,6 +119,7 @@ void SettingsPage::buildLayout() {
 void SettingsPage::setSession(ProjectSession* session) {
   numbering_->setSession(session);
   vocabulary_->setSession(session);
+  rights_->setSession(session);
 }
 
 void SettingsPage::setSettings(const WindowSettings& settings) {

@@ -12,6 +12,7 @@ class QSpinBox;
 namespace ostraka::ui {
 
 class NumberingEdit;
+class RightsEdit;
 class VocabularyEdit;
 class ProjectSession;
 
@@ -41,6 +42,7 @@ class SettingsPage final : public QWidget {
   QSpinBox* threads_;
   NumberingEdit* numbering_;
   VocabularyEdit* vocabulary_;
+  RightsEdit* rights_;
   bool filling_ = false;
 };
 

@@ -8,6 +8,9 @@ Sentences sentencesOfPipeline() {
   static constexpr const char* kAll[] = {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
+          "The results of this batch are not there any more; compute it again, then decide."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
           "Camera %1: its photographs come from different cameras (%2); give each camera its own "
           "name, for one lens is computed for all that have the same."),
       QT_TRANSLATE_NOOP("ostraka::Error",

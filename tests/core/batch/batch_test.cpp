@@ -45,6 +45,23 @@ TEST(ReadBatch, SortsShotsBySideCameraAndStop) {
                                                        "cam0_pos03, cam0_pos04")));
 }
 
+TEST(ReadBatch, TakesTheLettersThatTheCamerasHaveInTheWindow) {
+  const TemporaryFolder folder("letters");
+  for (const char* side : {"front", "back"})
+    for (const char* name : {"camA_pos00.jpg", "camA_pos01.jpg", "camB_pos00.jpg"})
+      folder.image(std::string(side) + "/" + name);
+  folder.image("calib/empty_camB.jpg");
+  folder.image("front/camAB_pos00.jpg");
+  Listener listener;
+  const auto batch = read(folder, listener);
+  ASSERT_TRUE(batch.has_value()) << batch.error().sentence();
+  ASSERT_EQ(batch->shots.size(), 6U);
+  EXPECT_EQ(batch->shots[1].camera, 0);
+  EXPECT_EQ(batch->shots[1].stop, 1);
+  EXPECT_EQ(batch->shots[2].camera, 1);
+  EXPECT_THAT(listener.warnings, testing::Contains(HasSubstr("camAB_pos00.jpg")));
+}
+
 TEST(ReadBatch, ReadsThePapersLayoutWithCamerasFromOneAndItsMasks) {
   const TemporaryFolder folder("paper");
   for (const char* side : {"top", "bottom"})

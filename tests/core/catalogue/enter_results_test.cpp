@@ -181,6 +181,30 @@ TEST_F(Entering, KeepsWhatAPersonDecided) {
   EXPECT_EQ(catalogue().files(all[0].row)->size(), 3u);
 }
 
+TEST_F(Entering, ModelsComeBackWithThePairThatTheyAreOf) {
+  enter();
+  const auto lost = [this] { return enterLostModels(project_->folder(), "B0001", quiet, {}); };
+  EXPECT_FALSE(valueIn(lost())) << "none is";
+  PairDecision wrong;
+  wrong.batch = batch;
+  wrong.front = scanNamed("f001");
+  wrong.back = scanNamed("b002");
+  const Result<DecisionRow> row = catalogue().decide(wrong, anna);
+  ASSERT_TRUE(row);
+  PairDecision back = wrong;
+  back.verdict = Verdict::Withdraw;
+  back.replaces = *row;
+  ASSERT_TRUE(catalogue().decide(back, anna));
+  EXPECT_EQ(sherds()[0].back, scanNamed("b001"));
+  EXPECT_EQ(sherds()[0].model_path, "");
+  EXPECT_TRUE(valueIn(lost()));
+  for (const SherdRecord& sherd : sherds()) {
+    EXPECT_NE(sherd.model_path, "") << sherd.front.value;
+    EXPECT_FALSE(sherd.measures.empty());
+  }
+  EXPECT_FALSE(valueIn(lost()));
+}
+
 TEST_F(Entering, FollowsTheProgramWhereNobodyDecided) {
   enter();
   out.pairs() = {{1, 2, false}, {2, 1, false}};

@@ -67,6 +67,10 @@ class ExportStationTest : public QObject {
     station_->takeChosen({});
     QVERIFY(!child<QRadioButton>("chosen")->isEnabled());
     QVERIFY(child<QRadioButton>("all")->isChecked());
+    // The one that is looked at is perhaps meant, and perhaps not.
+    station_->takeChosen(QString("row:%1").arg(sample_->sherds()[0].value));
+    QCOMPARE(child<QRadioButton>("chosen")->isEnabled(), true);
+    QCOMPARE(child<QRadioButton>("chosen")->isChecked(), false);
     station_->takeChosen(
         QString("rows:%1,%2").arg(sample_->sherds()[0].value).arg(sample_->sherds()[1].value));
     QVERIFY(child<QRadioButton>("chosen")->isChecked());

@@ -13,6 +13,7 @@
 #include "ui/jobs/job.h"
 #include "ui/settings/numbering_edit.h"
 #include "ui/settings/numbering_model.h"
+#include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
 
 using namespace ostraka;
@@ -42,6 +43,27 @@ class NumberingTest : public QObject {
     context.trench = *rows().save(trench, {});
     context.number = "0012";
     context_ = *rows().save(context, {});
+  }
+
+  // Whose finds they are is not the program's to say.
+  void noLicenceIsNamedUntilAPersonNamesOne() {
+    RightsEdit edit;
+    edit.setSession(session_.get());
+    edit.show();
+    auto* licence = edit.findChild<QLineEdit*>("licence");
+    QCOMPARE(licence->text(), QString());
+    QTest::keyClicks(licence, "CC-BY-NC-4.0");
+    QTest::keyClick(licence, Qt::Key_Return);
+    QCOMPARE(rows().project()->licence, std::string("CC-BY-NC-4.0"));
+    auto* holder = edit.findChild<QLineEdit*>("rightsHolder");
+    QTest::keyClicks(holder, "Museum Yerevan");
+    QTest::keyClick(holder, Qt::Key_Return);
+    QCOMPARE(rows().project()->rights_holder, std::string("Museum Yerevan"));
+    session_->undo().undo();
+    QCOMPARE(rows().project()->rights_holder, std::string());
+    session_->undo().undo();
+    QCOMPARE(rows().project()->licence, std::string());
+    QCOMPARE(licence->text(), QString());
   }
 
   void anotherNumberingHoldsForTheNextSherdsOnlyAndIsUndone() {

@@ -1,0 +1,36 @@
+#pragma once
+#include <QPointer>
+#include <QWidget>
+
+#include "base/result.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace ostraka::ui {
+
+class ProjectSession;
+
+/// Part of the settings: whose the open project's finds are, and under which licence exports are
+/// handed on. Nothing is claimed until somebody says it.
+class RightsEdit final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit RightsEdit(QWidget* parent = nullptr);
+  /// Hidden without a project.
+  void setSession(ProjectSession* session);
+
+ private:
+  friend class RightsCommand;
+  void save();
+  void showRights();
+  Result<void> hold(const QString& licence, const QString& holder);
+
+  QPointer<ProjectSession> session_;
+  QLineEdit* licence_;
+  QLineEdit* holder_;
+  QLabel* told_;
+};
+
+}  // namespace ostraka::ui

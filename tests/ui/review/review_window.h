@@ -73,9 +73,12 @@ class ReviewWindow : public QObject {
         scan.batch = *row;
         scan.side = side;
         scan.index = i + 1;
-        scan.name = (side == batch::Side::Front ? out_.table.fronts : out_.table.backs)
-                        .at(static_cast<std::size_t>(i))
-                        .id;
+        const pipeline::ScanRef& ref =
+            (side == batch::Side::Front ? out_.table.fronts : out_.table.backs)
+                .at(static_cast<std::size_t>(i));
+        scan.name = ref.id;
+        scan.plate_x_mm = ref.place_mm.x();
+        scan.plate_y_mm = ref.place_mm.y();
         scan.path = "results/" + number + "/scans/" + scan.name + ".ply";
         QVERIFY(rows.save(scan, {}).has_value());
       }

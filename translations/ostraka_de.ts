@@ -6402,9 +6402,9 @@
       <translation>'%1' ist kein Begriff der Wortliste '%2'; einen anderen wählen oder ihn in den Einstellungen hinzufügen.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0.</source>
+      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was auf das Zeichen ± folgt, ist größer als 0.</translation>
+      <translation>Was auf das Zeichen ± folgt, ist größer als 0, oder 0, wo keine Unsicherheit bekannt ist.</translation>
     </message>
     <message>
       <source>A measurement is above 0.</source>

@@ -6402,9 +6402,9 @@
       <translation>Το '%1' δεν είναι όρος του λεξιλογίου '%2'· επιλέξτε άλλον ή προσθέστε τον στις ρυθμίσεις.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0.</source>
+      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό που ακολουθεί το σημείο ± είναι πάνω από 0.</translation>
+      <translation>Ό,τι ακολουθεί το σύμβολο ± είναι μεγαλύτερο από το 0, ή 0 όπου δεν είναι γνωστή αβεβαιότητα.</translation>
     </message>
     <message>
       <source>A measurement is above 0.</source>

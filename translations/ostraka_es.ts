@@ -6402,9 +6402,9 @@
       <translation>'%1' no es un término del vocabulario '%2'; elija otro o añádalo en los ajustes.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0.</source>
+      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que sigue al signo ± es mayor que 0.</translation>
+      <translation>Lo que sigue al signo ± es mayor que 0, o 0 si no se conoce ninguna incertidumbre.</translation>
     </message>
     <message>
       <source>A measurement is above 0.</source>

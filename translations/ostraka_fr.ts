@@ -6402,9 +6402,9 @@
       <translation>'%1' n’est pas un terme du vocabulaire '%2' ; choisissez-en un autre, ou ajoutez-le dans les réglages.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0.</source>
+      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce qui suit le signe ± est supérieur à 0.</translation>
+      <translation>Ce qui suit le signe ± est supérieur à 0, ou 0 si aucune incertitude n’est connue.</translation>
     </message>
     <message>
       <source>A measurement is above 0.</source>

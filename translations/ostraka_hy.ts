@@ -6402,9 +6402,9 @@
       <translation>'%1'-ը '%2' բառարանի տերմին չէ. ընտրեք այլը կամ ավելացրեք կարգավորումներում։</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0.</source>
+      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>± նշանին հաջորդողը մեծ է 0-ից։</translation>
+      <translation>± նշանին հաջորդողը մեծ է 0-ից, կամ 0 է, եթե անորոշությունը հայտնի չէ։</translation>
     </message>
     <message>
       <source>A measurement is above 0.</source>

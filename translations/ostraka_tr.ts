@@ -6361,9 +6361,9 @@
       <translation>'%1', '%2' sözlüğünün bir terimi değil; başka birini seçin ya da ayarlarda ekleyin.</translation>
     </message>
     <message>
-      <source>What follows the sign ± is above 0.</source>
+      <source>What follows the sign ± is above 0, or 0 where no uncertainty is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>± işaretinden sonraki değer 0’dan büyüktür.</translation>
+      <translation>± işaretinden sonra gelen 0’dan büyüktür; belirsizlik bilinmiyorsa 0’dır.</translation>
     </message>
     <message>
       <source>A measurement is above 0.</source>

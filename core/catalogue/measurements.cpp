@@ -25,6 +25,10 @@ Current currentOf(Database& database, SherdRow sherd, const std::string& kind) {
   return current;
 }
 
+std::string textOf(double value, const std::optional<double>& uncertainty) {
+  return numberText(value) + (uncertainty ? " ± " + numberText(*uncertainty) : std::string());
+}
+
 void show(Database& database, SherdRow sherd, const std::string& kind,
           const std::optional<double>& value) {
   database.sql("UPDATE sherd_measure SET " + kind + " = ? WHERE sherd = ?")
@@ -64,7 +68,8 @@ void setMeasure(Catalogue& catalogue, const Measurement& m, const Act& act, Meas
   if (!counts) return;
   show(database, m.sherd, m.kind, m.value);
   remember(catalogue, act, "sherd", m.sherd.value, m.kind,
-           old.row ? numberText(old.value) : std::string(), numberText(m.value));
+           old.row ? textOf(old.value, old.uncertainty) : std::string(),
+           textOf(m.value, m.uncertainty));
 }
 
 void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind, const Act& act) {
@@ -73,18 +78,19 @@ void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind,
   if (!old.row) return;
   database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
   show(database, sherd, kind, std::nullopt);
-  remember(catalogue, act, "sherd", sherd.value, kind, numberText(old.value), "");
+  remember(catalogue, act, "sherd", sherd.value, kind, textOf(old.value, old.uncertainty), "");
 }
 
 void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act) {
   Measurement m = typed;
   m.by = act.person;
-  if (m.uncertainty) return setMeasure(catalogue, m, act, MeasureRank::Always);
+  if (m.uncertainty == 0.0) m.uncertainty.reset();
   // Who types what was there before (undo does) restores it with its method.
   Statement rows = catalogue.database().sql(
-      "SELECT person, method, model_sha256, uncertainty FROM measurement WHERE sherd = ? AND kind "
-      "= ? AND value = ? ORDER BY row DESC LIMIT 1");
-  if (rows.with(m.sherd, m.kind, m.value).next())
+      "SELECT person, method, model_sha256, uncertainty FROM measurement WHERE sherd = ?1 AND kind "
+      "= ?2 AND value = ?3 AND (?4 IS NULL OR ifnull(uncertainty, 0) = ?4) ORDER BY row DESC "
+      "LIMIT 1");
+  if (rows.with(m.sherd, m.kind, m.value, typed.uncertainty).next())
     rows >> m.by >> m.method >> m.model_sha256 >> m.uncertainty;
   setMeasure(catalogue, m, act, MeasureRank::Always);
 }

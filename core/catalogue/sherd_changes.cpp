@@ -22,7 +22,7 @@ struct Examined {
   ContextRow context;  ///< of a place, once for all its parts
   BagRow bag;
   std::vector<SherdRow> joins;
-  std::optional<double> uncertainty = std::nullopt;  ///< of a measure typed as 12.5 ± 0.4
+  std::optional<double> uncertainty = std::nullopt;  ///< of a measure typed as 12.5 ± 0.4; 0: none
   bool changes() const { return shown.old_value != shown.new_value; }
 };
 
@@ -83,7 +83,7 @@ class Examination {
         value = orRefuse(checkedDay(value));
         break;
       case FieldKind::Number:
-        if (!value.empty()) measure(change);
+        if (!value.empty()) measure(sherd.row, change);
         break;
       case FieldKind::Place:
         break;  // together with the sherd's other changes
@@ -142,7 +142,7 @@ class Examination {
     value = joinTerms(canonical);
   }
 
-  void measure(Examined& change) {
+  void measure(SherdRow sherd, Examined& change) {
     const std::string unit = unitOf(change.column->measure);
     std::string value = change.shown.new_value;
     std::optional<std::string> half;
@@ -154,7 +154,8 @@ class Examination {
       }
     change.number = orRefuse(parsedNumber(value));
     if (half) change.uncertainty = orRefuse(parsedNumber(*half));
-    if (change.uncertainty.value_or(1) <= 0) refuse("What follows the sign ± is above 0.");
+    if (change.uncertainty.value_or(0) < 0)
+      refuse("What follows the sign ± is above 0, or 0 where no uncertainty is known.");
     if (!(change.number > 0)) refuse("A measurement is above 0.");
     if (unit == "mm" && change.number > kMostMillimetres)
       refuse("No sherd is larger than 1000 mm; is this in millimetres?");
@@ -162,6 +163,19 @@ class Examination {
       refuse("No sherd is heavier than 20 kg; is this in grams?");
     if (unit == "pct" && change.number > 100) refuse("A share is 100 % at most.");
     change.shown.new_value = numberText(change.number);
+    if (change.uncertainty) showUncertainty(sherd, change);
+  }
+
+  // Where it becomes another; so it is a change of a value that stays, too.
+  void showUncertainty(SherdRow sherd, Examined& change) {
+    double old = 0;
+    for (const Measurement& m : orRefuse(catalogue_.measurements(sherd)))
+      if (m.kind == change.column->measure) old = m.uncertainty.value_or(0);
+    if (old == *change.uncertainty) return;
+    const bool stays = change.shown.old_value == change.shown.new_value;
+    if (old > 0 || stays) change.shown.old_value += " ± " + numberText(old);
+    if (*change.uncertainty > 0 || stays)
+      change.shown.new_value += " ± " + numberText(*change.uncertainty);
   }
 
   void joins(const SherdRecord& sherd, Examined& change) {

@@ -58,7 +58,8 @@ enum class MeasureRank {
 };
 void setMeasure(Catalogue& catalogue, const Measurement& measurement, const Act& act,
                 MeasureRank rank);
-/// A value typed by the person of `act`.
+/// A value typed by the person of `act`. Its uncertainty: 0 says that there is none; without one
+/// the value has what it had when it was typed last.
 void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act);
 /// Nothing counts any more; old rows stay.
 void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind, const Act& act);

@@ -186,7 +186,8 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "What follows the sign ± is above 0."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "What follows the sign ± is above 0, or 0 where no uncertainty is known."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A measurement is above 0."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "No sherd is larger than 1000 mm; is this in millimetres?"),

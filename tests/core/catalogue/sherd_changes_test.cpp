@@ -124,8 +124,36 @@ TEST_F(Changes, AMeasurementMayBeTypedWithItsUncertainty) {
   ASSERT_TRUE(catalogue().change(*undo, anna));
   EXPECT_EQ(diameter().value, 234.5);
   EXPECT_EQ(diameter().uncertainty, 6);
-  for (const char* bad : {"234 ±", "234 ± 0", "234 ± -1", "± 6", "234 ± 6 ± 1", "234 ± x"})
+  for (const char* bad : {"234 ±", "234 ± -1", "± 6", "234 ± 6 ± 1", "234 ± x"})
     EXPECT_FALSE(set(a, "rim_diameter_mm", bad)) << bad;
+}
+
+TEST_F(Changes, TheUncertaintyOfAValueThatStaysMayBeChangedAndTakenAway) {
+  const SherdRow a = numbered(context12);
+  const auto typed = [&](const char* value) {
+    const Result<std::vector<FieldChange>> undo = set(a, "rim_diameter_mm", value);
+    EXPECT_TRUE(undo) << (undo ? "" : undo.error().sentence());
+    return *undo;
+  };
+  const auto uncertainty = [&] { return catalogue().measurements(a)->at(0).uncertainty; };
+  ASSERT_TRUE(catalogue().measure({a, "rim_diameter", {}, 234.5, {}, "calliper", {}, {}}, anna));
+  const std::vector<FieldChange> to_none = typed("234.5 ± 6");
+  EXPECT_EQ(uncertainty(), 6);
+  const FieldChange other{a, "rim_diameter_mm", "234.5 ± 4"};
+  EXPECT_EQ(catalogue().preview(std::span(&other, 1))->front().old_value, "234.5 ± 6");
+  const std::vector<FieldChange> to_six = typed("234.5 ± 4");
+  EXPECT_EQ(uncertainty(), 4);
+  EXPECT_TRUE(typed("234.5 ± 4").empty()) << "nothing changes";
+  EXPECT_TRUE(typed("234.5").empty()) << "the value is the same";
+  const std::vector<FieldChange> to_four = typed("234.5 ± 0");
+  EXPECT_EQ(uncertainty(), std::nullopt);
+  ASSERT_TRUE(catalogue().change(to_four, anna));
+  EXPECT_EQ(uncertainty(), 4);
+  ASSERT_TRUE(catalogue().change(to_six, anna));
+  EXPECT_EQ(uncertainty(), 6);
+  ASSERT_TRUE(catalogue().change(to_none, anna));
+  EXPECT_EQ(uncertainty(), std::nullopt);
+  EXPECT_EQ(catalogue().measurements(a)->at(0).method, "calliper");
 }
 
 TEST_F(Changes, TextsThatAreNoTextAreRefused) {

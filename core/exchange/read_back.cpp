@@ -1,6 +1,7 @@
 #include "exchange/read_back.h"
 
 #include <algorithm>
+#include <set>
 
 #include "base/files.h"
 #include "catalogue/names.h"
@@ -153,9 +154,12 @@ class ReadingBack {
 
   /// Files of sherds that are new. One that is there already, of an import that broke off, is not
   /// touched if it is the same, and stops the import if it is another.
-  Result<void> copyFiles(std::stop_token stop) {
+  Result<void> copyFiles(Progress& progress, std::stop_token stop) {
+    copied_.clear();
     for (const FileCopy& file : copies_) {
       if (stop.stop_requested()) return Error::cancelled();
+      progress.report(static_cast<std::int64_t>(copied_.size()),
+                      static_cast<std::int64_t>(copies_.size()));
       const auto hash = hashes_.find("data/" + file.from);
       if (hash == hashes_.end())
         return Error::unusable("This file is not among the files of the export.", file.from);
@@ -168,13 +172,42 @@ class ReadingBack {
         return Error::unusable(
             "The project has another file of this name; rename the export, and import it again.",
             to);
-      if (!there)
+      if (!there) {
+        noteFolders(to);
         if (const Result<void> written = writeFileAtomically(to, *bytes); !written) return written;
+        written_.push_back(to);
+      }
+      copied_.push_back(file);
     }
     return {};
   }
 
+  /// False when other numbers were given to batches than when the files were copied: somebody began
+  /// a batch meanwhile.
+  bool liesWhereItIsEntered() const {
+    return std::equal(
+        copies_.begin(), copies_.end(), copied_.begin(), copied_.end(),
+        [](const FileCopy& a, const FileCopy& b) { return a.from == b.from && a.to == b.to; });
+  }
+
+  /// What copyFiles wrote, and the folders that it made, as far as they are empty.
+  void removeCopies() {
+    std::error_code ignored;
+    for (const fs::path& file : written_) fs::remove(file, ignored);
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
+      fs::remove(*folder, ignored);
+    written_.clear();
+    made_.clear();
+  }
+
  private:
+  void noteFolders(const fs::path& file) {
+    std::error_code ignored;
+    for (fs::path folder = file.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
+         folder = folder.parent_path())
+      made_.insert(folder);
+  }
+
   // Joins and files, once the sherds are there.
   Result<void> afterwards(const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
@@ -239,7 +272,10 @@ class ReadingBack {
   const Act& act_;
   std::string name_;  ///< of the export's folder, as part of other names
   std::vector<ReadSherdJson> records_;
-  std::vector<FileCopy> copies_;
+  std::vector<FileCopy> copies_;  ///< of what was entered last
+  std::vector<FileCopy> copied_;
+  std::vector<fs::path> written_;
+  std::set<fs::path> made_;                    ///< those within others behind them
   std::map<std::string, std::string> hashes_;  ///< of the export's files, which agreed
 };
 
@@ -252,6 +288,7 @@ Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMo
   ReadingBack reading(project, folder, *files, act);
   if (Result<void> read = reading.records(); !read) return read.error();
   ImportReport report;
+  bool moved = false;
   const auto records = [&](ImportMode how) {
     // The records of one export belong together: within the transaction around them.
     return previewOrEnter(project.catalogue(), how, [&]() -> Result<void> {
@@ -259,15 +296,22 @@ Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMo
           reading.enter({ImportMode::Enter, UnknownPlaces::Refuse}, progress, stop);
       if (!entered) return entered.error();
       report = std::move(*entered);
-      return {};
+      moved = how == ImportMode::Enter && !reading.liesWhereItIsEntered();
+      return moved ? Result<void>(Error::cancelled()) : Result<void>();
     });
   };
   if (const Result<void> fits = records(ImportMode::Preview); !fits) return fits.error();
   if (mode == ImportMode::Preview) return report;
   if (const auto saved = project.backUp(); !saved) return saved.error();
-  // Nobody who wants to write waits for files to be copied.
-  if (const Result<void> copied = reading.copyFiles(stop); !copied) return copied.error();
-  if (const Result<void> entered = records(mode); !entered) return entered.error();
+  do {
+    // Nobody who wants to write waits for files to be copied.
+    if (const Result<void> copied = reading.copyFiles(progress, stop); !copied)
+      return copied.error();
+    moved = false;
+    const Result<void> entered = records(mode);
+    if (!entered && !moved) return entered.error();
+    if (moved) reading.removeCopies();
+  } while (moved);
   return report;
 }
 

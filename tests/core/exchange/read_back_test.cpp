@@ -323,6 +323,42 @@ TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
   EXPECT_TRUE(other.catalogue().checkIntegrity());
 }
 
+// Files are copied without a lock, and another window begins a batch.
+TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwhile) {
+  ASSERT_TRUE(exportTo("out", all));
+  Project other = empty("other");
+  ASSERT_TRUE(other.catalogue().addBatch({}, {}));
+  const auto photograph = [&](const char* number) {
+    return other.folder() / "batches" / number / "front" / "cam0_pos00.jpg";
+  };
+  class Beginning : public Progress {
+   public:
+    explicit Beginning(std::function<void()> looked) : looked_(std::move(looked)) {}
+    void report(std::int64_t, std::int64_t) override { looked_(); }
+    void note(NoteLevel, std::string_view) override {}
+
+   private:
+    std::function<void()> looked_;
+  } beginning([&] {
+    if (!fs::exists(photograph("B0002")) || other.catalogue().batches()->size() != 1) return;
+    EXPECT_EQ(*other.catalogue().nextBatchNumber(), "B0002");
+    EXPECT_TRUE(other.catalogue().addBatch({}, {}));
+  });
+  const Result<ImportReport> report =
+      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, beginning, {});
+  ASSERT_TRUE(report) << report.error().sentence();
+  EXPECT_EQ(report->fresh, 3);
+  const BatchRecord entered = **other.catalogue().batchById(catalogue().batch(batch)->id);
+  EXPECT_EQ(entered.number, "B0003");
+  EXPECT_EQ(*readFile(photograph("B0003")), "JPEG");
+  EXPECT_FALSE(fs::exists(other.folder() / "batches/B0002")) << "it is another batch's folder";
+  for (const SherdRow row : rows) {
+    const SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
+    EXPECT_TRUE(fs::exists(other.absolute(other.catalogue().sherd(there)->model_path)));
+  }
+  EXPECT_TRUE(other.catalogue().checkIntegrity());
+}
+
 TEST_F(ReadingBack, APreviewChangesNothing) {
   ASSERT_TRUE(exportTo("out", all));
   Project other = empty("other");

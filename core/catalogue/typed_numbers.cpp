@@ -47,6 +47,21 @@ int nearest(const Eigen::Vector2d& to, std::span<const Eigen::Vector2d> places) 
   return best;
 }
 
+// A sherd without a number is called by its place on its label, B0031-01; where the project's
+// scheme gives such numbers, {batch}-{n:02}, it is one. Without an id only a place was printed.
+bool namesNoNumber(const Catalogue& catalogue, const LabelCode& label) {
+  if (!label.isPlaceOnPlate()) return false;
+  if (label.id_end.empty()) return true;
+  const std::size_t dash = label.number.find('-');
+  const std::string batch = label.number.substr(0, dash), year = batch.substr(1);
+  const std::string n = label.number.substr(dash + 1);
+  if (n.size() > kMostDigits) return false;
+  const Numbering scheme = orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
+  const Result<std::string> given =
+      scheme.number({{"batch", batch}, {"yyyy", year}, {"yy", year}}, std::stoi(n));
+  return !given || uniqueKey(*given) != uniqueKey(label.number);
+}
+
 }  // namespace
 
 std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key) {
@@ -98,10 +113,11 @@ Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
       const std::optional<LabelCode> label = readLabelCode(text);
       if (!label) refuse("This is only a part of a sherd's label; read its code again.", text);
       // Its number may be another, or there be one at all, since the label was printed.
-      std::string number = label->isPlaceOnPlate() ? std::string() : label->number;
-      if (const SherdRow known = orRefuse(sherdOfLabel(catalogue, *label)))
-        if (const SherdRecord sherd = orRefuse(catalogue.sherd(known)); !sherd.number.empty())
-          number = sherd.number;
+      std::string number = namesNoNumber(catalogue, *label) ? std::string() : label->number;
+      if (const SherdRow known = orRefuse(sherdOfLabel(catalogue, *label))) {
+        const SherdRecord sherd = orRefuse(catalogue.sherd(known));
+        if (!sherd.number.empty() || label->isPlaceOnPlate()) number = sherd.number;
+      }
       if (number.empty()) refuse("The sherd of this label has no number yet.", text);
       return number;
     }

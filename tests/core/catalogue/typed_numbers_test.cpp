@@ -122,5 +122,25 @@ TEST_F(TypedNumbers, DigitsAndCodesOfLabelsBecomeWholeNumbers) {
   EXPECT_FALSE(wholeNumber(catalogue(), newBatch({}), "7")) << "no context says whose seventh";
 }
 
+TEST_F(TypedNumbers, ALabelsNumberThatLooksLikeAPlaceIsOneWhereTheSchemeGivesSuch) {
+  const auto whole = [&](const std::string& typed) {
+    const Result<std::string> number = wholeNumber(catalogue(), batch, typed);
+    return number ? *number : std::string();
+  };
+  EXPECT_EQ(whole("OST1:S:B0031-01:7F3K9Q2M"), "") << "a sherd of another laptop without a number";
+  ProjectRecord record = *catalogue().project();
+  for (const auto& [scheme, number] :
+       {std::pair{"{batch}-{n:02}", "B0031-01"}, std::pair{"B{yy}-{n:04}", "B26-0012"}}) {
+    record.numbering = scheme;
+    ASSERT_TRUE(catalogue().setProject(record, anna));
+    EXPECT_EQ(whole(std::string("OST1:S:") + number + ":7F3K9Q2M"), number);
+    EXPECT_EQ(whole(std::string("OST1:S:") + number), "") << "without an id it is a place";
+  }
+  EXPECT_EQ(whole("OST1:S:B0031-01:7F3K9Q2M"), "") << "the scheme pads to four digits";
+  const SherdRow none = draft(context12);
+  const std::string id = valueOf(none, "uuid");
+  EXPECT_EQ(whole("OST1:S:B26-0012:" + id.substr(id.size() - 8)), "") << "it has no number";
+}
+
 }  // namespace
 }  // namespace ostraka::catalogue

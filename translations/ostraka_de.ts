@@ -2230,7 +2230,7 @@
     <message>
       <source>rim T3 thickness&gt;6</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
+      <translation>T3 Dicke&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QHash>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include "catalogue/values.h"
 #include "ui/frame/free_tr.h"
@@ -11,7 +12,10 @@
 
 namespace ostraka::ui {
 
-QString fieldLabel(const std::string& field) {
+namespace {
+
+// In English; null for a field that has none.
+const char* labelOf(const QString& field) {
   static const QHash<QString, const char*> labels = {
       {"number", QT_TRANSLATE_NOOP("Fields", "number")},
       {"uuid", QT_TRANSLATE_NOOP("Fields", "identifier")},
@@ -52,7 +56,18 @@ QString fieldLabel(const std::string& field) {
       {"batch", QT_TRANSLATE_NOOP("Fields", "batch")},
       {"scale", QT_TRANSLATE_NOOP("Fields", "scale")},
       {"note", QT_TRANSLATE_NOOP("Fields", "note")}};
-  const char* label = labels.value(QString::fromStdString(field), nullptr);
+  return labels.value(field, nullptr);
+}
+
+// "thickness" of "thickness, mm".
+QString withoutUnit(const QString& label) {
+  return label.section(QLatin1Char(','), 0, 0).toCaseFolded();
+}
+
+}  // namespace
+
+QString fieldLabel(const std::string& field) {
+  const char* label = labelOf(QString::fromStdString(field));
   return label ? QCoreApplication::translate("Fields", label) : QString::fromStdString(field);
 }
 
@@ -89,6 +104,30 @@ bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field) {
   for (const std::string& kind : sherd.doubtful)
     if (field == kind + "_" + catalogue::unitOf(kind)) return true;
   return false;
+}
+
+QString withFieldNames(const QString& filter) {
+  QHash<QString, QString> names;
+  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+    const QString name = QString::fromLatin1(field.name);
+    const QString english = withoutUnit(QString::fromLatin1(labelOf(name)));
+    const QString label = withoutUnit(fieldLabel(field.name));
+    if (label.isEmpty() || label == english || label.contains(QLatin1Char(' '))) continue;
+    const bool measure = field.kind == catalogue::FieldKind::Number;  // known without its unit, too
+    names.insert(label, measure && name.startsWith(english) ? english : name);
+  }
+  static const QRegularExpression kNames(
+      QStringLiteral("\"[^\"]*\"|(?<=^|\\s|-)([^\\s:<>=\"-]+)(?=[:<>=])"));
+  QString read;
+  qsizetype done = 0;
+  for (auto at = kNames.globalMatch(filter); at.hasNext();) {
+    const auto found = at.next();
+    const auto name = names.constFind(found.captured(1).toCaseFolded());
+    if (found.captured(1).isEmpty() || name == names.constEnd()) continue;
+    read += filter.mid(done, found.capturedStart(1) - done) + *name;
+    done = found.capturedEnd(1);
+  }
+  return read + filter.mid(done);
 }
 
 QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field) {

@@ -7,6 +7,10 @@ namespace ostraka::ui {
 
 /// What people call a field of a sherd, with its unit: "length, mm".
 QString fieldLabel(const std::string& field);
+/// A line of the filter with the fields' names as people call them put into those of the catalogue:
+/// "Dicke>5" is "thickness>5" in a German window. Names in quotation marks, values and English
+/// names stay as they are.
+QString withFieldNames(const QString& filter);
 /// A value as people read it: numbers in the language's form with a sensible number of digits.
 QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field);
 /// What people call a measure, with its unit, and its value in the language's form.

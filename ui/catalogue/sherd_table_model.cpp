@@ -50,7 +50,8 @@ void SherdTableModel::setCatalogue(const catalogue::Catalogue* catalogue,
 }
 
 QString SherdTableModel::setFilter(const QString& line) {
-  const Result<catalogue::Filter> filter = catalogue::parseFilter(line.toStdString());
+  const Result<catalogue::Filter> filter =
+      catalogue::parseFilter(withFieldNames(line).toStdString());
   if (!filter) return sentenceOf(filter.error());
   filter_ = *filter;
   reload();

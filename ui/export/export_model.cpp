@@ -7,6 +7,7 @@
 
 #include "catalogue/filter.h"
 #include "catalogue/project.h"
+#include "ui/catalogue/field_words.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
 
@@ -23,7 +24,7 @@ Result<std::vector<catalogue::SherdRow>> rowsOf(const catalogue::Catalogue& cata
                                                 const std::vector<catalogue::SherdRow>& chosen) {
   if (what == ExportModel::What::Chosen) return chosen;
   const Result<catalogue::Filter> filter = catalogue::parseFilter(
-      what == ExportModel::What::Filtered ? line.toStdString() : std::string());
+      what == ExportModel::What::Filtered ? withFieldNames(line).toStdString() : std::string());
   if (!filter) return filter.error();
   return catalogue.sherdRows(*filter, {});
 }

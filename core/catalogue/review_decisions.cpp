@@ -172,7 +172,7 @@ class Following {
     std::map<DecisionRow, const pipeline::PairDecision*> stale;
     for (const pipeline::PairDecision& d : all_)
       for (const PairDecision& row : rowsOf(held, d.number, d.at))
-        if (!isWanted(d, row)) stale[row.row] = &d;
+        if (!isWanted(d, row) && isSurelyOf(d, row)) stale[row.row] = &d;
     while (takeBack(stale)) {
     }
     return added_;
@@ -213,6 +213,11 @@ class Following {
     return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& wanted) {
       return wanted.of->number == d.number && isAmong({wanted.row}, row);
     });
+  }
+
+  // What only an earlier program marked may be of another file: of this person it must be.
+  bool isSurelyOf(const pipeline::PairDecision& d, const PairDecision& row) {
+    return begins(row.note, markOf(d.number, d.at)) || row.by == actOf(d).person;
   }
 
   // Of what holds no more those rows that count; one that a later row is above of does no harm,

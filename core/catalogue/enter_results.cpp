@@ -18,7 +18,7 @@
 #include "catalogue/typed_numbers.h"
 #include "catalogue/values.h"
 #include "cloud/ply.h"
-#include "pipeline/decisions.h"
+#include "pipeline/review.h"
 
 namespace ostraka::catalogue {
 namespace {
@@ -179,9 +179,9 @@ class Reading {
   }
 
   void edits() {
-    using pipeline::DecisionKind;
     for (pipeline::PairDecision& d : orRefuse(pipeline::readDecisions(out_))) {
-      if (d.kind != DecisionKind::Join && d.kind != DecisionKind::Split) continue;
+      if (d.kind != pipeline::DecisionKind::Join && d.kind != pipeline::DecisionKind::Split)
+        continue;
       const std::string& seen = d.scans.front().photographs;
       const std::string& now = photographs_[batch::name(d.scans.front().side)];
       if (seen.empty() || now.empty() || seen == now) results_.edits.push_back(std::move(d));
@@ -227,11 +227,10 @@ class Reading {
     read.record.batch = batch_;
     read.sherd_front = front;
     read.sherd_back = back;
-    std::string hash = read.record.sha256;
     results_.files.push_back(std::move(read));
     const auto done = static_cast<std::int64_t>(results_.files.size());
     progress_.report(done, std::max(done, total_));
-    return hash;
+    return results_.files.back().record.sha256;
   }
 
   void stopIfAsked() const {
@@ -280,8 +279,9 @@ class Entering {
     entered_.numbers_left = orRefuse(giveTypedNumbers(catalogue_, batch_, act_));
     countOpen();
     BatchRecord batch = orRefuse(catalogue_.batch(batch_));
-    const bool wants_person = entered_.open > 0 || !read.scale_doubts.empty();
-    batch.state = wants_person ? BatchState::Review : BatchState::Done;
+    entered_.decided_meanwhile = pipeline::wantsComputing(out);
+    const bool open = entered_.open > 0 || entered_.decided_meanwhile;
+    batch.state = open || !read.scale_doubts.empty() ? BatchState::Review : BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
     batch.scale_error_pct = read.scale_error_pct;
     batch.scale_doubts = read.scale_doubts;

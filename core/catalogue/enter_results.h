@@ -12,8 +12,9 @@ namespace ostraka::catalogue {
 
 struct EnteredResults {
   int scans = 0, decisions = 0, new_sherds = 0, models = 0, measurements = 0, files = 0;
-  int kept_decisions = 0;  ///< pairs where the person's word stayed above the program's
-  int open = 0;            ///< pairs and scans that want a person
+  int kept_decisions = 0;          ///< pairs where the person's word stayed above the program's
+  int open = 0;                    ///< pairs and scans that want a person
+  bool decided_meanwhile = false;  ///< what the computation did not know is to be computed
   std::vector<std::string> numbers_left;  ///< typed on the plate, but no sherd lies there
 };
 

@@ -217,6 +217,13 @@ bool onlyConfirm(const CandidateTable& table, const Decisions& decisions) {
   });
 }
 
+bool wantsComputing(const std::filesystem::path& output) {
+  const Result<Decisions> decisions = readDecisions(output);
+  const Result<CandidateTable> table = readCandidatesOf(output);
+  if (!decisions || !table) return false;
+  return !onlyConfirm(*table, changedSince(*decisions, followed(*decisions, output)));
+}
+
 Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
   const std::filesystem::path file = output / "work" / "pairs" / "candidates.json";
   std::error_code failed;

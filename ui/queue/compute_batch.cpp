@@ -7,10 +7,8 @@
 
 #include "catalogue/enter_results.h"
 #include "catalogue/project.h"
-#include "pipeline/decisions.h"
 #include "pipeline/more_candidates.h"
 #include "pipeline/process_batch.h"
-#include "pipeline/review.h"
 #include "pipeline/scan_folder.h"
 
 namespace ostraka::ui {
@@ -93,15 +91,6 @@ int countedOtherwise(const catalogue::Catalogue& rows, const catalogue::BatchRec
   return std::max(found[0], found[1]) == batch.counted ? 0 : batch.counted;
 }
 
-// What a person decided after the computation had read the decisions is not in its results.
-bool decidedMeanwhile(const fs::path& output) {
-  const auto decisions = pipeline::readDecisions(output);
-  const auto table = pipeline::readCandidatesOf(output);
-  if (!decisions || !table) return false;
-  const pipeline::Decisions followed = pipeline::followed(*decisions, output);
-  return !pipeline::onlyConfirm(*table, pipeline::changedSince(*decisions, followed));
-}
-
 }  // namespace
 
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
@@ -147,15 +136,12 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
                       "there; give it in the catalogue.")
                       .arg(QString::fromStdString(number))
                       .toStdString());
-  if (decidedMeanwhile(output)) {
-    if (const auto set = rows.setBatchState(record->row, BatchState::Review, act); !set)
-      return set.error();
+  if (entered->decided_meanwhile)
     progress.note(NoteLevel::Warning,
                   QCoreApplication::translate(
                       "ComputeBatch",
                       "Pairs were decided while the batch was computed; compute it again for them.")
                       .toStdString());
-  }
   figures->counted = countedOtherwise(rows, *record);
   if (figures->counted > 0)
     progress.note(NoteLevel::Warning,

@@ -354,6 +354,20 @@ TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
   EXPECT_EQ(sherds().size(), 3U);
 }
 
+TEST_F(Entering, WhatWasDecidedWhileItWasComputedWantsAPerson) {
+  out.photographs = "first";
+  out.write();
+  EXPECT_FALSE(enter().decided_meanwhile);
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
+  pipeline::PairDecision pair;
+  pair.by = "AP";
+  pair.scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
+                {batch::Side::Back, "b002", {80, 0}, "first"}};
+  ASSERT_TRUE(pipeline::appendDecision(project_->resultsFolder("B0001"), pair));
+  EXPECT_TRUE(enter().decided_meanwhile);
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+}
+
 TEST_F(Entering, WithoutAScaleNoLengthIsKnown) {
   out.has_scale = false;
   out.write();

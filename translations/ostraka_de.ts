@@ -1297,6 +1297,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 hat diese Dateien schon; nichts wurde importiert.</translation>
     </message>
+    <message>
+      <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ nennt keinen Beutel: Fundort-Schnitt-Befund-Beutel schreiben, oder die Zeile leeren, um ohne einen weiterzumachen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

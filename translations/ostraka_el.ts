@@ -1297,6 +1297,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 έχει ήδη αυτά τα αρχεία· τίποτα δεν εισήχθη.</translation>
     </message>
+    <message>
+      <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» δεν ονομάζει σακούλα: γράψτε θέση-τομή-πλαίσιο-σακούλα ή αδειάστε τη γραμμή για να συνεχίσετε χωρίς.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

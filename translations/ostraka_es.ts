@@ -1297,6 +1297,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ya tiene estos archivos; no se ha importado nada.</translation>
     </message>
+    <message>
+      <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» no nombra ninguna bolsa: escriba yacimiento-corte-contexto-bolsa, o vacíe la línea para seguir sin ella.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1297,6 +1297,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a déjà ces fichiers ; rien n’a été importé.</translation>
     </message>
+    <message>
+      <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » ne nomme aucun sac : écrivez site-tranchée-contexte-sac, ou videz la ligne pour continuer sans.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

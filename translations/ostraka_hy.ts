@@ -1297,6 +1297,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն արդեն ունի այս ֆայլերը. ոչինչ չի ներմուծվել։</translation>
     </message>
+    <message>
+      <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը տոպրակ չի անվանում. գրեք հուշարձան-խրամատ-համատեքստ-տոպրակ կամ դատարկեք տողը՝ առանց դրա շարունակելու համար։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1283,6 +1283,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bu dosyaları zaten içeriyor; hiçbir şey içe aktarılmadı.</translation>
     </message>
+    <message>
+      <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>“%1” bir torbanın adı değil: alan-açma-kontekst-torba yazın ya da onsuz sürdürmek için satırı boşaltın.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -155,6 +155,14 @@ void CaptureStation::buildActions() {
 void CaptureStation::goOn() {
   if (!rig_page_->isHidden()) return rig_page_->goOn();
   if (number_edit_->isVisible() && !number_edit_->keepTyped()) return;
+  // A word that names no bag would leave all its sherds without a context.
+  if (wizard_->phase() == CapturePhase::Place && !place_->isUsable()) {
+    place_->choose();
+    emit said(tr("'%1' names no bag: write site-trench-context-bag, or empty the line to go on "
+                 "without one.")
+                  .arg(place_->text()));
+    return;
+  }
   wizard_->next();
 }
 

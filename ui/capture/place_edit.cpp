@@ -64,6 +64,11 @@ QString PlaceEdit::text() const {
   return edit_->text().trimmed();
 }
 
+void PlaceEdit::choose() {
+  edit_->setFocus();
+  edit_->selectAll();
+}
+
 PlaceText PlaceEdit::place() const {
   return reader_(text()).value_or(PlaceText());
 }

@@ -107,6 +107,25 @@ class CaptureStationTest : public QObject {
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
   }
 
+  void whatNamesNoBagIsNotPhotographedUnderIt() {
+    wizard_->setRig(sourceOf(*rig_));
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    auto* bag = child<QLineEdit>("capturePlace");
+    bag->setFocus();
+    QTest::keyClicks(bag, "hello world");
+    QTest::keyClick(bag, Qt::Key_Return);
+    QSignalSpy said(station_.get(), &CaptureStation::said);
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QCOMPARE(wizard_->phase(), CapturePhase::Place);
+    QVERIFY(bag->hasFocus());
+    QCOMPARE(said.count(), 1);
+    QVERIFY(said[0][0].toString().startsWith("'hello world' names no bag"));
+    bag->clear();
+    QTest::keyClick(bag, Qt::Key_Return);
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+  }
+
   void aNewPlaceIsMarkedAndEscTakesItBack() {
     QVERIFY(bagRowOf(session_->project().catalogue(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
     station_->closeProject();

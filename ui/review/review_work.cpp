@@ -52,10 +52,7 @@ Result<BatchStanding> standingOf(const std::filesystem::path& output) {
   if (!table) return table.error();
   const auto review = pipeline::reviewOf(*table, pipeline::standing(*decisions));
   if (!review) return review.error();
-  const pipeline::Decisions followed = pipeline::followed(*decisions, output);
-  return BatchStanding{
-      figuresOf(*review),
-      !pipeline::onlyConfirm(*table, pipeline::changedSince(*decisions, followed))};
+  return BatchStanding{figuresOf(*review), pipeline::wantsComputing(output)};
 }
 
 Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,

@@ -4624,69 +4624,9 @@
   <context>
     <name>ostraka::ui::Doubts</name>
     <message>
-      <source>the file is cut off or no picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Datei ist abgeschnitten oder kein Bild</translation>
-    </message>
-    <message>
-      <source>the markers show another angle than this stop's</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Marken zeigen einen anderen Winkel als den dieses Halts</translation>
-    </message>
-    <message>
-      <source>the picture has another size than the camera's others</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>das Bild hat eine andere Größe als die übrigen dieser Kamera</translation>
-    </message>
-    <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>zu wenige Marken sind zu sehen, um den Halt zu erkennen: liegt etwas davor, ist es unscharf?</translation>
-    </message>
-    <message>
-      <source>the camera handed over an earlier photograph once more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Kamera hat ein früheres Foto noch einmal geliefert</translation>
-    </message>
-    <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>zu wenige Marken des Tellers sind zu sehen: liegt etwas davor?</translation>
-    </message>
-    <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>es ist unscharf: bewegte sich der Tisch noch, hat sich der Fokus geändert?</translation>
-    </message>
-    <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Scherben sind zu dunkel: mehr Licht geben oder länger belichten</translation>
-    </message>
-    <message>
-      <source>the sherds are burnt out: expose shorter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Scherben sind überbelichtet: kürzer belichten</translation>
-    </message>
-    <message>
-      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>der Bildrand schneidet eine Scherbe ab: sie oder die Kamera verschieben</translation>
-    </message>
-    <message>
-      <source>the camera's settings are others than they were: set them back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>die Einstellungen der Kamera sind andere als zuvor: zurückstellen</translation>
-    </message>
-    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>%1: set it back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: zurückstellen</translation>
     </message>
     <message>
       <source>The sherds could not be counted: too few of the plate's markers are seen.</source>

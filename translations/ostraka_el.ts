@@ -4624,69 +4624,9 @@
   <context>
     <name>ostraka::ui::Doubts</name>
     <message>
-      <source>the file is cut off or no picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>το αρχείο είναι κομμένο ή δεν είναι εικόνα</translation>
-    </message>
-    <message>
-      <source>the markers show another angle than this stop's</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>οι δείκτες δείχνουν άλλη γωνία από αυτήν της στάσης</translation>
-    </message>
-    <message>
-      <source>the picture has another size than the camera's others</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>η εικόνα έχει άλλο μέγεθος από τις άλλες της κάμερας</translation>
-    </message>
-    <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>φαίνονται πολύ λίγοι δείκτες για να βρεθεί η στάση: υπάρχει κάτι μπροστά τους, είναι θολή;</translation>
-    </message>
-    <message>
-      <source>the camera handed over an earlier photograph once more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>η κάμερα παρέδωσε ξανά μια παλιότερη φωτογραφία</translation>
-    </message>
-    <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>φαίνονται πολύ λίγοι δείκτες του δίσκου: υπάρχει κάτι μπροστά τους;</translation>
-    </message>
-    <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>είναι θολή: κουνιόταν ακόμη το τραπέζι, άλλαξε η εστίαση;</translation>
-    </message>
-    <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>τα όστρακα είναι πολύ σκοτεινά: δώστε περισσότερο φως ή μεγαλύτερη έκθεση</translation>
-    </message>
-    <message>
-      <source>the sherds are burnt out: expose shorter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>τα όστρακα είναι υπερεκτεθειμένα: μικρότερη έκθεση</translation>
-    </message>
-    <message>
-      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>το άκρο της εικόνας κόβει ένα όστρακο: μετακινήστε το ή την κάμερα</translation>
-    </message>
-    <message>
-      <source>the camera's settings are others than they were: set them back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>οι ρυθμίσεις της κάμερας άλλαξαν: επαναφέρετέ τες</translation>
-    </message>
-    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>%1: set it back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: επαναφέρετέ το</translation>
     </message>
     <message>
       <source>The sherds could not be counted: too few of the plate's markers are seen.</source>

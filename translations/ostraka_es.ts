@@ -4624,69 +4624,9 @@
   <context>
     <name>ostraka::ui::Doubts</name>
     <message>
-      <source>the file is cut off or no picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>el archivo está cortado o no es una imagen</translation>
-    </message>
-    <message>
-      <source>the markers show another angle than this stop's</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>las marcas muestran otro ángulo que el de esta parada</translation>
-    </message>
-    <message>
-      <source>the picture has another size than the camera's others</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>la imagen tiene otro tamaño que las demás de la cámara</translation>
-    </message>
-    <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>se ven muy pocas marcas para saber la parada: ¿hay algo delante, está borrosa?</translation>
-    </message>
-    <message>
-      <source>the camera handed over an earlier photograph once more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>la cámara entregó otra vez una foto anterior</translation>
-    </message>
-    <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>se ven muy pocas marcas del plato: ¿hay algo delante?</translation>
-    </message>
-    <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>está borrosa: ¿se movía aún la mesa, cambió el enfoque?</translation>
-    </message>
-    <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>los fragmentos están muy oscuros: dé más luz o exponga más tiempo</translation>
-    </message>
-    <message>
-      <source>the sherds are burnt out: expose shorter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>los fragmentos están sobreexpuestos: exponga menos tiempo</translation>
-    </message>
-    <message>
-      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>el borde de la imagen corta un fragmento: muévalo, o mueva la cámara</translation>
-    </message>
-    <message>
-      <source>the camera's settings are others than they were: set them back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>los ajustes de la cámara no son los de antes: restablézcalos</translation>
-    </message>
-    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>%1: set it back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: restablézcalo</translation>
     </message>
     <message>
       <source>The sherds could not be counted: too few of the plate's markers are seen.</source>

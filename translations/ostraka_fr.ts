@@ -4624,69 +4624,9 @@
   <context>
     <name>ostraka::ui::Doubts</name>
     <message>
-      <source>the file is cut off or no picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>le fichier est tronqué ou n’est pas une image</translation>
-    </message>
-    <message>
-      <source>the markers show another angle than this stop's</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>les marques montrent un autre angle que celui de cet arrêt</translation>
-    </message>
-    <message>
-      <source>the picture has another size than the camera's others</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>l’image a une autre taille que les autres de cet appareil</translation>
-    </message>
-    <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>trop peu de marques sont visibles pour reconnaître l’arrêt : quelque chose est-il devant, est-ce flou ?</translation>
-    </message>
-    <message>
-      <source>the camera handed over an earlier photograph once more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>l’appareil a livré une photo précédente une seconde fois</translation>
-    </message>
-    <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>trop peu de marques du plateau sont visibles : quelque chose est-il devant ?</translation>
-    </message>
-    <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>elle est floue : la table bougeait-elle encore, la mise au point a-t-elle changé ?</translation>
-    </message>
-    <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>les tessons sont trop sombres : donnez plus de lumière ou posez plus longtemps</translation>
-    </message>
-    <message>
-      <source>the sherds are burnt out: expose shorter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>les tessons sont surexposés : posez moins longtemps</translation>
-    </message>
-    <message>
-      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>le bord de l’image coupe un tesson : déplacez-le, ou l’appareil</translation>
-    </message>
-    <message>
-      <source>the camera's settings are others than they were: set them back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>les réglages de l’appareil ne sont plus les mêmes : rétablissez-les</translation>
-    </message>
-    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>%1: set it back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : rétablissez-le</translation>
     </message>
     <message>
       <source>The sherds could not be counted: too few of the plate's markers are seen.</source>

@@ -4624,69 +4624,9 @@
   <context>
     <name>ostraka::ui::Doubts</name>
     <message>
-      <source>the file is cut off or no picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ֆայլը կտրված է կամ պատկեր չէ</translation>
-    </message>
-    <message>
-      <source>the markers show another angle than this stop's</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>նշիչները ցույց են տալիս այս կանգառի անկյունից տարբեր անկյուն</translation>
-    </message>
-    <message>
-      <source>the picture has another size than the camera's others</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>պատկերի չափը տարբերվում է այս տեսախցիկի մյուսներից</translation>
-    </message>
-    <message>
-      <source>too few markers are seen to tell the stop: is something before them, is it blurred?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կանգառը որոշելու համար շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա, կամ պատկերը մշո՞ւշոտ է</translation>
-    </message>
-    <message>
-      <source>the camera handed over an earlier photograph once more</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տեսախցիկը կրկին տվեց նախորդ լուսանկարներից մեկը</translation>
-    </message>
-    <message>
-      <source>too few markers of the plate are seen: is something before them?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>սկավառակի շատ քիչ նշիչ է երևում. արդյո՞ք դրանց առջև բան կա</translation>
-    </message>
-    <message>
-      <source>it is blurred: did the table still move, did the focus change?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մշուշոտ է. սեղանը դեռ շարժվո՞ւմ էր, ֆոկուսը փոխվե՞լ է</translation>
-    </message>
-    <message>
-      <source>the sherds are too dark: give more light or expose longer</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>բեկորները չափազանց մութ են. ավելացրեք լույսը կամ երկարացրեք լուսակայումը</translation>
-    </message>
-    <message>
-      <source>the sherds are burnt out: expose shorter</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>բեկորները գերլուսավորված են. կարճացրեք լուսակայումը</translation>
-    </message>
-    <message>
-      <source>a sherd is cut off by the picture's edge: move it or the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>պատկերի եզրը կտրում է բեկորը. տեղաշարժեք այն կամ տեսախցիկը</translation>
-    </message>
-    <message>
-      <source>the camera's settings are others than they were: set them back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տեսախցիկի կարգավորումները փոխվել են. վերականգնեք դրանք</translation>
-    </message>
-    <message>
       <source>(%1, %2) mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>(%1, %2) մմ</translation>
-    </message>
-    <message>
-      <source>%1: set it back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. վերականգնեք</translation>
     </message>
     <message>
       <source>The sherds could not be counted: too few of the plate's markers are seen.</source>

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "ui/words/sentence.h"
+
 namespace ostraka::ui {
 namespace {
 
@@ -10,35 +12,6 @@ struct Doubts {
   Q_DECLARE_TR_FUNCTIONS(ostraka::ui::Doubts)
 
  public:
-  static QString of(capture::ShotProblem problem) {
-    using capture::ShotProblem;
-    switch (problem) {
-      case ShotProblem::Unreadable:
-        return tr("the file is cut off or no picture");
-      case ShotProblem::WrongStop:
-        return tr("the markers show another angle than this stop's");
-      case ShotProblem::OtherSize:
-        return tr("the picture has another size than the camera's others");
-      case ShotProblem::Unplaced:
-        return tr(
-            "too few markers are seen to tell the stop: is something before them, is it blurred?");
-      case ShotProblem::Repeated:
-        return tr("the camera handed over an earlier photograph once more");
-      case ShotProblem::FewMarkers:
-        return tr("too few markers of the plate are seen: is something before them?");
-      case ShotProblem::Blurred:
-        return tr("it is blurred: did the table still move, did the focus change?");
-      case ShotProblem::TooDark:
-        return tr("the sherds are too dark: give more light or expose longer");
-      case ShotProblem::TooBright:
-        return tr("the sherds are burnt out: expose shorter");
-      case ShotProblem::CutOff:
-        return tr("a sherd is cut off by the picture's edge: move it or the camera");
-      case ShotProblem::OtherSettings:
-        break;
-    }
-    return tr("the camera's settings are others than they were: set them back");
-  }
   static QString places(const std::vector<Eigen::Vector2d>& list) {
     QStringList all;
     for (const Eigen::Vector2d& p : list)
@@ -51,11 +24,7 @@ struct Doubts {
 
 QStringList doubtsOf(const capture::ShotCheck& check) {
   QStringList all;
-  for (const capture::ShotProblem problem : check.problems)
-    if (problem != capture::ShotProblem::OtherSettings || check.other_settings.empty())
-      all << Doubts::of(problem);
-  for (const std::string& setting : check.other_settings)
-    all << Doubts::tr("%1: set it back").arg(QString::fromStdString(setting));
+  for (const std::string& sentence : check.sentences()) all << wordsOf(sentence);
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <libexif/exif-data.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -125,17 +126,20 @@ std::string Exif::json() const {
 
 std::optional<std::int64_t> Exif::takenMs() const {
   std::tm parts{};
-  double second = 0;
-  if (std::sscanf(taken.c_str(), "%d-%d-%dT%d:%d:%lf", &parts.tm_year, &parts.tm_mon,
-                  &parts.tm_mday, &parts.tm_hour, &parts.tm_min, &second) != 6)
+  int read = 0;
+  if (std::sscanf(taken.c_str(), "%d-%d-%dT%d:%d:%d%n", &parts.tm_year, &parts.tm_mon,
+                  &parts.tm_mday, &parts.tm_hour, &parts.tm_min, &parts.tm_sec, &read) != 6)
     return {};
+  double part_s = 0;  // not by sscanf, which reads the point as the person's language writes it
+  const char* rest = taken.c_str() + read;
+  if (*rest == '.') std::from_chars(rest, taken.c_str() + taken.size(), part_s);
   parts.tm_year -= 1900;
   parts.tm_mon -= 1;
   parts.tm_isdst = -1;
   const std::optional<int> offset_s = secondsOf(offset);
   const std::time_t whole = offset_s ? ::timegm(&parts) - *offset_s : std::mktime(&parts);
   if (whole <= 0) return {};
-  return static_cast<std::int64_t>(whole) * 1000 + std::llround(second * 1000);
+  return static_cast<std::int64_t>(whole) * 1000 + std::llround(part_s * 1000);
 }
 
 Exif exifIn(std::string_view bytes) {

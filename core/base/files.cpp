@@ -108,9 +108,13 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
     ::unlink(partial.c_str());
     return error;
   }
-  const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (parent.open()) ::fsync(parent.get());
+  syncFolder(folder);
   return {};
+}
+
+void syncFolder(const std::filesystem::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.open()) ::fsync(opened.get());
 }
 
 std::string sha256(std::string_view bytes) {

@@ -16,6 +16,10 @@ Result<std::string> readFile(const std::filesystem::path& path,
 /// the old file or the new one is there, whole. Folders on the way are created.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// What was made or renamed in the folder outlives a power failure, where the disk can promise
+/// that.
+void syncFolder(const std::filesystem::path& folder);
+
 /// SHA-256 in lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 

@@ -5,6 +5,7 @@
 
 #include "base/json.h"
 #include "catalogue/history.h"
+#include "catalogue/kept_models.h"
 #include "catalogue/names.h"
 #include "catalogue/restore.h"
 #include "catalogue/sherd_columns.h"
@@ -102,31 +103,6 @@ void placeOfBatch(const Catalogue& catalogue, BatchRow batch, SherdRecord& sherd
   if (rows.with(batch).next()) rows >> context >> bag >> bags >> contexts;
   if (contexts == 1) sherd.context = context;
   if (bags == 1) sherd.bag = bag;
-}
-
-// What was made from another pair says nothing about this one.
-void forgetModel(Catalogue& catalogue, SherdRow sherd, const Act& act) {
-  Database& database = catalogue.database();
-  std::vector<std::string> kinds;
-  {
-    Statement rows = database.sql(
-        "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL");
-    rows.with(sherd);
-    while (rows.next()) {
-      kinds.emplace_back();
-      rows >> kinds.back();
-    }
-  }
-  for (const std::string& kind : kinds) clearMeasure(catalogue, sherd, kind, act);
-  database
-      .sql(
-          "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview', "
-          "'drawing', 'scan')")
-      .with(sherd)
-      .run();
-  database.sql("UPDATE sherd SET preview_path = '', model_path = '' WHERE row = ?")
-      .with(sherd)
-      .run();
 }
 
 struct Followed {

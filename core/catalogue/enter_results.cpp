@@ -11,7 +11,9 @@
 #include "batch/batch.h"
 #include "batch/exif.h"
 #include "capture/manifest.h"
+#include "catalogue/kept_models.h"
 #include "catalogue/project.h"
+#include "catalogue/read_results.h"
 #include "catalogue/review_decisions.h"
 #include "catalogue/same_pieces.h"
 #include "catalogue/sherd_columns.h"
@@ -24,228 +26,6 @@ namespace ostraka::catalogue {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
-std::string relativeTo(const fs::path& project, const fs::path& file) {
-  const std::string text = fs::absolute(file)
-                               .lexically_normal()
-                               .lexically_relative(fs::absolute(project).lexically_normal())
-                               .generic_string();
-  const Result<std::string> path = checkedPath(text);
-  if (!path) refuse("This file does not lie in the project's folder.", file.string());
-  return *path;
-}
-
-std::string mediaTypeOf(const fs::path& file) {
-  const std::string ending = file.extension().string();
-  if (ending == ".jpg" || ending == ".jpeg") return "image/jpeg";
-  if (ending == ".png") return "image/png";
-  if (ending == ".glb") return "model/gltf-binary";
-  if (ending == ".html") return "text/html";
-  if (ending == ".json") return "application/json";
-  return "application/octet-stream";
-}
-
-std::optional<double> numberIn(const json& object, const char* key) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_number()) return std::nullopt;
-  const double value = found->get<double>();
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-// Everything that is read and hashed before the transaction begins, which must be short.
-struct ReadFile {
-  FileRecord record;
-  std::string sherd_front;  ///< the scan that its sherd is known by; empty: of the batch
-  std::string sherd_back;
-};
-struct ReadSherd {
-  std::string front, back, model_path, preview_path, model_sha256;
-  std::map<std::string, double> measures;
-};
-struct ReadResults {
-  std::vector<ScanRecord> scans;
-  pipeline::Decisions edits;  ///< joins and cuts of these photographs, also those taken back
-  std::vector<PairDecision> pairs;
-  std::vector<std::pair<std::string, std::string>> pair_names;
-  std::vector<ReadSherd> sherds;
-  std::vector<ReadFile> files;
-  std::optional<double> reprojection_px, scale_error_pct;
-  std::string scale_doubts;
-};
-
-class Reading {
- public:
-  Reading(const fs::path& project, BatchRow batch, const fs::path& out, Progress& progress,
-          std::stop_token stop)
-      : project_(project), batch_(batch), out_(out), progress_(progress), stop_(std::move(stop)) {}
-
-  ReadResults all() {
-    const json pairs = orRefuse(readJson(out_ / "pairs.json"));
-    const json report = orRefuse(readJson(out_ / "report.json"));
-    try {
-      // Two scans and three files of the model a pair, and the reports: about that many files.
-      total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
-      pairsOf(pairs);
-      scansOf("front");
-      scansOf("back");
-      edits();
-      for (const json& sherd : report.at("sherds")) sherdOf(sherd, report.value("has_scale", true));
-      for (const json& stage : report.at("stages"))
-        if (stage.at("stage") == "cameras") camerasOf(stage.at("figures"));
-      for (const json& doubt : report.value("scale_doubts", json::array()))
-        results_.scale_doubts +=
-            (results_.scale_doubts.empty() ? "" : "\n") + doubt.get<std::string>();
-      if (report.value("draft", false))
-        results_.scale_doubts += (results_.scale_doubts.empty() ? "" : "\n") +
-                                 std::string(
-                                     "This is a draft from coarser photographs; compute "
-                                     "the batch again for measures that stay.");
-    } catch (const json::exception&) {
-      refuse("These are no whole results of 'ostraka process'; run it again.", out_.string());
-    }
-    for (const char* name : {"report.json", "report.html", "pairs.json"})
-      file(out_ / name, "report", {}, {});
-    return std::move(results_);
-  }
-
- private:
-  // Of the lengths that took no part in the fit the one that is off most stands for the scale.
-  void camerasOf(const json& figures) {
-    results_.reprojection_px = numberIn(figures, "reprojection_rms_px");
-    for (const char* kind : {"held_out", "known_lengths"})
-      for (const json& length : figures.value(kind, json::array())) {
-        const std::optional<double> error = numberIn(length, "error_pct");
-        if (error && std::abs(*error) >= std::abs(results_.scale_error_pct.value_or(0)))
-          results_.scale_error_pct = error;
-      }
-  }
-
-  void pairsOf(const json& pairs) {
-    for (const json& p : pairs.at("pairs")) {
-      PairDecision d;
-      d.batch = batch_;
-      const auto& pose = p.at("T_front_from_back");
-      d.front_from_back = orRefuse(isometryFromJson(pose, (out_ / "pairs.json").string()));
-      d.score = numberIn(p, "score");
-      d.margin = numberIn(p, "margin");
-      d.rim_rms_mm = numberIn(p, "rim_rms_mm");
-      d.rim_overlap = numberIn(p, "rim_overlap");
-      d.ambiguous = p.at("ambiguous").get<bool>();
-      d.note = p.value("reason", "");
-      results_.pairs.push_back(std::move(d));
-      results_.pair_names.emplace_back(p.at("front").get<std::string>(),
-                                       p.at("back").get<std::string>());
-    }
-  }
-
-  // Those that were paired: where a person joined or cut pieces, they lie in a folder of their own.
-  std::vector<fs::path> scanFiles(const std::string& side) {
-    const fs::path work = out_ / "work", table = work / "pairs" / "candidates.json";
-    std::vector<fs::path> files;
-    std::error_code code;
-    if (fs::exists(table, code)) {
-      const json candidates = orRefuse(readJson(table));
-      for (const json& scan : candidates.at(side + "s")) {
-        files.push_back(work / scan.at("file").get<std::string>());
-        photographs_[side] = scan.value("photographs", "");
-      }
-      return files;
-    }
-    for (const fs::directory_entry& entry : fs::directory_iterator(work / ("scans_" + side), code))
-      if (entry.path().extension() == ".ply") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-  }
-
-  void scansOf(const std::string& side) {
-    for (const fs::path& path : scanFiles(side)) {
-      stopIfAsked();
-      ScanRecord scan;
-      scan.batch = batch_;
-      scan.side = side == "front" ? batch::Side::Front : batch::Side::Back;
-      scan.name = path.stem().string();
-      scan.index = std::atoi(scan.name.c_str() + 1);
-      scan.path = relativeTo(project_, path);
-      const PointCloud cloud = orRefuse(readPlyCloud(path));
-      scan.points = static_cast<int>(cloud.size());
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const Eigen::Vector3f& point : cloud.points) sum += point.cast<double>();
-      scan.plate_x_mm = sum.x() / static_cast<double>(cloud.size());
-      scan.plate_y_mm = sum.y() / static_cast<double>(cloud.size());
-      file(path, "scan", {}, {});
-      results_.scans.push_back(std::move(scan));
-    }
-  }
-
-  void edits() {
-    for (pipeline::PairDecision& d : orRefuse(pipeline::readDecisions(out_))) {
-      if (d.kind != pipeline::DecisionKind::Join && d.kind != pipeline::DecisionKind::Split)
-        continue;
-      const std::string& seen = d.scans.front().photographs;
-      const std::string& now = photographs_[batch::name(d.scans.front().side)];
-      if (seen.empty() || now.empty() || seen == now) results_.edits.push_back(std::move(d));
-    }
-  }
-
-  void sherdOf(const json& s, bool has_scale) {
-    const fs::path folder = out_ / "sherds" / s.at("number").get<std::string>();
-    ReadSherd sherd;
-    sherd.front = s.at("front").get<std::string>();
-    sherd.back = s.at("back").get<std::string>();
-    const json& figures = s.at("figures");
-    if (figures.value("model", false)) {
-      sherd.model_path = relativeTo(project_, folder / "model.ply");
-      sherd.preview_path = relativeTo(project_, folder / "preview.png");
-      sherd.model_sha256 = file(folder / "model.ply", "model", sherd.front, sherd.back);
-      file(folder / "model.glb", "model", sherd.front, sherd.back);
-      file(folder / "preview.png", "preview", sherd.front, sherd.back);
-      if (has_scale) {  // without a scale no length is known
-        for (const auto& [name, value] : figures.at("measures").items()) {
-          const SherdColumn* column = sherdColumn(name);
-          if (column && column->measure && value.is_number() && value.get<double>() > 0)
-            sherd.measures[column->measure] = value.get<double>();
-        }
-        sherd.measures["filled_pct"] = 100 * figures.at("filled_share").get<double>();
-      }
-    }
-    results_.sherds.push_back(std::move(sherd));
-  }
-
-  std::string file(const fs::path& path, const char* role, const std::string& front,
-                   const std::string& back) {
-    stopIfAsked();
-    std::error_code code;
-    if (!fs::is_regular_file(path, code)) return {};
-    const std::string bytes = orRefuse(readFile(path));
-    ReadFile read;
-    read.record.path = relativeTo(project_, path);
-    read.record.sha256 = sha256(bytes);
-    read.record.bytes = static_cast<std::int64_t>(bytes.size());
-    read.record.media_type = mediaTypeOf(path);
-    read.record.role = role;
-    read.record.batch = batch_;
-    read.sherd_front = front;
-    read.sherd_back = back;
-    results_.files.push_back(std::move(read));
-    const auto done = static_cast<std::int64_t>(results_.files.size());
-    progress_.report(done, std::max(done, total_));
-    return results_.files.back().record.sha256;
-  }
-
-  void stopIfAsked() const {
-    if (stop_.stop_requested()) throw Refused(Error::cancelled());
-  }
-
-  const fs::path& project_;
-  BatchRow batch_;
-  const fs::path& out_;
-  Progress& progress_;
-  std::stop_token stop_;
-  ReadResults results_;
-  std::map<std::string, std::string> photographs_;  ///< of each side, where they are known
-  std::int64_t total_ = 1;
-};
 
 bool samePose(const std::optional<Eigen::Isometry3d>& a,
               const std::optional<Eigen::Isometry3d>& b) {
@@ -378,6 +158,12 @@ class Entering {
     const SherdRow sherd = sherdOf(read.front, read.back);
     if (!sherd || read.model_path.empty()) return;
     orRefuse(catalogue_.setModel(sherd, read.model_path, read.preview_path));
+    catalogue_.database()
+        .sql(
+            "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview') AND "
+            "substr(path, 1, length(?)) <> ?")
+        .with(sherd, read.folder, read.folder)
+        .run();
     ++entered_.models;
     for (const auto& [kind, value] : read.measures) {
       setMeasure(catalogue_,
@@ -409,8 +195,12 @@ class Entering {
 Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
                                     const fs::path& out, const Act& act, Progress& progress,
                                     std::stop_token stop) {
+  const Result<BatchRecord> record = catalogue.batch(batch);
+  if (!record) return record.error();
+  if (const Result<void> dropped = dropUnusedModels(catalogue, project, record->number); !dropped)
+    return dropped.error();
   const Result<ReadResults> read =
-      catalogue.database().door([&] { return Reading(project, batch, out, progress, stop).all(); });
+      catalogue.database().door([&] { return readResults(project, *record, out, progress, stop); });
   if (!read) return read.error();
   return catalogue.database().inTransaction(
       [&] { return Entering(catalogue, batch, act).enter(*read, out); });

@@ -42,6 +42,19 @@ Row made(Catalogue& catalogue, const Record& record, const Act& act) {
   return *row;
 }
 
+std::optional<BagPlace> placeBy(const Catalogue& catalogue, const std::string& condition,
+                                const auto& value) {
+  Statement rows = catalogue.database().sql(
+      "SELECT site.code, trench.code, context.number, bag.number FROM bag JOIN context ON "
+      "context.row = bag.context JOIN site ON site.row = context.site LEFT JOIN trench ON "
+      "trench.row = context.trench WHERE " +
+      condition);
+  if (!rows.with(value).next()) return {};
+  BagPlace place;
+  rows >> place.site >> place.trench >> place.context >> place.bag;
+  return place;
+}
+
 }  // namespace
 
 bool LabelCode::isPlaceOnPlate() const {
@@ -93,15 +106,12 @@ Result<SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label
 Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const LabelCode& label) {
   return catalogue.database().door([&]() -> std::optional<BagPlace> {
     if (label.of != LabelCode::Of::Bag || label.id_end.empty()) return {};
-    Statement rows = catalogue.database().sql(
-        "SELECT site.code, trench.code, context.number, bag.number FROM bag JOIN context ON "
-        "context.row = bag.context JOIN site ON site.row = context.site LEFT JOIN trench ON "
-        "trench.row = context.trench WHERE substr(replace(bag.id, '-', ''), -8) = ?");
-    if (!rows.with(label.id_end).next()) return {};
-    BagPlace place;
-    rows >> place.site >> place.trench >> place.context >> place.bag;
-    return place;
+    return placeBy(catalogue, "substr(replace(bag.id, '-', ''), -8) = ?", label.id_end);
   });
+}
+
+Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, BagRow bag) {
+  return catalogue.database().door([&] { return placeBy(catalogue, "bag.row = ?", bag); });
 }
 
 Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act) {

@@ -34,6 +34,8 @@ struct BagPlace {
 /// The place of the bag that carries the label, as the catalogue writes it; none: of another
 /// project.
 Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const LabelCode& label);
+/// The place of a bag. None: no such bag.
+Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, BagRow bag);
 /// The bag's row, made with its context, trench and site where they are new. Capitals make no
 /// difference.
 Result<BagRow> bagAt(Catalogue& catalogue, const BagPlace& place, const Act& act);

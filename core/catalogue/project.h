@@ -13,6 +13,7 @@ namespace ostraka::catalogue {
 ///   catalogue.sqlite
 ///   batches/B0031/    photographs, a batch folder as `ostraka process` reads it
 ///   results/B0031/    OUT of `ostraka process`
+///   models/B0031/     the models that the catalogue shows (keepModel)
 ///   backups/          copies of the catalogue, the newest last by name
 class Project {
  public:

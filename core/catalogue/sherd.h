@@ -31,6 +31,7 @@ struct SherdRecord {
   // read only, from the tables beside it
   std::vector<std::string> join_numbers;  ///< of joins; the id of a sherd without a number
   std::string site, trench, context_number, bag_number, batch_number;
+  int piece = 0;                           ///< its front's number on its batch's map; 0: none
   bool scale_doubtful = false;             ///< of the batch; so are the measures in doubtful
   std::string preview_path, model_path;    ///< relative to the project; empty when there is none
   std::map<std::string, double> measures;  ///< kind -> the value that counts now

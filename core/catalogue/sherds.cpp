@@ -22,13 +22,13 @@ constexpr const char* kSherds =
     "s.firing, s.surface_out, s.surface_in, s.munsell_out, s.munsell_in, s.munsell_core, s.period, "
     "s.date_edtf, s.vessel, s.note, s.extra, s.created_at, s.updated_at, s.revision, site.code, "
     "trench.code, context.number, bag.number, batch.number, ifnull(batch.scale_doubts, '') <> '', "
-    "s.preview_path, s.model_path, "
+    "s.preview_path, s.model_path, ifnull(max(front.position, 0), 0), "
     "m.length, m.width, m.thickness_min, m.thickness_mean, m.thickness_max, m.area, m.volume, "
     "m.filled_pct, m.rim_diameter, m.rim_pct, m.weight "
     "FROM sherd s JOIN sherd_measure m ON m.sherd = s.row "
     "LEFT JOIN context ON context.row = s.context LEFT JOIN site ON site.row = context.site "
     "LEFT JOIN trench ON trench.row = context.trench LEFT JOIN bag ON bag.row = s.bag "
-    "LEFT JOIN batch ON batch.row = s.batch "
+    "LEFT JOIN batch ON batch.row = s.batch LEFT JOIN scan front ON front.row = s.front "
     "WHERE s.row IN (SELECT value FROM json_each(?))";
 
 SherdRecord readSherd(Statement& row) {
@@ -39,7 +39,8 @@ SherdRecord readSherd(Statement& row) {
       s.manufacture >> s.firing >> s.surface_out >> s.surface_in >> s.munsell_out >> s.munsell_in >>
       s.munsell_core >> s.period >> s.date_edtf >> s.vessel >> s.note >> s.extra_json >>
       s.created_ms >> s.updated_ms >> s.revision >> s.site >> s.trench >> s.context_number >>
-      s.bag_number >> s.batch_number >> s.scale_doubtful >> s.preview_path >> s.model_path;
+      s.bag_number >> s.batch_number >> s.scale_doubtful >> s.preview_path >> s.model_path >>
+      s.piece;
   s.state = fromWord<SherdState>(state);
   s.part = termsFromJson(part);
   s.decoration = termsFromJson(decoration);

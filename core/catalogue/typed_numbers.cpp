@@ -8,6 +8,7 @@
 #include "catalogue/label_codes.h"
 #include "catalogue/names.h"
 #include "catalogue/numbering.h"
+#include "catalogue/photographed_again.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
 
@@ -95,8 +96,11 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
       if (!seen.insert(number).second)
         refuse("The number " + typed.number + " stands on two sherds of this plate.", typed.number);
       const Taken taken = takenBy(database, typed.number);
-      const bool own = taken.sherd && orRefuse(catalogue.sherd(taken.sherd)).batch == batch;
-      if ((taken.sherd && !own) || elsewhere.contains(number))
+      const SherdRecord holder =
+          taken.sherd ? orRefuse(catalogue.sherd(taken.sherd)) : SherdRecord();
+      const bool waits = waitsForPhotographs(holder) && uniqueKey(holder.number) == number;
+      const bool may = !taken.sherd || holder.batch == batch || waits;
+      if (!may || elsewhere.contains(number))
         refuse("The number " + typed.number + " belongs to another sherd already.", typed.number);
       list.push_back(
           {{"x_mm", typed.at_mm.x()}, {"y_mm", typed.at_mm.y()}, {"number", typed.number}});
@@ -176,6 +180,12 @@ Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow
         return place_of[i] >= 0 && s.front == fronts[static_cast<std::size_t>(place_of[i])];
       });
       if (sherd != sherds.end() && sherd->number.empty() && sherd->state == SherdState::Draft) {
+        const SherdRow holder = takenBy(catalogue.database(), typed[i].number).sherd;
+        const SherdRecord known = holder ? orRefuse(catalogue.sherd(holder)) : SherdRecord();
+        if (waitsForPhotographs(known) && uniqueKey(known.number) == uniqueKey(typed[i].number)) {
+          takeOver(catalogue, known, *sherd, act);
+          continue;
+        }
         const FieldChange number{sherd->row, "number", typed[i].number};
         if (catalogue.change(std::span(&number, 1), act)) continue;
       }

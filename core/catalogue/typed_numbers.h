@@ -18,7 +18,7 @@ struct TypedNumber {
 /// Those of a batch, as they were typed; empty when none were.
 Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchRow batch);
 /// All of a batch. Errors: UnusableInput, a number that stands here twice or belongs to another
-/// sherd, here or on a plate that is not computed yet.
+/// sherd that waits for no photographs, here or on a plate that is not computed yet.
 Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
                              std::span<const TypedNumber> numbers);
 
@@ -33,7 +33,8 @@ std::vector<int> placesOf(std::span<const TypedNumber> numbers,
                           std::span<const Eigen::Vector2d> places_mm);
 
 /// Gives the sherds of a batch the numbers that were typed on their fronts; a sherd that has a
-/// number already keeps it. Returns the numbers that are left: no sherd lies there, or it has no
+/// number already keeps it, and one that waits for photographs under that number takes over what
+/// lies there. Returns the numbers that are left: no sherd lies there, or it has no
 /// context yet. Doing it twice changes nothing.
 Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
                                                   const Act& act);

@@ -200,6 +200,8 @@ class Entering {
     }
     read.numbers[number_] = batch.number;
     batch.state = fromWord<BatchState>(text(b, "state"));
+    // What was under way there is neither photographed on nor computed here by itself.
+    if (batch.state < BatchState::Review) batch.state = BatchState::Failed;
     batch.counted = b.value("counted", 0);
     batch.operator_ = {row(b, "operator")};
     for (const json& id : listOf(b, "bags")) {
@@ -240,7 +242,7 @@ class Entering {
  private:
   // The folders of a batch bear its number.
   std::string here(const std::string& path) const {
-    for (const char* folder : {"batches/", "results/"})
+    for (const char* folder : {"batches/", "results/", "models/"})
       if (const std::string old = folder + number_ + "/"; path.starts_with(old))
         return folder + read.numbers.at(number_) + "/" + path.substr(old.size());
     return path;

@@ -22,10 +22,8 @@ namespace {
 // A draft is known by its place in its batch, as on the plate's map.
 std::string nameOf(const SherdRecord& sherd) {
   if (!sherd.number.empty()) return sherd.number;
-  const std::string place =
-      std::filesystem::path(sherd.model_path).parent_path().filename().string();
-  return sherd.batch_number.empty() || place.empty() ? "draft " + sherd.id
-                                                     : sherd.batch_number + "-" + place;
+  if (sherd.batch_number.empty() || sherd.piece == 0) return "draft " + sherd.id;
+  return sherd.batch_number + (sherd.piece < 10 ? "-0" : "-") + std::to_string(sherd.piece);
 }
 
 }  // namespace

@@ -241,9 +241,12 @@ class Exporting {
                            const std::string& scale_doubts) {
     Result<std::string> bytes = readFile(file.from);
     if (!bytes) return bytes.error();
-    if (file.form != Form::Pictures && !file.sha256.empty() && sha256(*bytes) != file.sha256)
+    if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
       return Error{ErrorCode::UnusableInput,
-                   "This model is not the one that was entered; enter the batch's results again.",
+                   "This model or picture of the sherd " +
+                       (sherd.number.empty() ? sherd.id : sherd.number) +
+                       " is not the one that was entered; compute its batch " + sherd.batch_number +
+                       " again.",
                    file.from.string()};
     ModelLabel label{sherd.id, sherd.number, licence, options_.program, scale_doubts};
     if (isModel(file.form) && options_.deviation_mm > 0) {

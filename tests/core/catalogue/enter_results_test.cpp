@@ -82,8 +82,9 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   EXPECT_EQ(catalogue().batch(batch)->reprojection_px, 0.31);
   const SherdRecord sherd = sherds().front();
   EXPECT_EQ(sherd.context, context12);
-  EXPECT_EQ(sherd.model_path, "results/B0001/sherds/01/model.ply");
-  EXPECT_EQ(sherd.preview_path, "results/B0001/sherds/01/preview.png");
+  EXPECT_THAT(sherd.model_path, testing::MatchesRegex("models/B0001/[0-9a-f]{16}/model.ply"));
+  EXPECT_EQ(fs::path(sherd.preview_path).parent_path(), fs::path(sherd.model_path).parent_path());
+  EXPECT_EQ(*readFile(project_->folder() / sherd.model_path), "model of f001b001model.ply");
   EXPECT_EQ(sherd.measures.at("length"), 51);
   EXPECT_NEAR(sherd.measures.at("filled_pct"), 0.7, 1e-12);
   EXPECT_EQ(catalogue().files(sherd.row)->size(), 3u);
@@ -92,6 +93,52 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   EXPECT_EQ(scan.plate_x_mm, 40);
   EXPECT_EQ(scan.plate_y_mm, 0);
   EXPECT_TRUE(catalogue().checkIntegrity());
+}
+
+// While a batch is computed again its results are replaced one by one, and it may stop half-way.
+TEST_F(Entering, KeepsTheModelsThatWereEnteredUntilOthersAre) {
+  enter();
+  const SherdRecord before = sherds().front();
+  const fs::path model = project_->folder() / before.model_path;
+  out.pairs() = {{2, 2, false}, {1, 1, false}, {3, 3, false}};  // sherds/01 is another one's now
+  out.length_mm = 60;
+  out.write();
+  EXPECT_EQ(*readFile(model), "model of f001b001model.ply");
+  EXPECT_EQ(catalogue().sherd(before.row)->model_path, before.model_path);
+  enter();
+  const SherdRecord after = *catalogue().sherd(before.row);
+  EXPECT_EQ(after.measures.at("length"), 61);
+  EXPECT_EQ(*readFile(project_->folder() / after.model_path), "model of f001b001model.ply");
+  EXPECT_EQ(after.model_path, before.model_path) << "the same bytes";
+}
+
+TEST_F(Entering, DropsModelsThatNobodyShowsAtTheNextEntering) {
+  enter();
+  const SherdRecord before = sherds().front();
+  const fs::path folder = project_->resultsFolder("B0001") / "sherds/01";
+  ASSERT_TRUE(writeFileAtomically(folder / "model.ply", "a better one"));
+  enter();
+  const SherdRecord after = *catalogue().sherd(before.row);
+  EXPECT_EQ(*readFile(project_->folder() / after.model_path), "a better one");
+  EXPECT_TRUE(fs::exists(project_->folder() / before.model_path)) << "somebody may look at it";
+  EXPECT_EQ(catalogue().files(before.row)->size(), 3u) << "but they are no sherd's";
+  enter();
+  EXPECT_FALSE(fs::exists(project_->folder() / before.model_path));
+  EXPECT_EQ(catalogue().files(before.row)->size(), 3u);
+  EXPECT_EQ(catalogue().files(batch)->size(), 18u);
+  const auto files = catalogue().files(before.row);
+  for (const FileRecord& file : *files)
+    EXPECT_EQ(sha256(*readFile(project_->folder() / file.path)), file.sha256);
+}
+
+TEST_F(Entering, RefusesResultsWhoseModelIsGone) {
+  fs::remove(project_->resultsFolder("B0001") / "sherds/02/model.ply");
+  const auto entered = enterResults(catalogue(), project_->folder(), batch,
+                                    project_->resultsFolder("B0001"), {}, quiet, {});
+  ASSERT_FALSE(entered);
+  EXPECT_EQ(entered.error().code, ErrorCode::Missing);
+  EXPECT_THAT(entered.error().where, testing::HasSubstr("sherds/02/model.ply"));
+  EXPECT_TRUE(sherds().empty()) << "nothing is entered by halves";
 }
 
 TEST_F(Entering, TwiceChangesNothing) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "catalogue/enter_results.h"
+#include "catalogue/photographed_again.h"
 #include "cloud/ply.h"
 #include "result_folder.h"
 #include "small_project.h"
@@ -84,7 +85,8 @@ TEST_F(TypedNumbers, ThatFindNoSherdAreNamed) {
 }
 
 TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
-  numbered(context12);
+  const SherdRow photographed = numbered(context12);
+  ASSERT_TRUE(catalogue().setModel(photographed, "models/B0007/1/model.ply", ""));
   const auto why = [&](const std::vector<TypedNumber>& numbers) {
     const Result<void> done = type(numbers);
     return done ? std::string("accepted") : done.error().what;
@@ -98,6 +100,64 @@ TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
   EXPECT_FALSE(setTypedNumbers(catalogue(), newBatch({bag5}), std::span(&again, 1)))
       << "it waits on another plate";
   EXPECT_EQ(valueIn(typedNumbers(catalogue(), batch)).size(), 1u);
+}
+
+// Sherd 1 of B0001 is set for new photographs and lies on the plate of B0002.
+TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
+  results();
+  enter();
+  const std::vector<SherdRow> rows = valueIn(catalogue().sherdRows(batch));
+  ASSERT_TRUE(catalogue().assignNumbers(rows, anna));
+  const SherdRecord before = *catalogue().sherd(rows[0]);
+  ASSERT_FALSE(before.number.empty());
+  ASSERT_TRUE(set(before.row, "note", "a handle"));
+  const TypedNumber typed{{50, 10}, before.number};
+  const BatchRow again = newBatch({bag5});
+  EXPECT_FALSE(setTypedNumbers(catalogue(), again, std::span(&typed, 1))) << "it has its pair";
+  EXPECT_TRUE(toPhotographAgain(catalogue())->empty());
+
+  PairDecision reshoot;
+  reshoot.batch = batch;
+  reshoot.verdict = Verdict::Reshoot;
+  reshoot.front = before.front;
+  reshoot.back = before.back;
+  const DecisionRow asked = valueIn(catalogue().decide(reshoot, anna));
+  ASSERT_EQ(toPhotographAgain(catalogue())->size(), 1u);
+  EXPECT_EQ(toPhotographAgain(catalogue())->front().number, before.number);
+  ASSERT_TRUE(setTypedNumbers(catalogue(), again, std::span(&typed, 1)));
+
+  ResultFolder out(project_->resultsFolder("B0002"), 2);
+  out.places_mm = {{50, 10}, {100, 10}};
+  out.length_mm = 70;
+  out.write();
+  QuietProgress quiet;
+  const auto entered = enterResults(catalogue(), project_->folder(), again,
+                                    project_->resultsFolder("B0002"), {}, quiet, {});
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  EXPECT_TRUE(entered->numbers_left.empty());
+  const SherdRecord after = *catalogue().sherd(before.row);
+  EXPECT_EQ(after.number, before.number);
+  EXPECT_EQ(after.note, "a handle");
+  EXPECT_EQ(after.batch, again);
+  EXPECT_TRUE(after.back);
+  EXPECT_EQ(after.measures.at("length"), 71);
+  EXPECT_THAT(after.model_path, testing::StartsWith("models/B0002/"));
+  EXPECT_TRUE(toPhotographAgain(catalogue())->empty());
+  int unnumbered = 0;
+  const auto on_plate = catalogue().sherds(*catalogue().sherdRows(again));
+  for (const SherdRecord& sherd : *on_plate)
+    unnumbered += sherd.number.empty() && sherd.state != SherdState::Void ? 1 : 0;
+  EXPECT_EQ(unnumbered, 1) << "the other one of the plate";
+  // Computed again, or the old plate's word taken back: it stays what it is.
+  ASSERT_TRUE(enterResults(catalogue(), project_->folder(), again, project_->resultsFolder("B0002"),
+                           {}, quiet, {}));
+  PairDecision back;
+  back.batch = batch;
+  back.verdict = Verdict::Withdraw;
+  back.replaces = asked;
+  ASSERT_TRUE(catalogue().decide(back, anna));
+  EXPECT_EQ(catalogue().sherd(before.row)->front, after.front);
+  EXPECT_EQ(catalogue().sherd(before.row)->model_path, after.model_path);
 }
 
 TEST_F(TypedNumbers, AreNotProposedToOthers) {

@@ -100,7 +100,7 @@ TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
     EXPECT_THAT(*readFile(models / (std::string(sherd) + ".glb")),
                 testing::HasSubstr("\"deviation_mm\":0"));
   }
-  put(project_->resultsFolder("B0001") / "sherds/02/model.ply", "another one");
+  put(modelOf(1), "another one");
   options.target = folder_.path() / "changed";
   const Result<Exported> refused =
       exportFolder(catalogue(), project_->folder(), rows, options, quiet, {});
@@ -231,7 +231,7 @@ TEST_F(Export, TheSizeIsKnownBefore) {
   ASSERT_TRUE(size);
   EXPECT_EQ(size->sherds, 3);
   EXPECT_EQ(size->files, 4);
-  const auto ply = fs::file_size(project_->resultsFolder("B0001") / "sherds/01/model.ply");
+  const auto ply = fs::file_size(modelOf(0));
   EXPECT_EQ(size->bytes, static_cast<std::int64_t>(3 * ply + 4));
   EXPECT_EQ(size->without_model, 0);
 }
@@ -247,19 +247,24 @@ TEST_F(Export, DrawingsAreTakenFromTheirPaths) {
 }
 
 TEST_F(Export, WhatIsMissingIsNamedAndTheRestIsWhole) {
-  fs::remove(project_->resultsFolder("B0001") / "sherds/02/preview.png");
+  fs::remove(pictureOf(1));
   const Result<Exported> done = exportTo("out", all);
   ASSERT_TRUE(done);
   ASSERT_EQ(done->warnings.size(), 1u);
-  EXPECT_NE(done->warnings[0].find("02/preview.png"), std::string::npos);
+  EXPECT_NE(done->warnings[0].find("/preview.png"), std::string::npos);
   EXPECT_TRUE(checkBag(folder_.path() / "out", quiet, {}));
 }
 
 TEST_F(Export, AModelThatIsNotTheOneEnteredStopsIt) {
-  put(project_->resultsFolder("B0001") / "sherds/02/model.ply", "ply\nsomething else");
-  const Result<Exported> done = exportTo("out", all);
-  ASSERT_FALSE(done);
-  EXPECT_NE(done.error().sentence().find("not the one that was entered"), std::string::npos);
+  for (const std::string& file : {modelOf(1), pictureOf(1)}) {
+    const std::string was = *readFile(file);
+    put(file, "ply\nsomething else");
+    const Result<Exported> done = exportTo("out", all);
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().sentence(),
+                testing::HasSubstr("of the sherd ARM1-T3-0012-0002 is not the one"));
+    put(file, was);
+  }
   EXPECT_FALSE(fs::exists(folder_.path() / "out"));
   EXPECT_FALSE(fs::exists(folder_.path() / "out.partial"));
 }

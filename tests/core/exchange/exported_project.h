@@ -46,6 +46,13 @@ class ExportedProject : public catalogue::SmallProject {
   static void put(const std::filesystem::path& path, const std::string& bytes) {
     EXPECT_TRUE(writeFileAtomically(path, bytes));
   }
+  /// Of the i-th sherd.
+  std::string modelOf(int i) { return fileOf(i, &catalogue::SherdRecord::model_path); }
+  std::string pictureOf(int i) { return fileOf(i, &catalogue::SherdRecord::preview_path); }
+  std::string fileOf(int i, std::string catalogue::SherdRecord::*path) {
+    const auto sherd = catalogue().sherd(rows[static_cast<std::size_t>(i)]);
+    return (project_->folder() / ((*sherd).*path)).string();
+  }
   Result<Exported> exportTo(const std::string& name, std::set<Form> forms) {
     ExportOptions options;
     options.target = folder_.path() / name;

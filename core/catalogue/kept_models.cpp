@@ -1,0 +1,123 @@
+#include "catalogue/kept_models.h"
+
+#include <set>
+#include <system_error>
+
+#include "base/files.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/database.h"
+#include "catalogue/values.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModelFiles[] = {"model.ply", "model.glb", "preview.png"};
+constexpr std::size_t kNameLength = 16;  // hexadecimal digits: 64 bits of the contents' checksum
+
+fs::path folderOf(const std::string& batch) {
+  return fs::path("models") / batch;
+}
+
+// Files are only ever replaced, never written into, so a second name keeps what is there now.
+Result<void> secondName(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::create_hard_link(from, to, failed);
+  if (!failed) return {};
+  const Result<std::string> bytes = readFile(from);
+  return bytes ? writeFileAtomically(to, *bytes) : Result<void>(bytes.error());
+}
+
+Error cannotWrite(const fs::path& folder, const std::error_code& failed) {
+  return {ErrorCode::CannotWrite, "The model cannot be kept here (" + failed.message() + ").",
+          folder.string()};
+}
+
+}  // namespace
+
+Result<std::string> keepModel(const fs::path& project, const std::string& batch,
+                              const fs::path& from) {
+  std::error_code failed;
+  if (!fs::is_regular_file(from / kModelFiles[0], failed))
+    return Error{ErrorCode::Missing, "This model is gone; compute its batch again.",
+                 (from / kModelFiles[0]).string()};
+  const fs::path all = project / folderOf(batch), partial = all / "new.partial";
+  fs::remove_all(partial, failed);
+  fs::create_directories(partial, failed);
+  if (failed) return cannotWrite(partial, failed);
+  // The names are of what was kept, not of what may lie in `from` by now.
+  std::string sums;
+  for (const char* name : kModelFiles) {
+    if (!fs::is_regular_file(from / name, failed)) continue;
+    if (const Result<void> named = secondName(from / name, partial / name); !named)
+      return named.error();
+    const Result<std::string> bytes = readFile(partial / name);
+    if (!bytes) return bytes.error();
+    sums += name + sha256(*bytes);
+  }
+  const std::string name = sha256(sums).substr(0, kNameLength);
+  if (fs::exists(all / name, failed)) {
+    fs::remove_all(partial, failed);
+  } else {
+    fs::rename(partial, all / name, failed);
+    if (failed) return cannotWrite(all / name, failed);
+    syncFolder(all / name);
+    syncFolder(all);
+  }
+  return (folderOf(batch) / name).generic_string();
+}
+
+Result<void> dropUnusedModels(Catalogue& catalogue, const fs::path& project,
+                              const std::string& batch) {
+  std::set<std::string> unused;
+  std::error_code failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(project / folderOf(batch), failed))
+    unused.insert((folderOf(batch) / entry.path().filename()).generic_string());
+  if (unused.empty()) return {};
+  const Result<void> dropped = catalogue.database().inTransaction([&] {
+    Statement shown = catalogue.database().sql(
+        "SELECT model_path, preview_path FROM sherd WHERE model_path LIKE ?");
+    shown.with(folderOf(batch).generic_string() + "/%");
+    while (shown.next()) {
+      std::string model, preview;
+      shown >> model >> preview;
+      for (const std::string& path : {model, preview})
+        unused.erase(fs::path(path).parent_path().generic_string());
+    }
+    for (const std::string& folder : unused)
+      catalogue.database()
+          .sql("DELETE FROM file WHERE substr(path, 1, length(?)) = ?")
+          .with(folder + "/", folder + "/")
+          .run();
+  });
+  if (!dropped) return dropped;
+  for (const std::string& folder : unused) fs::remove_all(project / folder, failed);
+  return {};
+}
+
+void forgetModel(Catalogue& catalogue, SherdRow sherd, const Act& act) {
+  Database& database = catalogue.database();
+  std::vector<std::string> kinds;
+  {
+    Statement rows = database.sql(
+        "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL");
+    rows.with(sherd);
+    while (rows.next()) {
+      kinds.emplace_back();
+      rows >> kinds.back();
+    }
+  }
+  for (const std::string& kind : kinds) clearMeasure(catalogue, sherd, kind, act);
+  database
+      .sql(
+          "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview', "
+          "'drawing', 'scan')")
+      .with(sherd)
+      .run();
+  database.sql("UPDATE sherd SET preview_path = '', model_path = '' WHERE row = ?")
+      .with(sherd)
+      .run();
+}
+
+}  // namespace ostraka::catalogue

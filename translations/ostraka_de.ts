@@ -787,6 +787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>geteilt</translation>
     </message>
+    <message>
+      <source>Sure by what was decided for others: %1; by itself %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sicher durch das, was für andere entschieden wurde: %1; für sich allein %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -981,6 +986,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Für diese Ladung wurden die Kameras neu gefunden; kalibrieren Sie den Messplatz neu (C).</translation>
     </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>beiseitegelegt</translation>
+    </message>
+    <message>
+      <source>It did not come to its end; compute it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Berechnung kam nicht zu ihrem Ende; noch einmal berechnen.</translation>
+    </message>
+    <message>
+      <source>You set it aside. Its photographs are kept; R takes it up again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von Ihnen beiseitegelegt. Die Fotos bleiben; R nimmt die Ladung wieder auf.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; %n noch einmal aufzunehmen</numerusform>
+        <numerusform>%1; %n noch einmal aufzunehmen</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1157,9 +1185,9 @@
       <translation>Mehr</translation>
     </message>
     <message>
-      <source>Import, another rig</source>
+      <source>Import, another rig, set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einlesen, anderer Messplatz</translation>
+      <translation>Einlesen, anderer Messplatz, beiseitelegen</translation>
     </message>
   </context>
   <context>
@@ -1301,6 +1329,11 @@
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ nennt keinen Beutel: Fundort-Schnitt-Befund-Beutel schreiben, oder die Zeile leeren, um ohne einen weiterzumachen.</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ladung beiseitelegen</translation>
     </message>
   </context>
   <context>
@@ -1609,6 +1642,11 @@
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist ganz fotografiert, aber niemand hat gesagt, dass sie richtig ist: die Fotos ansehen, dann weitermachen.</translation>
+    </message>
+    <message>
+      <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch einmal aufzunehmen: %1. Mit anderen auflegen und ihre Nummern eingeben (N), wenn die Vorderseiten aufgenommen sind.</translation>
     </message>
   </context>
   <context>
@@ -3299,6 +3337,11 @@
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Kamera wurde angestoßen: Die Fotos dieser Ladung sagen, wo die Kameras jetzt stehen (C)</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ladung beiseitelegen</translation>
     </message>
   </context>
   <context>
@@ -6797,9 +6840,9 @@
       <translation>%1 ist nicht das Foto, das eingetragen wurde; nachprüfen.</translation>
     </message>
     <message>
-      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Modell ist nicht das eingetragene; die Ergebnisse der Ladung neu eintragen.</translation>
+      <translation>Dieses Modell oder Bild der Scherbe %1 ist nicht das, das eingetragen wurde; ihre Ladung %2 noch einmal berechnen.</translation>
     </message>
     <message>
       <source>%1 goes along whole: %2</source>
@@ -8235,6 +8278,21 @@
       <source>The camera has taken no photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera hat kein Foto gemacht.</translation>
+    </message>
+    <message>
+      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP findet nicht, wie diese Fotos zusammengehören; seine Meldungen stehen in dieser Datei. Nachsehen, ob alle dieselben Scherben mit viel Überlappung zeigen, oder auf einem Markenteller fotografieren.</translation>
+    </message>
+    <message>
+      <source>This model is gone; compute its batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Modell ist nicht mehr da; seine Ladung noch einmal berechnen.</translation>
+    </message>
+    <message>
+      <source>The model cannot be kept here (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Modell kann hier nicht aufbewahrt werden (%1).</translation>
     </message>
   </context>
 </TS>

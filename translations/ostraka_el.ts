@@ -787,6 +787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κόπηκε</translation>
     </message>
+    <message>
+      <source>Sure by what was decided for others: %1; by itself %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Βέβαιο από όσα αποφασίστηκαν για άλλα: %1· από μόνο του %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -981,6 +986,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Για αυτή την παρτίδα οι κάμερες βρέθηκαν εκ νέου· βαθμονομήστε ξανά τη διάταξη (C).</translation>
     </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>παραμερίστηκε</translation>
+    </message>
+    <message>
+      <source>It did not come to its end; compute it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν έφτασε στο τέλος της· υπολογίστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>You set it aside. Its photographs are kept; R takes it up again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Την παραμερίσατε. Οι φωτογραφίες της μένουν· το R την παίρνει πάλι.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1· %n για νέα φωτογράφιση</numerusform>
+        <numerusform>%1· %n για νέα φωτογράφιση</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1157,9 +1185,9 @@
       <translation>Περισσότερα</translation>
     </message>
     <message>
-      <source>Import, another rig</source>
+      <source>Import, another rig, set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εισαγωγή, άλλη διάταξη</translation>
+      <translation>Εισαγωγή, άλλη διάταξη, παραμερισμός</translation>
     </message>
   </context>
   <context>
@@ -1301,6 +1329,11 @@
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» δεν ονομάζει σακούλα: γράψτε θέση-τομή-πλαίσιο-σακούλα ή αδειάστε τη γραμμή για να συνεχίσετε χωρίς.</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παραμερισμός αυτής της παρτίδας</translation>
     </message>
   </context>
   <context>
@@ -1609,6 +1642,11 @@
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 φωτογραφήθηκε ολόκληρη, αλλά κανείς δεν είπε ότι είναι σωστή: δείτε τις φωτογραφίες της και συνεχίστε.</translation>
+    </message>
+    <message>
+      <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για νέα φωτογράφιση: %1. Τοποθετήστε τα με άλλα και γράψτε τους αριθμούς τους (N) αφού φωτογραφηθούν οι μπροστινές όψεις.</translation>
     </message>
   </context>
   <context>
@@ -3299,6 +3337,11 @@
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια κάμερα μετακινήθηκε: οι φωτογραφίες της παρτίδας δείχνουν πού είναι τώρα (C)</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παραμερισμός αυτής της παρτίδας</translation>
     </message>
   </context>
   <context>
@@ -6797,9 +6840,9 @@
       <translation>Το %1 δεν είναι η φωτογραφία που καταχωρίστηκε· ελέγξτε την.</translation>
     </message>
     <message>
-      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το μοντέλο δεν είναι εκείνο που καταχωρίστηκε· καταχωρίστε ξανά τα αποτελέσματα της παρτίδας.</translation>
+      <translation>Αυτό το μοντέλο ή η εικόνα του οστράκου %1 δεν είναι αυτό που καταχωρίστηκε· υπολογίστε ξανά την παρτίδα του %2.</translation>
     </message>
     <message>
       <source>%1 goes along whole: %2</source>
@@ -8235,6 +8278,21 @@
       <source>The camera has taken no photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα δεν τράβηξε φωτογραφία.</translation>
+    </message>
+    <message>
+      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το COLMAP δεν βρίσκει πώς συνδέονται αυτές οι φωτογραφίες· τα μηνύματά του βρίσκονται σε αυτό το αρχείο. Δείτε αν όλες δείχνουν τα ίδια όστρακα με μεγάλη επικάλυψη, ή φωτογραφίστε σε πλάκα με σημάδια.</translation>
+    </message>
+    <message>
+      <source>This model is gone; compute its batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το μοντέλο δεν υπάρχει πια· υπολογίστε ξανά την παρτίδα του.</translation>
+    </message>
+    <message>
+      <source>The model cannot be kept here (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μοντέλο δεν μπορεί να φυλαχτεί εδώ (%1).</translation>
     </message>
   </context>
 </TS>

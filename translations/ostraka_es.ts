@@ -787,6 +787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>cortado</translation>
     </message>
+    <message>
+      <source>Sure by what was decided for others: %1; by itself %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seguro por lo decidido para otros: %1; por sí solo %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -981,6 +986,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En esta tanda se hallaron de nuevo las cámaras; calibre otra vez el equipo (C).</translation>
     </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>apartado</translation>
+    </message>
+    <message>
+      <source>It did not come to its end; compute it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No llegó a su fin; calcúlelo de nuevo.</translation>
+    </message>
+    <message>
+      <source>You set it aside. Its photographs are kept; R takes it up again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo ha apartado. Sus fotografías se conservan; R lo retoma.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; %n por fotografiar de nuevo</numerusform>
+        <numerusform>%1; %n por fotografiar de nuevo</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1157,9 +1185,9 @@
       <translation>Más</translation>
     </message>
     <message>
-      <source>Import, another rig</source>
+      <source>Import, another rig, set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importar, otro equipo</translation>
+      <translation>Importar, otro equipo, apartar</translation>
     </message>
   </context>
   <context>
@@ -1301,6 +1329,11 @@
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» no nombra ninguna bolsa: escriba yacimiento-corte-contexto-bolsa, o vacíe la línea para seguir sin ella.</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Apartar esta tanda</translation>
     </message>
   </context>
   <context>
@@ -1609,6 +1642,11 @@
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 está fotografiada entera, pero nadie ha dicho que sea correcta: mire sus fotos y siga.</translation>
+    </message>
+    <message>
+      <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Por fotografiar de nuevo: %1. Colóquelos con otros y escriba sus números (N) cuando estén tomados los anversos.</translation>
     </message>
   </context>
   <context>
@@ -3299,6 +3337,11 @@
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cámara recibió un golpe: las fotos de esta tanda dicen dónde están ahora las cámaras (C)</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Apartar esta tanda</translation>
     </message>
   </context>
   <context>
@@ -6797,9 +6840,9 @@
       <translation>%1 no es la foto que se registró; compruébela.</translation>
     </message>
     <message>
-      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este modelo no es el que se registró; registre otra vez los resultados de la tanda.</translation>
+      <translation>Este modelo o esta imagen del fragmento %1 no es lo que se registró; calcule de nuevo su tanda %2.</translation>
     </message>
     <message>
       <source>%1 goes along whole: %2</source>
@@ -8235,6 +8278,21 @@
       <source>The camera has taken no photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara no ha tomado ninguna foto.</translation>
+    </message>
+    <message>
+      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP no encuentra cómo encajan estas fotografías; sus mensajes están en este archivo. Compruebe que todas muestran los mismos fragmentos con mucho solape, o fotografíe sobre una placa con marcas.</translation>
+    </message>
+    <message>
+      <source>This model is gone; compute its batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este modelo ya no está; calcule de nuevo su tanda.</translation>
+    </message>
+    <message>
+      <source>The model cannot be kept here (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El modelo no puede guardarse aquí (%1).</translation>
     </message>
   </context>
 </TS>

@@ -787,6 +787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>coupé</translation>
     </message>
+    <message>
+      <source>Sure by what was decided for others: %1; by itself %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sûr par ce qui a été décidé pour d'autres : %1 ; à lui seul %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -981,6 +986,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pour ce lot, les caméras ont été retrouvées ; calibrez de nouveau le banc (C).</translation>
     </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mis de côté</translation>
+    </message>
+    <message>
+      <source>It did not come to its end; compute it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le calcul n'est pas allé jusqu'au bout ; recalculez le lot.</translation>
+    </message>
+    <message>
+      <source>You set it aside. Its photographs are kept; R takes it up again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous l'avez mis de côté. Ses photographies sont gardées ; R le reprend.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 ; %n à rephotographier</numerusform>
+        <numerusform>%1 ; %n à rephotographier</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1157,9 +1185,9 @@
       <translation>Plus</translation>
     </message>
     <message>
-      <source>Import, another rig</source>
+      <source>Import, another rig, set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importer, autre banc</translation>
+      <translation>Importer, autre banc, mettre de côté</translation>
     </message>
   </context>
   <context>
@@ -1301,6 +1329,11 @@
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » ne nomme aucun sac : écrivez site-tranchée-contexte-sac, ou videz la ligne pour continuer sans.</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mettre ce lot de côté</translation>
     </message>
   </context>
   <context>
@@ -1609,6 +1642,11 @@
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 est photographié en entier, mais personne n’a dit qu’il est juste : regardez ses photos, puis continuez.</translation>
+    </message>
+    <message>
+      <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>À rephotographier : %1. Posez-les avec d'autres et tapez leurs numéros (N) une fois les faces prises.</translation>
     </message>
   </context>
   <context>
@@ -3299,6 +3337,11 @@
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une caméra a été heurtée : les photos de ce lot disent où sont les caméras à présent (C)</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mettre ce lot de côté</translation>
     </message>
   </context>
   <context>
@@ -6797,9 +6840,9 @@
       <translation>%1 n’est pas la photo qui a été inscrite ; vérifiez-la.</translation>
     </message>
     <message>
-      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce modèle n’est pas celui qui a été inscrit ; inscrivez à nouveau les résultats du lot.</translation>
+      <translation>Ce modèle ou cette image du tesson %1 n'est pas celui qui a été inscrit ; recalculez son lot %2.</translation>
     </message>
     <message>
       <source>%1 goes along whole: %2</source>
@@ -8235,6 +8278,21 @@
       <source>The camera has taken no photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil n’a pris aucune photo.</translation>
+    </message>
+    <message>
+      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP ne trouve pas comment ces photographies vont ensemble ; ses messages sont dans ce fichier. Vérifiez que toutes montrent les mêmes tessons avec un large recouvrement, ou photographiez sur un plateau à repères.</translation>
+    </message>
+    <message>
+      <source>This model is gone; compute its batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce modèle n'est plus là ; recalculez son lot.</translation>
+    </message>
+    <message>
+      <source>The model cannot be kept here (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le modèle ne peut pas être gardé ici (%1).</translation>
     </message>
   </context>
 </TS>

@@ -787,6 +787,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կտրված</translation>
     </message>
+    <message>
+      <source>Sure by what was decided for others: %1; by itself %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վստահ է մյուսների համար որոշվածի շնորհիվ՝ %1. ինքնին՝ %2։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -981,6 +986,29 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակի համար տեսախցիկները նորից գտնվել են. նորից տրամաչափեք սարքակազմը (C)։</translation>
     </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մի կողմ է դրված</translation>
+    </message>
+    <message>
+      <source>It did not come to its end; compute it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չհասավ ավարտին. հաշվարկեք նորից։</translation>
+    </message>
+    <message>
+      <source>You set it aside. Its photographs are kept; R takes it up again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք այն մի կողմ եք դրել։ Լուսանկարները պահված են. R-ը նորից է վերցնում։</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1. %n՝ նորից լուսանկարելու</numerusform>
+        <numerusform>%1. %n՝ նորից լուսանկարելու</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1157,9 +1185,9 @@
       <translation>Ավելին</translation>
     </message>
     <message>
-      <source>Import, another rig</source>
+      <source>Import, another rig, set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծել, այլ սարքակազմ</translation>
+      <translation>Ներմուծել, այլ սարքակազմ, մի կողմ դնել</translation>
     </message>
   </context>
   <context>
@@ -1301,6 +1329,11 @@
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը տոպրակ չի անվանում. գրեք հուշարձան-խրամատ-համատեքստ-տոպրակ կամ դատարկեք տողը՝ առանց դրա շարունակելու համար։</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի կողմ դնել այս խմբաքանակը</translation>
     </message>
   </context>
   <context>
@@ -1609,6 +1642,11 @@
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն ամբողջությամբ լուսանկարված է, բայց ոչ ոք չի ասել, որ այն ճիշտ է. նայեք լուսանկարները, ապա շարունակեք։</translation>
+    </message>
+    <message>
+      <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նորից լուսանկարելու՝ %1։ Դրեք դրանք մյուսների հետ և մուտքագրեք նրանց համարները (N), երբ դիմային կողմերը լուսանկարված են։</translation>
     </message>
   </context>
   <context>
@@ -3299,6 +3337,11 @@
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ է տեղաշարժվել. այս խմբաքանակի լուսանկարները ցույց են տալիս, թե որտեղ են հիմա տեսախցիկները (C)</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մի կողմ դնել այս խմբաքանակը</translation>
     </message>
   </context>
   <context>
@@ -6797,9 +6840,9 @@
       <translation>%1-ը գրանցված լուսանկարը չէ. ստուգեք այն։</translation>
     </message>
     <message>
-      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս մոդելը գրանցվածը չէ. նորից գրանցեք խմբաքանակի արդյունքները։</translation>
+      <translation>%1 բեկորի այս մոդելը կամ պատկերը գրանցվածը չէ. նորից հաշվարկեք նրա %2 խմբաքանակը։</translation>
     </message>
     <message>
       <source>%1 goes along whole: %2</source>
@@ -8235,6 +8278,21 @@
       <source>The camera has taken no photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը ոչ մի լուսանկար չի արել։</translation>
+    </message>
+    <message>
+      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP-ը չի գտնում, թե ինչպես են այս լուսանկարները միմյանց համապատասխանում. նրա հաղորդագրություններն այս ֆայլում են։ Ստուգեք՝ արդյոք բոլորը նույն բեկորներն են ցույց տալիս մեծ համընկնումով, կամ լուսանկարեք նշաններով սկուտեղի վրա։</translation>
+    </message>
+    <message>
+      <source>This model is gone; compute its batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մոդելն այլևս չկա. նորից հաշվարկեք նրա խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>The model cannot be kept here (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելը չի կարող այստեղ պահվել (%1)։</translation>
     </message>
   </context>
 </TS>

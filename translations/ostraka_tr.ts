@@ -781,6 +781,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kesildi</translation>
     </message>
+    <message>
+      <source>Sure by what was decided for others: %1; by itself %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diğerleri için verilen kararlardan emin: %1; tek başına %2.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -970,6 +975,28 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parti için kameralar yeniden bulundu; düzeneği yeniden ayarlayın (C).</translation>
     </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kenara konuldu</translation>
+    </message>
+    <message>
+      <source>It did not come to its end; compute it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sonuna varmadı; yeniden hesaplayın.</translation>
+    </message>
+    <message>
+      <source>You set it aside. Its photographs are kept; R takes it up again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kenara koydunuz. Fotoğrafları duruyor; R onu yeniden ele alır.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; %n yeniden fotoğraflanacak</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1144,9 +1171,9 @@
       <translation>Daha</translation>
     </message>
     <message>
-      <source>Import, another rig</source>
+      <source>Import, another rig, set aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Al, başka düzenek</translation>
+      <translation>Al, başka düzenek, kenara koy</translation>
     </message>
   </context>
   <context>
@@ -1287,6 +1314,11 @@
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>“%1” bir torbanın adı değil: alan-açma-kontekst-torba yazın ya da onsuz sürdürmek için satırı boşaltın.</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partiyi kenara koy</translation>
     </message>
   </context>
   <context>
@@ -1590,6 +1622,11 @@
       <source>%1 is photographed whole, but nobody said that it is right: look at its photographs, then go on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bütünüyle fotoğraflandı, ama kimse doğru olduğunu söylemedi: fotoğraflarına bakın, sonra sürdürün.</translation>
+    </message>
+    <message>
+      <source>To be photographed again: %1. Lay them down with others, and type their numbers (N) when the fronts are shot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeniden fotoğraflanacak: %1. Onları diğerleriyle birlikte koyun ve ön yüzler çekilince numaralarını yazın (N).</translation>
     </message>
   </context>
   <context>
@@ -3263,6 +3300,11 @@
       <source>A camera was bumped: this batch's photographs tell where the cameras stand now (C)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir kameraya çarpılmış: bu partinin fotoğrafları kameraların şimdi nerede olduğunu söylüyor (C)</translation>
+    </message>
+    <message>
+      <source>Set this batch aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partiyi kenara koy</translation>
     </message>
   </context>
   <context>
@@ -6756,9 +6798,9 @@
       <translation>%1 kayda girilen fotoğraf değil; denetleyin.</translation>
     </message>
     <message>
-      <source>This model is not the one that was entered; enter the batch's results again.</source>
+      <source>This model or picture of the sherd %1 is not the one that was entered; compute its batch %2 again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu model kayda girilen model değil; partinin sonuçlarını yeniden girin.</translation>
+      <translation>%1 parçasının bu modeli ya da resmi kaydedilen değil; %2 partisini yeniden hesaplayın.</translation>
     </message>
     <message>
       <source>%1 goes along whole: %2</source>
@@ -8194,6 +8236,21 @@
       <source>The camera has taken no photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera hiç fotoğraf çekmedi.</translation>
+    </message>
+    <message>
+      <source>COLMAP does not find how these photographs belong together; its words are in this file. Look whether all show the same sherds with much overlap, or photograph on a marker plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>COLMAP bu fotoğrafların nasıl bir araya geldiğini bulamıyor; iletileri bu dosyada. Hepsinin aynı parçaları bolca örtüşerek gösterip göstermediğine bakın ya da işaretli tablada fotoğraf çekin.</translation>
+    </message>
+    <message>
+      <source>This model is gone; compute its batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu model artık yok; partisini yeniden hesaplayın.</translation>
+    </message>
+    <message>
+      <source>The model cannot be kept here (%1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Model burada saklanamıyor (%1).</translation>
     </message>
   </context>
 </TS>

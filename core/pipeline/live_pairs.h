@@ -24,6 +24,10 @@ struct LiveFit {
   bool slipped = false;
   registration::Slip slip = registration::Slip::None;
   int shift = -1;  ///< start point on the back's contour, of 200; -1: not known
+
+  /// So little of the rims lies together that nothing is shown by it: sides that were seen well
+  /// meet along 0.15 and more.
+  bool hardlyMeets() const { return !(rim_overlap >= 0.05); }
 };
 
 /// What the screen shows of a pair at a pose. All lengths in the front's plate frame, mm; the back

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "pipeline/no_plate.h"
 #include "rig/colmap_program.h"
 
 namespace ostraka::pipeline {
@@ -54,6 +55,7 @@ double freeMemoryMb() {
 
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb) {
+  if (const auto masks = maskSource(options.masks, batch); !masks) return masks.error();
   if (const std::string missing = missingProgram(batch, options); !missing.empty())
     return Error{ErrorCode::Missing,
                  batch.plate ? "The program " + missing +

@@ -17,7 +17,7 @@ struct Preflight {
 };
 
 /// free_memory_mb: 0 when the system does not say. Errors: Missing for a program that a later
-/// stage would ask for.
+/// stage would ask for, and those of maskSource.
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb);
 

@@ -28,24 +28,6 @@ double valueOf(const Registration& r) {
   }
 }
 
-ReviewCandidate candidateOf(const RegisteredCandidate& c) {
-  ReviewCandidate out;
-  const Registration& r = c.registration;
-  out.back = c.evidence.back;
-  out.rim_rms_mm = r.rim_rms_mm;
-  out.rim_overlap = r.rim_overlap;
-  out.uncertainty_mm = r.uncertainty_mm;
-  out.contour_rms_mm = c.start().contour_rms_mm;
-  out.front_from_back = r.front_from_back;
-  out.shift = c.start().shift;
-  for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
-  std::sort(out.shifts.begin(), out.shifts.end());
-  out.slipped = r.slipped;
-  out.slip = r.slip;
-  out.slip_value = valueOf(r);
-  return out;
-}
-
 // P(this back | front) from by how much the best assignment falls when the pair is forced; a front
 // that stays alone in it may also stay so.
 std::vector<double> chancesOf(const CandidateTable& table, const PairTable& free,
@@ -140,11 +122,37 @@ void nameDecision(ReviewCard& card, const CandidateTable& table, const Decisions
 
 }  // namespace
 
+ReviewCandidate candidateOf(const RegisteredCandidate& c) {
+  ReviewCandidate out;
+  const Registration& r = c.registration;
+  out.back = c.evidence.back;
+  out.rim_rms_mm = r.rim_rms_mm;
+  out.rim_overlap = r.rim_overlap;
+  out.uncertainty_mm = r.uncertainty_mm;
+  out.contour_rms_mm = c.start().contour_rms_mm;
+  out.front_from_back = r.front_from_back;
+  out.shift = c.start().shift;
+  for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
+  std::sort(out.shifts.begin(), out.shifts.end());
+  out.slipped = r.slipped;
+  out.slip = r.slip;
+  out.slip_value = valueOf(r);
+  return out;
+}
+
 int Review::waiting() const {
   const auto wanting = std::count_if(cards.begin(), cards.end(), [](const ReviewCard& card) {
     return card.state == CardState::Ask || card.state == CardState::Alone;
   });
   return static_cast<int>(wanting) + static_cast<int>(lone_backs.size());
+}
+
+int Review::toReshoot() const {
+  const auto fronts = std::count_if(cards.begin(), cards.end(), [](const ReviewCard& card) {
+    return card.state == CardState::Reshoot;
+  });
+  return static_cast<int>(
+      std::max<std::ptrdiff_t>(fronts, static_cast<std::ptrdiff_t>(reshoot_backs.size())));
 }
 
 const ReviewCard* Review::ofFront(int front) const {

@@ -60,10 +60,14 @@ struct Review {
   std::vector<int> aside_backs, reshoot_backs;  ///< by a person
   std::vector<std::string> warnings;            ///< about decisions that cannot be applied
 
-  int waiting() const;  ///< cards that want a person, and backs that are nobody's
+  int waiting() const;    ///< cards that want a person, and backs that are nobody's
+  int toReshoot() const;  ///< sherds of which a person wants new photographs
   const ReviewCard* ofFront(int front) const;
   const ReviewCard* ofBack(int back) const;  ///< the card that holds this back
 };
+
+/// What a card shows of a candidate; its score is the review's to give.
+ReviewCandidate candidateOf(const RegisteredCandidate& candidate);
 
 /// Milliseconds, for 60 sherds too. Errors: those of assigned().
 Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing);

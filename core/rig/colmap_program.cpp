@@ -71,13 +71,21 @@ class Session {
                   "--SiftMatching.num_threads", threads_});
         !done)
       return done;
-    return step(2, "mapping",
-                {"mapper", "--database_path", database, "--image_path", images, "--output_path",
-                 sparse.string(), "--Mapper.num_threads", threads_,
-                 // Stops of a turntable are 10 to 45 degrees apart, and a first pair judged with a
-                 // guessed focal length looks flatter than it is: 16 degrees, the default, is too
-                 // much to ask.
-                 "--Mapper.init_min_tri_angle", "8"});
+    const Result<void> mapped =
+        step(2, "mapping",
+             {"mapper", "--database_path", database, "--image_path", images, "--output_path",
+              sparse.string(), "--Mapper.num_threads", threads_,
+              // Stops of a turntable are 10 to 45 degrees apart, and a first pair judged with a
+              // guessed focal length looks flatter than it is: 16 degrees, the default, is too
+              // much to ask.
+              "--Mapper.init_min_tri_angle", "8"});
+    if (!mapped && mapped.error().code == ErrorCode::Failed)
+      return Error{ErrorCode::NotEnough,
+                   "COLMAP does not find how these photographs belong together; its words are in "
+                   "this file. Look whether all show the same sherds with much overlap, or "
+                   "photograph on a marker plate.",
+                   mapped.error().where};
+    return mapped;
   }
 
   // COLMAP may leave several models, and none with exit status 0: the largest one counts.

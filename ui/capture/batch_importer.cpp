@@ -4,6 +4,7 @@
 
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 
@@ -38,6 +39,10 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
                                 this);
   connect(job_, &JobHandle::progressed, this,
           [this](const JobProgress& progress) { emit progressed(progress.fraction); });
+  doubts_.clear();
+  connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
+    if (level == NoteLevel::Warning) doubts_ << wordsOf(text.toStdString());
+  });
   connect(job_, &JobHandle::finished, this, [this, options, place](const JobOutcome& outcome) {
     job_->deleteLater();
     job_ = nullptr;
@@ -55,7 +60,7 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
       emit failed(number.error());
       return;
     }
-    emit imported(*number, copied->files);
+    emit imported(*number, copied->files, doubts_);
     session_->tellBatchChanged(*number);
   });
   emit started(job_->title());

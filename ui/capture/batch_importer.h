@@ -29,7 +29,8 @@ class BatchImporter final : public QObject {
  signals:
   void started(const QString& title);
   void progressed(double fraction);
-  void imported(const QString& number, int files);
+  /// doubts: what is not usable of it, whole sentences.
+  void imported(const QString& number, int files, const QStringList& doubts);
   void failed(const ostraka::Error& error);
   /// The project has these photographs or scans: nothing was imported.
   void alreadyThere(const QString& number, const QString& folder);
@@ -43,6 +44,7 @@ class BatchImporter final : public QObject {
   QPointer<JobHandle> job_;
   ImportOptions asked_;  ///< of alreadyThere
   PlaceText asked_place_;
+  QStringList doubts_;  ///< of the import that runs
 };
 
 }  // namespace ostraka::ui

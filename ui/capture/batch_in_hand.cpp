@@ -4,8 +4,9 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "catalogue/label_codes.h"
+#include "catalogue/photographed_again.h"
 #include "catalogue/project.h"
-#include "ui/capture/place_text.h"
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
@@ -75,14 +76,42 @@ bool BatchInHand::isComputed() const {
   return now == catalogue::BatchState::Review || now == catalogue::BatchState::Done;
 }
 
+PlaceText BatchInHand::place() const {
+  if (session_ == nullptr || row_ == 0) return {};
+  const catalogue::Catalogue& rows = session_->project().catalogue();
+  const auto batch = rows.batch({row_});
+  if (!batch || batch->bags.empty()) return {};
+  const auto place = catalogue::placeOf(rows, batch->bags.front());
+  if (!place || !*place) return {};
+  return {QString::fromStdString((*place)->site), QString::fromStdString((*place)->trench),
+          QString::fromStdString((*place)->context), QString::fromStdString((*place)->bag)};
+}
+
+QStringList BatchInHand::toPhotographAgain() const {
+  QStringList sherds;
+  if (session_ == nullptr) return sherds;
+  if (const auto waiting = catalogue::toPhotographAgain(session_->project().catalogue()))
+    for (const catalogue::SherdRecord& sherd : *waiting)
+      sherds << QStringLiteral("%1 (%2)").arg(QString::fromStdString(sherd.number),
+                                              QString::fromStdString(sherd.batch_number));
+  return sherds;
+}
+
 Result<void> BatchInHand::begin(const PlaceText& place) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   const catalogue::Act act = session_->act();
-  if (row_ != 0) {  // begun before the person counted
+  if (row_ != 0) {  // begun before the person counted, or under another bag
     auto batch = rows.batch({row_});
     if (!batch) return batch.error();
-    if (batch->counted == counted_) return {};
+    const bool moved = place != this->place();
+    if (batch->counted == counted_ && !moved) return {};
     batch->counted = counted_;
+    if (moved) {
+      const Result<std::int64_t> bag = bagRowOf(rows, place, act);
+      if (!bag) return bag.error();
+      batch->bags.clear();
+      if (*bag != 0) batch->bags.push_back({*bag});
+    }
     return rows.saveBatch(*batch, act);
   }
   const Result<std::int64_t> bag = bagRowOf(rows, place, act);

@@ -1,6 +1,7 @@
 #pragma once
 #include <QPointer>
 #include <QString>
+#include <QStringList>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -9,11 +10,11 @@
 #include "batch/batch.h"
 #include "catalogue/records.h"
 #include "ui/capture/capture_facts.h"
+#include "ui/capture/place_text.h"
 
 namespace ostraka::ui {
 
 class ProjectSession;
-struct PlaceText;
 
 /// The batch that lies on the plate, as the catalogue keeps it: what a capture writes there, and
 /// where one that was interrupted goes on. No widget, no device.
@@ -37,7 +38,12 @@ class BatchInHand {
   int counted() const { return counted_; }
   void setCounted(int sherds) { counted_ = sherds; }
 
-  /// Makes it, with the place that its sherds are from, or keeps a count that came later.
+  PlaceText place() const;  ///< of its bag; empty: none
+  /// Sherds of earlier plates that a person wants photographed again: "ARM1-T3-0012-0007 (B0003)".
+  QStringList toPhotographAgain() const;
+
+  /// Makes it, with the place that its sherds are from, or keeps what came later of place and
+  /// count.
   Result<void> begin(const PlaceText& place);
   Result<void> setState(catalogue::BatchState state);
   /// Its photographs are whole. seen: sherds on the photographs, 0 when not known; what a person

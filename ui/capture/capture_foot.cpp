@@ -63,7 +63,7 @@ QWidget* CaptureFoot::buildTools(const Acts& acts) {
   auto* more = new QToolButton(tools);
   more->setObjectName(QStringLiteral("captureMore"));
   more->setText(tr("More"));
-  more->setAccessibleName(tr("Import, another rig"));
+  more->setAccessibleName(tr("Import, another rig, set aside"));
   more->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more);
   menu->addActions(acts.more);
@@ -77,10 +77,8 @@ QWidget* CaptureFoot::buildTools(const Acts& acts) {
 }
 
 void CaptureFoot::follow() {
-  const CapturePhase phase = wizard_->phase();
-  const bool placing = phase == CapturePhase::Place || phase == CapturePhase::Opening;
-  place_->setEnabled(placing);
-  count_->setEnabled(wizard_->canCount());
+  place_->setEnabled(wizard_->canDescribe());
+  count_->setEnabled(wizard_->canDescribe());
   count_->setCount(wizard_->counted());
   button_->setText(wizard_->buttonText());
   button_->setEnabled(wizard_->canGoOn());

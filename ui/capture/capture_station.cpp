@@ -69,12 +69,11 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
   connect(wizard_, &CaptureWizard::said, this, &Station::said);
   connect(wizard_, &CaptureWizard::batchQueued, this,
           [this](const QString& number) { emit said(tr("%1 is in the queue.").arg(number)); });
+  connect(wizard_, &CaptureWizard::batchSetAside, this, &CaptureStation::batchSetAside);
   connect(rig_page_, &RigPage::chosen, this, &CaptureStation::chooseRig);
   connect(rig_page_, &RigPage::importPhotographs, import_photographs_, &QAction::trigger);
   connect(rig_page_, &RigPage::importScans, import_scans_, &QAction::trigger);
-  connect(importer_, &BatchImporter::imported, this, [this](const QString& number, int files) {
-    emit said(tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number));
-  });
+  connect(importer_, &BatchImporter::imported, this, &CaptureStation::showImported);
   connect(importer_, &BatchImporter::failed, this, &CaptureStation::showFailure);
   connect(renewal_, &RigRenewal::failed, this, &CaptureStation::showFailure);
   connect(renewal_, &RigRenewal::renewed, this, [this](const QString& batch, const QString& kept) {
@@ -133,6 +132,8 @@ void CaptureStation::buildActions() {
       addAct(QStringLiteral("importScans"), QStringLiteral("import"), tr("Import scans…"), {});
   change_rig_ =
       addAct(QStringLiteral("changeRig"), QStringLiteral("turntable"), tr("Another rig…"), {});
+  set_aside_ = addAct(QStringLiteral("setBatchAside"), QStringLiteral("aside"),
+                      tr("Set this batch aside"), {});
   for (int camera = 0; camera < kMostCameras; ++camera) {
     const QString letter = QString::fromStdString(batch::cameraLetter(camera));
     QAction* action =
@@ -150,13 +151,14 @@ void CaptureStation::buildActions() {
           [this] { chooseImport(ImportKind::Photographs); });
   connect(import_scans_, &QAction::triggered, this, [this] { chooseImport(ImportKind::Scans); });
   connect(change_rig_, &QAction::triggered, wizard_, &CaptureWizard::clearRig);
+  connect(set_aside_, &QAction::triggered, wizard_, &CaptureWizard::setAside);
 }
 
 void CaptureStation::goOn() {
   if (!rig_page_->isHidden()) return rig_page_->goOn();
   if (number_edit_->isVisible() && !number_edit_->keepTyped()) return;
   // A word that names no bag would leave all its sherds without a context.
-  if (wizard_->phase() == CapturePhase::Place && !place_->isUsable()) {
+  if (wizard_->canDescribe() && !place_->isUsable()) {
     place_->choose();
     emit said(tr("'%1' names no bag: write site-trench-context-bag, or empty the line to go on "
                  "without one.")
@@ -222,7 +224,9 @@ QWidget* CaptureStation::buildWorkPage() {
 
 QWidget* CaptureStation::buildFoot() {
   foot_ = new CaptureFoot(
-      wizard_, {next_, stop_, cameras_, {import_photographs_, import_scans_, change_rig_}}, this);
+      wizard_,
+      {next_, stop_, cameras_, {import_photographs_, import_scans_, change_rig_, set_aside_}},
+      this);
   place_ = foot_->place();
   connect(foot_, &CaptureFoot::entered, this, qOverload<>(&QWidget::setFocus));
   connect(place_, &PlaceEdit::edited, this, &CaptureStation::placeTyped);
@@ -326,6 +330,14 @@ void CaptureStation::showFailure(const Error& error) {
   emit said(sentenceOf(error));
 }
 
+void CaptureStation::showImported(const QString& number, int files, const QStringList& doubts) {
+  const QString words =
+      tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number);
+  if (!doubts.isEmpty())
+    failure_->showWords(words, doubts.join(QLatin1Char('\n')), tr("All right"));
+  emit said(words);
+}
+
 void CaptureStation::chooseImport(ImportKind kind) {
   auto* dialog =
       new QFileDialog(this, kind == ImportKind::Scans ? tr("Folder with front/ and back/ scans")
@@ -364,9 +376,10 @@ void CaptureStation::follow() {
   next_->setEnabled(no_rig || wizard_->canGoOn());
   stop_->setEnabled(wizard_->isShooting());
   change_rig_->setEnabled(!wizard_->isShooting());
+  set_aside_->setEnabled(wizard_->canSetAside());
   again_->setEnabled(!wizard_->isBusy() &&
                      (phase == CapturePhase::Flip || phase == CapturePhase::Done));
-  count_sherds_->setEnabled(wizard_->canCount());
+  count_sherds_->setEnabled(wizard_->canDescribe());
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
     cameras_[i]->setEnabled(static_cast<int>(i) < wizard_->cameras());
     cameras_[i]->setChecked(static_cast<int>(i) == wizard_->camera());

@@ -53,6 +53,7 @@ class CaptureStation final : public Station {
  signals:
   void lineChanged();  ///< where we are, or the rig
   void rigRenewed(const QString& batch);
+  void batchSetAside(const QString& number);
 
  private:
   void buildActions();
@@ -68,6 +69,7 @@ class CaptureStation final : public Station {
   void showTrouble();
   void placeTyped();
   void showFailure(const Error& error);
+  void showImported(const QString& number, int files, const QStringList& doubts);
   RigChoice rigChoice() const;
 
   CaptureWizard* wizard_;
@@ -90,7 +92,7 @@ class CaptureStation final : public Station {
   MessagePanel* twice_ = nullptr;
   MessagePanel* failure_;  ///< of an import or a calibration: nothing to do with the wizard
   QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
-      *change_rig_;
+      *change_rig_, *set_aside_;
   std::vector<QAction*> cameras_;
 };
 

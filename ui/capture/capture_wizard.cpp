@@ -38,6 +38,11 @@ void CaptureWizard::setSession(ProjectSession* session) {
   if (session_ != nullptr)
     connect(session_, &ProjectSession::batchChanged, this, [this](const QString& number) {
       if (phase_ == CapturePhase::Done && number == batch_.number()) emit changed();
+      if (phase_ != CapturePhase::Place || batch_.isThere() || isBusy()) return;
+      resumeBatch();  // one that was set aside is wanted again
+      if (!batch_.isThere()) return;
+      devices_.reset();
+      openRig();
     });
   live_.reset();
   forgetPlate();
@@ -66,11 +71,19 @@ void CaptureWizard::changeRig(RigSource source) {
   source_ = std::move(source);
   devices_.reset();
   if (source_.open) {
-    batch_.resume();
+    resumeBatch();
     return openRig();
   }
   batch_.forget();
   enter(CapturePhase::NoRig);
+}
+
+// What was typed last may be the bag of another batch.
+void CaptureWizard::resumeBatch() {
+  batch_.resume();
+  if (!batch_.isThere() || batch_.place() == place_) return;
+  setPlace(batch_.place());
+  emit placeRead();
 }
 
 bool CaptureWizard::takeWaitingRig() {
@@ -122,6 +135,7 @@ void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices
 
 void CaptureWizard::setLive(bool on) {
   live_on_ = on;
+  if (on) wanted_again_ = batch_.toPhotographAgain();
   if (on)
     lookLive();
   else
@@ -157,9 +171,10 @@ void CaptureWizard::setCounted(int sherds) {
   emit changed();
 }
 
-bool CaptureWizard::canCount() const {
+bool CaptureWizard::canDescribe() const {
   return phase_ == CapturePhase::Place || phase_ == CapturePhase::Opening ||
-         phase_ == CapturePhase::Flip || (phase_ == CapturePhase::Done && !queued_);
+         phase_ == CapturePhase::Flip || (phase_ == CapturePhase::Done && !queued_) ||
+         (fault_ && !isBusy() && phase_ != CapturePhase::NoRig);  // stopped in a side
 }
 
 void CaptureWizard::forgetPlate() {
@@ -171,6 +186,7 @@ void CaptureWizard::forgetPlate() {
   queued_ = false;
   stop_ = -1;
   stops_done_ = 0;
+  wanted_again_ = batch_.toPhotographAgain();
   emit shotsChanged();
 }
 
@@ -237,6 +253,20 @@ void CaptureWizard::again() {
     for (int stop = 0; stop < stops(); ++stop)
       for (int camera = 0; camera < cameras(); ++camera) retake.push_back({stop, camera});
   shoot(back ? batch::Side::Back : batch::Side::Front, std::move(retake));
+}
+
+bool CaptureWizard::canSetAside() const {
+  return batch_.isThere() && !isBusy() && canDescribe();
+}
+
+void CaptureWizard::setAside() {
+  if (!canSetAside()) return;
+  const QString number = batch_.number();
+  batch_.forget();
+  emit batchSetAside(number);
+  forgetPlate();
+  devices_.reset();
+  openRig();
 }
 
 void CaptureWizard::setState(catalogue::BatchState state) {
@@ -357,6 +387,7 @@ void CaptureWizard::doubtCount(const capture::SideCheck& check) {
 }
 
 void CaptureWizard::queueBatch() {
+  if (const Result<void> kept = batch_.begin(place_); !kept) return fail(kept.error(), {});
   const int seen = summary_[0] ? summary_[0]->check.sherds : 0;
   if (const Result<void> queued = batch_.queue(seen); !queued) return fail(queued.error(), {});
   queued_ = true;

@@ -49,8 +49,7 @@ class CaptureWizard final : public QObject {
 
   CapturePhase phase() const { return phase_; }
   bool isBusy() const { return work_ != nullptr || after_live_ != nullptr; }
-  /// A side is being photographed: its devices stay until it has ended.
-  bool isShooting() const;
+  bool isShooting() const;  ///< a side is being photographed: its devices stay until its end
   bool canGoOn() const;
   QString headline() const;     ///< readable from three metres
   QString instruction() const;  ///< one or two sentences
@@ -60,8 +59,7 @@ class CaptureWizard final : public QObject {
   const std::optional<Error>& fault() const { return fault_; }
   /// Programs of the desktop that hold a camera: then Space makes them let go and tries again.
   const QStringList& holders() const { return holders_; }
-  /// What a person has to do at the rig now ("Turn the table to 90 degrees."); Space says it is
-  /// done. Empty when nothing is asked.
+  /// What a person has to do at the rig now, empty when nothing; Space says it is done.
   const QString& question() const { return question_.sentence(); }
   /// What a person should look at before going on; Space goes on all the same, R takes again.
   const QStringList& doubts() const { return doubts_; }
@@ -76,18 +74,20 @@ class CaptureWizard final : public QObject {
   const std::vector<TakenShot>& shots() const { return shots_; }
   QString batchNumber() const { return batch_.number(); }
   const PlaceText& place() const { return place_; }
-  /// Sherds that the person has counted onto the plate; 0: not counted. Compared with what the
-  /// photographs show before the flip and before the plate is cleared.
+  /// Sherds that the person has counted onto the plate; 0: not counted. The photographs of each
+  /// side are compared with it.
   int counted() const { return batch_.counted(); }
-  bool canCount() const;  ///< until the batch is in the queue
+  bool canDescribe() const;  ///< its bag and its count: until the batch is in the queue
+  bool canSetAside() const;  ///< a batch has begun, is in no queue, and nothing is being shot
   QString rigWords() const { return source_.words; }
 
  public slots:
   void setPlace(const ostraka::ui::PlaceText& place);
   void setCounted(int sherds);
-  void next();   ///< Space
-  void stop();   ///< Esc: the table stands still at once
-  void again();  ///< R: the photographs with problems
+  void next();      ///< Space
+  void stop();      ///< Esc: the table stands still at once
+  void again();     ///< R: the photographs with problems
+  void setAside();  ///< nobody wants the batch in hand: another begins, its photographs stay
   void setCamera(int camera);
 
  signals:
@@ -95,7 +95,8 @@ class CaptureWizard final : public QObject {
   void liveChanged();  ///< the live or the front picture
   void shotsChanged();
   void batchQueued(const QString& number);
-  void placeRead();  ///< place() was read from a bag's label under the camera
+  void batchSetAside(const QString& number);
+  void placeRead();  ///< place() was read from a bag's label under the camera, or of a batch
   void said(const QString& sentence);
 
  private:
@@ -113,6 +114,7 @@ class CaptureWizard final : public QObject {
   QString countDoubt(const capture::SideCheck& check) const;
   void doubtCount(const capture::SideCheck& check);
   void goOnWithin(batch::Side side);
+  void resumeBatch();
   void setState(catalogue::BatchState state);
   void queueBatch();
   void lookLive();
@@ -135,7 +137,7 @@ class CaptureWizard final : public QObject {
   bool live_on_ = false, live_missing_ = false, queued_ = false;
   std::function<void()> after_live_;  ///< waits until the camera is free
   std::optional<Error> fault_;
-  QStringList doubts_, holders_;
+  QStringList doubts_, holders_, wanted_again_;
   std::optional<PlatePicture> live_, front_picture_;
   std::optional<capture::SideSummary> summary_[2];
   std::vector<TakenShot> shots_;

@@ -4,6 +4,11 @@
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr int kMostNamed = 4;
+
+}  // namespace
 
 QString CaptureWizard::headline() const {
   if (!question().isEmpty()) return question();
@@ -75,6 +80,13 @@ QString CaptureWizard::buttonText() const {
 
 std::vector<CaptureFact> CaptureWizard::facts() const {
   std::vector<CaptureFact> facts;
+  if (phase_ == CapturePhase::Place && !wanted_again_.isEmpty()) {
+    QStringList shown = wanted_again_.mid(0, kMostNamed);
+    if (shown.size() < wanted_again_.size()) shown << QStringLiteral("…");
+    facts.push_back({true, tr("To be photographed again: %1. Lay them down with others, and type "
+                              "their numbers (N) when the fronts are shot.")
+                               .arg(shown.join(QStringLiteral(", ")))});
+  }
   if (phase_ == CapturePhase::Flip && summary_[0]) {
     const int front = summary_[0]->check.sherds;
     const int now = live_ ? static_cast<int>(live_->look.sherds.size()) : -1;

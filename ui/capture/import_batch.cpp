@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "batch/batch.h"
 #include "batch/exif.h"
+#include "pipeline/no_plate.h"
 
 namespace ostraka::ui {
 namespace {
@@ -45,6 +46,8 @@ Result<std::vector<fs::path>> scansIn(const fs::path& folder) {
 Result<std::vector<fs::path>> photographsIn(const fs::path& folder, Progress& progress) {
   const Result<batch::Batch> batch = batch::readBatch(folder, {}, progress);
   if (!batch) return batch.error();
+  // Better now than at the end of an hour in the queue.
+  if (const auto masks = pipeline::maskSource("auto", *batch); !masks) return masks.error();
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;

@@ -61,6 +61,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(queue_, &BatchQueue::left, this, [this] { leaving_lock_.reset(); });
   connect(capture_station_, &CaptureStation::lineChanged, this, &MainWindow::followLines);
   connect(capture_station_, &CaptureStation::rigRenewed, queue_, &BatchQueue::forgetMoved);
+  connect(capture_station_, &CaptureStation::batchSetAside, queue_, &BatchQueue::setAside);
   connect(room_timer_, &QTimer::timeout, this, &MainWindow::measureRoom);
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);

@@ -25,6 +25,7 @@ std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& rows, const 
   figures.sure = kept[QStringLiteral("sure")].toInt();
   figures.decided = kept[QStringLiteral("decided")].toInt();
   figures.ask = kept[QStringLiteral("ask")].toInt();
+  figures.reshoot = kept[QStringLiteral("reshoot")].toInt();
   figures.uncertainty_mm = kept[QStringLiteral("uncertainty_mm")].toDouble();
   figures.seconds = kept[QStringLiteral("seconds")].toDouble();
   figures.draft = kept[QStringLiteral("draft")].toBool();
@@ -46,6 +47,7 @@ Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
   kept[QStringLiteral("sure")] = figures.sure;
   kept[QStringLiteral("decided")] = figures.decided;
   kept[QStringLiteral("ask")] = figures.ask;
+  kept[QStringLiteral("reshoot")] = figures.reshoot;
   kept[QStringLiteral("uncertainty_mm")] = figures.uncertainty_mm;
   kept[QStringLiteral("seconds")] = figures.seconds;
   kept[QStringLiteral("draft")] = figures.draft;

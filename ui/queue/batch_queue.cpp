@@ -23,6 +23,8 @@ constexpr int kKeptLogLines = 2000;
 constexpr const char* kPausedKey = "queue.paused";
 constexpr const char* kDraftsKey = "queue.drafts";
 
+constexpr QLatin1String kCancelled("cancelled"), kAside("aside"), kWas("was");
+
 std::string failureKey(const QString& number) {
   return "queue.failure." + number.toStdString();
 }
@@ -70,7 +72,10 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
   if (row.state == QueueState::Failed) {
     const QJsonObject failure = jsonSetting(project.catalogue(), failureKey(row.number));
     row.failure = failure[QStringLiteral("sentence")].toString();
-    row.cancelled = failure[QStringLiteral("cancelled")].toBool();
+    row.cancelled = failure[kCancelled].toBool();
+    row.aside = failure[kAside].toBool();
+    if (row.failure.isEmpty())
+      row.failure = BatchQueue::tr("It did not come to its end; compute it again.");
   }
   row.figures = keptFigures(project.catalogue(), row.number);
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
@@ -142,6 +147,7 @@ QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow
   if (before != nullptr && before->state == row.state) {
     row.failure = before->failure;
     row.cancelled = before->cancelled;
+    row.aside = before->aside;
     row.picture = before->picture;
     // A person's decisions change them while the state stays.
     row.figures = keptFigures(project.catalogue(), row.number);
@@ -311,7 +317,7 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     const bool cancelled = figures.error().code == ErrorCode::Cancelled;
     const QString sentence = cancelled ? tr("You stopped it. What was computed so far is kept.")
                                        : sentenceOf(figures.error());
-    keepFailure(number, sentence, cancelled);
+    keepFailure(number, sentence, {{kCancelled, cancelled}});
     log(sentence);
     if (!cancelled) emit batchFailed(number, sentence);
   }
@@ -321,11 +327,9 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   if (figures) session_->tellSherdsChanged();
 }
 
-void BatchQueue::keepFailure(const QString& number, const QString& sentence, bool cancelled) {
+void BatchQueue::keepFailure(const QString& number, const QString& sentence, QJsonObject failure) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  QJsonObject failure;
   failure[QStringLiteral("sentence")] = sentence;
-  failure[QStringLiteral("cancelled")] = cancelled;
   (void)rows.setSetting(failureKey(number), jsonText(failure).toStdString());
   if (const QueueRow* row = find(number))
     (void)rows.setBatchState({row->batch_row}, BatchState::Failed, session_->act(sentence));
@@ -363,7 +367,20 @@ void BatchQueue::cancel(const QString& number) {
   }
   const QueueRow* row = find(number);
   if (row == nullptr || row->state != QueueState::Waiting) return;
-  keepFailure(number, tr("You took it out of the queue."), true);
+  keepFailure(number, tr("You took it out of the queue."), {{kCancelled, true}});
+  session_->tellBatchChanged(number);
+}
+
+void BatchQueue::setAside(const QString& number) {
+  QueueRow* row = find(number);
+  if (session_ == nullptr || row == nullptr || row->aside) return;
+  if (row->state != QueueState::Failed && row->state != QueueState::Shooting) return;
+  QJsonObject how{{kCancelled, true}, {kAside, true}};
+  const auto batch = session_->project().catalogue().batch({row->batch_row});
+  if (!batch) return;
+  if (row->state == QueueState::Shooting) how[kWas] = static_cast<int>(batch->state);
+  keepFailure(number, tr("You set it aside. Its photographs are kept; R takes it up again."), how);
+  row->state = QueueState::Waiting;  // so that its details are read anew
   session_->tellBatchChanged(number);
 }
 
@@ -373,8 +390,12 @@ void BatchQueue::retry(const QString& number) {
       row->state == QueueState::Shooting)
     return;
   catalogue::Catalogue& rows = session_->project().catalogue();
+  const QJsonValue was = jsonSetting(rows, failureKey(number))[kWas];
+  const BatchState next = was.isDouble() ? std::clamp(static_cast<BatchState>(was.toInt()),
+                                                      BatchState::Placed, BatchState::Back)
+                                         : BatchState::Queued;
   (void)rows.setSetting(failureKey(number), "");
-  (void)rows.setBatchState({row->batch_row}, BatchState::Queued, session_->act(tr("again")));
+  (void)rows.setBatchState({row->batch_row}, next, session_->act(tr("again")));
   session_->tellBatchChanged(number);
 }
 

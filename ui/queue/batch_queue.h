@@ -1,6 +1,7 @@
 #pragma once
 #include <QAbstractListModel>
 #include <QDateTime>
+#include <QJsonObject>
 #include <QPointer>
 #include <QStringList>
 #include <optional>
@@ -35,6 +36,7 @@ struct QueueRow {
   JobProgress progress;
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
+  bool aside = false;  ///< Failed, and nobody wants it
   QString
       scale_doubts;  ///< known lengths contradict the plate, a sentence a line: no measure is sure
   std::optional<BatchFigures> figures;
@@ -92,6 +94,9 @@ class BatchQueue final : public QAbstractListModel {
   void togglePaused() { setPaused(!paused_); }
   void setMakesDrafts(bool drafts);
   void cancel(const QString& number);
+  /// Nobody wants this batch, failed or not photographed to its end: it asks for nobody any more,
+  /// and what there is of it stays. retry() brings it back, also to be photographed on.
+  void setAside(const QString& number);
   void retry(const QString& number);
   /// The rig was calibrated again by this batch: its cameras stand where the rig has them.
   void forgetMoved(const QString& number);
@@ -112,7 +117,7 @@ class BatchQueue final : public QAbstractListModel {
   void makeWayForADraft();
   QueueRow* nextToCompute();
   void finish(QString number, const JobOutcome& outcome);
-  void keepFailure(const QString& number, const QString& sentence, bool cancelled);
+  void keepFailure(const QString& number, const QString& sentence, QJsonObject how);
   void touch(const QString& number);
   QueueRow* find(const QString& number);
   void log(const QString& line);

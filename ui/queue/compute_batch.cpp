@@ -3,12 +3,14 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <functional>
 #include <system_error>
 
 #include "catalogue/enter_results.h"
 #include "catalogue/project.h"
 #include "pipeline/more_candidates.h"
 #include "pipeline/process_batch.h"
+#include "pipeline/review.h"
 #include "pipeline/scan_folder.h"
 
 namespace ostraka::ui {
@@ -20,6 +22,9 @@ using catalogue::BatchState;
 // Before a batch of this project was computed: 54 photographs of 8 MB and as much again for masks,
 // depth and models.
 constexpr double kUsualBatch_bytes = 1.0e9;
+// A first small batch does not make many of few.
+constexpr std::size_t kEnoughBatches = 3, kNewestBatches = 10;
+constexpr double kLeastBatch_bytes = 10.0e6;
 // Of large photographs as much again, of small ones up to five times as much.
 constexpr double kResultsPerPhotographs = 2;
 // Below this the next stage would fail half-way on any camera; the queue waits for space instead.
@@ -57,6 +62,7 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
     if (const auto moved = pipeline::movedCameras(output)) figures.moved = *moved;
   figures.draft = done->draft;
   figures.sherds = static_cast<int>(done->sherds.size());
+  if (const auto review = pipeline::loadReview(output)) figures.reshoot = review->toReshoot();
   figures.ask = done->ambiguous();
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.decided += sherd.decided_by.empty() ? 0 : 1;
@@ -157,21 +163,23 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
 }
 
 double bytesPerBatch(const fs::path& project) {
-  double bytes = 0;
-  int batches = 0;
+  std::vector<fs::path> batches;
   std::error_code error;
   for (fs::directory_iterator at(project / "batches", error), end; !error && at != end;
-       at.increment(error)) {
-    const fs::path results = project / "results" / at->path().filename();
-    if (!fs::exists(at->path() / "back")) continue;  // not whole
-    const double photographs = sizeOf(at->path());
-    bytes +=
-        photographs + (fs::exists(results / "report.json") ? sizeOf(results)
-                                                           : kResultsPerPhotographs * photographs);
-    if (++batches == 10) break;
+       at.increment(error))
+    if (fs::exists(at->path() / "back")) batches.push_back(at->path());  // whole
+  std::sort(batches.begin(), batches.end(), std::greater<>());
+  batches.resize(std::min(batches.size(), kNewestBatches));
+  // The largest, so that the room does not grow while batches are made.
+  double largest = 0;
+  for (const fs::path& batch : batches) {
+    const fs::path results = project / "results" / batch.filename();
+    const double photographs = sizeOf(batch);
+    largest = std::max(largest, photographs + (fs::exists(results / "report.json")
+                                                   ? sizeOf(results)
+                                                   : kResultsPerPhotographs * photographs));
   }
-  // As if one of the usual size had been there: a first small one does not make many of few.
-  return (bytes + kUsualBatch_bytes) / (batches + 1);
+  return std::max(largest, batches.size() < kEnoughBatches ? kUsualBatch_bytes : kLeastBatch_bytes);
 }
 
 int roomForBatches(const fs::path& project) {

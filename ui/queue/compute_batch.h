@@ -25,6 +25,7 @@ struct BatchFigures {
   double uncertainty_mm = 0;  ///< the largest of its sherds; 0: none has one
   double seconds = 0;         ///< of this run
   int decided = 0;            ///< by a person; besides sure and ask
+  int reshoot = 0;            ///< to be photographed again, says a person
   bool draft = false;
   int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
   /// Cameras that no longer stand where the known rig has them: it is to be calibrated again.

@@ -142,6 +142,8 @@ void QueueStation::buildLayout() {
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setMinimumHeight(targetSize(*this));
     bar->addWidget(button);
+    connect(action, &QAction::changed, button,
+            [action, button] { button->setAccessibleName(action->text()); });
     connect(action, &QAction::visibleChanged, button,
             [action, button] { button->setVisible(action->isVisible()); });
   }
@@ -234,8 +236,7 @@ void QueueStation::follow() {
   followPause();
   const int at = queue_->rowOf(selected());
   const QueueState state = at < 0 ? QueueState::Shooting : queue_->row(at).state;
-  cancel_->setEnabled(state == QueueState::Busy || state == QueueState::Paused ||
-                      state == QueueState::Waiting);
+  followCancel(state, at >= 0 && queue_->row(at).aside);
   again_->setEnabled(state == QueueState::Failed || state == QueueState::Done ||
                      state == QueueState::Review);
   report_->setEnabled(state == QueueState::Done || state == QueueState::Review ||
@@ -258,6 +259,18 @@ void QueueStation::follow() {
   if (waiting() == waiting_said_) return;
   waiting_said_ = waiting();
   emit waitingChanged();
+}
+
+// One key for what is not wanted any more: what runs is stopped, what has failed is set aside.
+void QueueStation::followCancel(QueueState state, bool aside) {
+  const bool failed = state == QueueState::Failed;
+  const QString words = failed ? tr("Set this batch aside") : tr("Stop this batch");
+  if (cancel_->text() != words) {
+    cancel_->setText(words);
+    cancel_->setIcon(icon(failed ? QStringLiteral("aside") : QStringLiteral("cancel")));
+  }
+  cancel_->setEnabled(state == QueueState::Busy || state == QueueState::Paused ||
+                      state == QueueState::Waiting || (failed && !aside));
 }
 
 void QueueStation::followPause() {
@@ -302,6 +315,9 @@ void QueueStation::openReport() {
 }
 
 void QueueStation::askOrCancel() {
+  if (const int at = queue_->rowOf(selected());
+      at >= 0 && queue_->row(at).state == QueueState::Failed)
+    return queue_->setAside(selected());
   if (queue_->secondsOf(selected()) < kAskBeforeLosing_s) {
     queue_->cancel(selected());
     return;

@@ -12,6 +12,7 @@ namespace ostraka::ui {
 
 class BatchDelegate;
 class BatchQueue;
+enum class QueueState;
 class MaskPage;
 class PageArea;
 class MessagePanel;
@@ -47,6 +48,7 @@ class QueueStation final : public Station {
   void followPause();
   void openReport();
   void askOrCancel();
+  void followCancel(QueueState state, bool aside);
   void showMasks();
   void leaveMasks();
 

@@ -34,6 +34,7 @@ QString stateWords(const QueueRow& row) {
     return BatchQueue::tr("the scale is not right: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)
     return BatchQueue::tr("decided; to be computed");
+  if (row.aside) return BatchQueue::tr("set aside");
   return queueStateWords(row.state);
 }
 
@@ -53,9 +54,13 @@ QString figuresWords(const BatchFigures& figures) {
       figures.counted == 0
           ? shown
           : BatchQueue::tr("%1; but %n counted on the plate", nullptr, figures.counted).arg(shown);
-  if (figures.uncertainty_mm <= 0) return counted;
+  const QString again = figures.reshoot == 0 ? counted
+                                             : BatchQueue::tr("%1; %n to be photographed again",
+                                                              nullptr, figures.reshoot)
+                                                   .arg(counted);
+  if (figures.uncertainty_mm <= 0) return again;
   return BatchQueue::tr("%1; joined to %2 mm")
-      .arg(counted, QLocale().toString(figures.uncertainty_mm, 'f', 2));
+      .arg(again, QLocale().toString(figures.uncertainty_mm, 'f', 2));
 }
 
 QString movedWords(const BatchFigures& figures) {

@@ -172,7 +172,8 @@ QString PairReviewModel::reason() const {
     const double score = chosen() < 0 ? 0 : candidates_[static_cast<std::size_t>(chosen())].score;
     return triedSentence(trial_, score, isMeasured() ? &fit_ : nullptr, *card(), live_->table());
   }
-  const bool poor = card()->state == CardState::Decided && isMeasured() && hardlyMeet(fit_);
+  const bool stated = card()->state == CardState::Decided || card()->state == CardState::Sure;
+  const bool poor = stated && isMeasured() && fit_.hardlyMeets();
   return poor ? words + QLatin1Char(' ') + hardlyMeetSentence(fit_) : words;
 }
 
@@ -362,7 +363,7 @@ void PairReviewModel::accept() {
   const pipeline::LiveFit fit = isMeasured() ? fit_ : pipeline::LiveFit{.rim_overlap = 1};
   const std::size_t before = decisions_.size();
   decide(decision, tr("pair %1 – %2").arg(front, back));
-  if (decisions_.size() > before && hardlyMeet(fit))
+  if (decisions_.size() > before && fit.hardlyMeets())
     emit failed(tr("Saved, with your name; but the rims of %1 and %2 hardly meet: %3 of them.")
                     .arg(front, back, percent(fit.rim_overlap)));
 }

@@ -35,6 +35,7 @@ ReviewFigures figuresOf(const pipeline::Review& review) {
     figures.decided += card.state == CardState::Decided ? 1 : 0;
   }
   figures.ask = review.waiting();
+  figures.reshoot = review.toReshoot();
   return figures;
 }
 

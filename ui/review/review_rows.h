@@ -35,7 +35,7 @@ void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& ta
 
 /// How a batch stands in the review.
 struct ReviewFigures {
-  int sherds = 0, sure = 0, decided = 0, ask = 0;
+  int sherds = 0, sure = 0, decided = 0, ask = 0, reshoot = 0;
 };
 ReviewFigures figuresOf(const pipeline::Review& review);
 

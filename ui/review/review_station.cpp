@@ -261,6 +261,7 @@ void ReviewStation::settle(const QString& batch, const std::string& person,
   figures.sure = standing.figures.sure;
   figures.decided = standing.figures.decided;
   figures.ask = standing.figures.ask;
+  figures.reshoot = standing.figures.reshoot;
   const Result<void> kept = keepFigures(rows, batch, figures);
   const Result<void> done = catalogue::settleBatch(
       rows, batch.toStdString(), person, standing.figures.ask == 0 && !standing.wants_computing);

@@ -14,7 +14,7 @@ using pipeline::CardState;
 using pipeline::ReviewCard;
 using registration::Slip;
 
-constexpr double kHardlyMeet = 0.05;  // sides that were seen well meet along 0.15 and more
+constexpr double kToldApart = 0.05;  // chances that differ by more are not the same to a person
 
 QString rivalSentence(const ReviewCard& card, const CandidateTable& table) {
   const double apart = std::abs(card.rim_rms_mm - card.rival_rim_rms_mm);
@@ -60,6 +60,16 @@ QString aloneSentence(const CandidateTable& table, const CardStory& story) {
     return tr("Its back %1 was given to %2. Choose another one, or set it aside.").arg(lost, to);
   return tr("Its back %1 was given to %2; next best %3, %4.")
       .arg(lost, to, idOf(table.backs, story.next->back), scoreWords(story.next->score));
+}
+
+// What was decided for others may leave a front one back only; its candidates' chances are those
+// before any decision.
+QString sureSentence(const ReviewCard& card) {
+  for (const pipeline::ReviewCandidate& own : card.candidates)
+    if (own.back == card.back && own.score < card.score - kToldApart)
+      return tr("Sure by what was decided for others: %1; by itself %2.")
+          .arg(percent(card.score), scoreWords(own.score));
+  return tr("The program is sure: %1.").arg(percent(card.score));
 }
 
 }  // namespace
@@ -132,10 +142,6 @@ State stateColour(CardState state) {
   }
 }
 
-bool hardlyMeet(const pipeline::LiveFit& fit) {
-  return !(fit.rim_overlap >= kHardlyMeet);
-}
-
 QString hardlyMeetSentence(const pipeline::LiveFit& fit) {
   return tr("The rims hardly meet: %1 of them.").arg(percent(fit.rim_overlap));
 }
@@ -190,7 +196,7 @@ QString doubtSentence(const ReviewCard& card, const CandidateTable& table, const
     case CardState::Alone:
       return aloneSentence(table, story);
     case CardState::Sure:
-      return tr("The program is sure: %1.").arg(percent(card.score));
+      return sureSentence(card);
     case CardState::Decided:
       return (story.by_hand ? tr("Decided by %1 on %2, turned by hand.")
                             : tr("Decided by %1 on %2."))

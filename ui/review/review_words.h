@@ -25,8 +25,6 @@ QString doubtSentence(const pipeline::ReviewCard& card, const pipeline::Candidat
 QString triedSentence(const Trial& trial, double score, const pipeline::LiveFit* fit,
                       const pipeline::ReviewCard& card, const pipeline::CandidateTable& table);
 QString madeWord(Made made);  ///< two or three words
-/// So little of the rims lies together that nothing is shown by it.
-bool hardlyMeet(const pipeline::LiveFit& fit);
 QString hardlyMeetSentence(const pipeline::LiveFit& fit);
 /// One or two words for the state; goes along with the colour.
 QString stateWord(pipeline::CardState state);

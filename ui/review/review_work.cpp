@@ -11,22 +11,6 @@ namespace {
 constexpr std::size_t kShownPoints = 15000;  // of a face; rims come on top
 constexpr double kThumbnailPixel_mm = 0.5, kLonePixel_mm = 0.15;
 
-pipeline::ReviewCandidate shown(const pipeline::RegisteredCandidate& c) {
-  pipeline::ReviewCandidate out;
-  out.back = c.evidence.back;
-  out.rim_rms_mm = c.registration.rim_rms_mm;
-  out.rim_overlap = c.registration.rim_overlap;
-  out.uncertainty_mm = c.registration.uncertainty_mm;
-  out.contour_rms_mm = c.start().contour_rms_mm;
-  out.front_from_back = c.registration.front_from_back;
-  out.shift = c.start().shift;
-  for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
-  std::sort(out.shifts.begin(), out.shifts.end());
-  out.slipped = c.registration.slipped;
-  out.slip = c.registration.slip;
-  return out;
-}
-
 }  // namespace
 
 QImage imageOf(const pipeline::Picture& picture) {
@@ -96,6 +80,12 @@ Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, bat
 }
 
 Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number) {
+  // Until its batch is computed to the end, another one's model may lie there.
+  std::error_code failed;
+  if (!std::filesystem::exists(live->output() / "report.json", failed))
+    return Error{ErrorCode::Missing,
+                 "The batch is being computed again; its models can be looked at when it is done.",
+                 live->output().string()};
   Result<PlyContents> file = readPly(live->output() / "sherds" / number / "model.ply");
   if (!file) return file.error();
   return MeshPtr(std::make_shared<TriangleMesh>(std::move(file->mesh)));
@@ -123,14 +113,14 @@ Result<std::optional<pipeline::ReviewCandidate>> anotherCandidate(const LivePair
   const auto found = pipeline::nextCandidate(*live, front, known, progress, stop);
   if (!found) return found.error();
   if (!*found) return std::optional<pipeline::ReviewCandidate>();
-  return std::optional(shown(**found));
+  return std::optional(pipeline::candidateOf(**found));
 }
 
 Result<pipeline::ReviewCandidate> oneCandidate(const LivePairsPtr& live, int front, int back,
                                                std::stop_token stop) {
   const Result<pipeline::RegisteredCandidate> candidate = live->compared(front, back, stop);
   if (!candidate) return candidate.error();
-  return shown(*candidate);
+  return pipeline::candidateOf(*candidate);
 }
 
 }  // namespace ostraka::ui

@@ -92,6 +92,11 @@ void NumberingEdit::setSession(ProjectSession* session) {
   setVisible(session != nullptr);
 }
 
+void NumberingEdit::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  model_->lookAgain();
+}
+
 void NumberingEdit::showModel() {
   const NumberingModel::Numbering& numbering = model_->numbering();
   if (scheme_->text().trimmed() != numbering.scheme) scheme_->setText(numbering.scheme);

@@ -20,6 +20,9 @@ class NumberingEdit final : public QWidget {
   /// Hidden without a project.
   void setSession(ProjectSession* session);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void buildLayout();
   void showModel();

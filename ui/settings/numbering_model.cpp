@@ -224,6 +224,12 @@ QString NumberingModel::apply() {
   return {};
 }
 
+void NumberingModel::lookAgain() {
+  if (session_ == nullptr) return;
+  follow();
+  if (looking_ == nullptr) lookForGaps();
+}
+
 void NumberingModel::lookForGaps() {
   looking_ = session_->jobs().start(
       makeJob(tr("Numbers left out"),

@@ -46,6 +46,7 @@ class NumberingModel final : public QObject {
   QString apply();
 
  public slots:
+  void lookAgain();  ///< numbers were given since
   void setScheme(const QString& scheme);
   void setBlock(int first, int last);
 

@@ -71,7 +71,8 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error", "%1 is not the photograph that was entered; check it."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "This model is not the one that was entered; enter the batch's results again."),
+          "This model or picture of the sherd %1 is not the one that was entered; compute its "
+          "batch %2 again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "%1 goes along whole: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Not drawn: %1"),
       QT_TRANSLATE_NOOP("ostraka::Error", "No pictures with masks and poses of %1: %2"),

@@ -177,6 +177,10 @@ Sentences sentencesOfRig() {
                         "Without plate.json poses come from COLMAP, which is not installed; "
                         "install the package 'colmap' or photograph on a marker plate."),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "COLMAP does not find how these photographs belong together; its words are "
+                        "in this file. Look whether all show the same sherds with much overlap, or "
+                        "photograph on a marker plate."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "COLMAP found poses for %1 of %2 photographs, too few; give masks or "
                         "photograph on a marker plate."),
       QT_TRANSLATE_NOOP(

@@ -60,6 +60,15 @@ TEST(Preflight, TooLittleMemoryIsSaidBeforeTheStartAndADraftTakesLess) {
   EXPECT_TRUE(preflight(batchOf(2592, 1944), draft, 1200)->warnings.empty());
 }
 
+TEST(Preflight, WhatCannotBeMaskedIsToldBeforeItsCamerasAreSought) {
+  batch::Batch bare = batchOf(800, 600);
+  bare.plate.reset();
+  const auto ahead = preflight(bare, {}, 0);
+  ASSERT_FALSE(ahead.has_value());
+  EXPECT_EQ(ahead.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(ahead.error().what, HasSubstr("plate.json"));
+}
+
 TEST(Preflight, AProgramThatALaterStageWouldMissIsNamedAtOnce) {
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   ProcessOptions options;
@@ -70,6 +79,7 @@ TEST(Preflight, AProgramThatALaterStageWouldMissIsNamedAtOnce) {
   EXPECT_THAT(openmvs.error().what, HasSubstr("InterfaceCOLMAP"));
   batch::Batch without_plate = batchOf(800, 600);
   without_plate.plate.reset();
+  without_plate.shots.front().mask_file = "a.png";
   const auto colmap = preflight(without_plate, {}, 0);
   ASSERT_FALSE(colmap.has_value());
   EXPECT_THAT(colmap.error().what, HasSubstr("colmap"));

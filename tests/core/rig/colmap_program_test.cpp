@@ -137,8 +137,9 @@ TEST_F(ColmapProgram, TrustsTheOutputAndNotTheExitStatus) {
 TEST_F(ColmapProgram, NamesTheLogOfAFailure) {
   const auto poses = pose(standIn("exit 3"), 4);
   ASSERT_FALSE(poses.has_value());
-  EXPECT_EQ(poses.error().code, ErrorCode::Failed);
+  EXPECT_EQ(poses.error().code, ErrorCode::NotEnough);
   EXPECT_THAT(poses.error().sentence(), HasSubstr("log.txt"));
+  EXPECT_THAT(poses.error().what, HasSubstr("belong together"));
 }
 
 TEST_F(ColmapProgram, SaysWhatCannotBeStarted) {

@@ -5,6 +5,8 @@
 #include "base/files.h"
 #include "bench.h"
 #include "catalogue/database.h"
+#include "catalogue/label_codes.h"
+#include "ui/queue/batch_queue.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -34,6 +36,66 @@ class CaptureResumeTest : public QObject {
     again.wizard.next();
     QTRY_COMPARE(again.batch().state, BatchState::Queued);
     QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
+  }
+
+  void aWrongBagIsMendedAfterTheFronts() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QVERIFY(bench.wizard.canDescribe());
+    bench.wizard.setPlace({"ARM1", "T3", "0012", "5"});
+    bench.wizard.next();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    QVERIFY(!bench.wizard.canDescribe());
+    const catalogue::Catalogue& rows = bench.session.project().catalogue();
+    QCOMPARE(bench.batch().bags.size(), std::size_t{1});
+    const auto place = catalogue::placeOf(rows, bench.batch().bags.front());
+    QVERIFY(place && *place);
+    QCOMPARE(QString::fromStdString((*place)->bag), QStringLiteral("5"));
+  }
+
+  void aBatchGoesOnUnderItsOwnBag() {
+    InlineJobRunner jobs;
+    {
+      Bench bench(folder(), jobs);
+      bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    }
+    Bench again(folder(), jobs);
+    again.wizard.setPlace({"ARM1", "T3", "0099", "1"});  // as the window kept it
+    QSignalSpy read(&again.wizard, &CaptureWizard::placeRead);
+    again.wizard.setRig(sourceOf(again.rig));
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(again.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(read.count(), 1);
+  }
+
+  void aBatchThatNobodyWantsGivesWayAndCanComeBack() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QVERIFY(!bench.wizard.canSetAside());
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QVERIFY(bench.wizard.canSetAside());
+    BatchQueue queue;
+    queue.setSession(&bench.session);
+    connect(&bench.wizard, &CaptureWizard::batchSetAside, &queue, &BatchQueue::setAside);
+    bench.wizard.setAside();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.wizard.batchNumber(), QString());
+    QCOMPARE(bench.batch().state, BatchState::Failed);
+    queue.retry(QStringLiteral("B0001"));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.wizard.batchNumber(), QStringLiteral("B0001"));
   }
 
   void oneThatWasClosedInMidShootTellsWhatIsSafeAndGoesOnAtItsStop() {

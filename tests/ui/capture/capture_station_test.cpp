@@ -401,7 +401,11 @@ class CaptureStationTest : public QObject {
     other.batch = *before;
     other.context = rows.contexts()->front().row;
     other.number = "OLD-8";
-    QVERIFY(rows.addSherd(other, {}).has_value());
+    const auto made = rows.addSherd(other, {});
+    QVERIFY(made.has_value());
+    QCOMPARE(numbers.give(0, "old-8"), QString());  // it waits for photographs
+    QCOMPARE(numbers.give(0, {}), QString());
+    QVERIFY(rows.setModel(*made, "models/B0002/1/model.ply", "").has_value());
     QCOMPARE(numbers.give(0, "old-8"),
              QStringLiteral("A sherd of B0002 has the number old-8 already; type another."));
     // What no sherd has is refused, with the reason.

@@ -8,6 +8,7 @@
 #include "catalogue/project.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/frame/project_session.h"
+#include "virtualrig/batch_files.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -146,6 +147,9 @@ class ImportTest : public QObject {
             writeFileAtomically(path("week") / side / ("cam0_pos0" + std::to_string(stop) + ".jpg"),
                                 photographOf(stop == 0 ? "00" : "12"))
                 .has_value());
+    QVERIFY(virtualrig::writePlateAndBoard(path("week")).has_value());
+    QVERIFY(
+        writeFileAtomically(path("week") / "back" / "cam0_pos04.jpg", "no picture").has_value());
     BatchImporter importer;
     importer.setSession(session_.get());
     std::string sentence;
@@ -158,6 +162,26 @@ class ImportTest : public QObject {
     const QDate day(2026, 7, 14);  // its clock is this computer's: it says no other
     QCOMPARE(batch.started_ms, QDateTime(day, QTime(9, 30, 0)).toMSecsSinceEpoch());
     QCOMPARE(batch.ended_ms, QDateTime(day, QTime(9, 30, 12)).toMSecsSinceEpoch());
+    const QStringList doubts = imported[0][2].toStringList();
+    QCOMPARE(doubts.size(), 1);  // and what is no picture is told at once
+    QVERIFY(doubts[0].contains("cam0_pos04.jpg"));
+  }
+
+  void whatCouldNotBeComputedIsNotImported() {
+    for (const char* side : {"front", "back"})
+      for (int stop = 0; stop < 4; ++stop)
+        QVERIFY(
+            writeFileAtomically(path("bare") / side / ("cam0_pos0" + std::to_string(stop) + ".jpg"),
+                                photographOf("00"))
+                .has_value());
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    std::string sentence;
+    connect(&importer, &BatchImporter::failed, this,
+            [&](const Error& error) { sentence = error.sentence(); });
+    importer.start(QString::fromStdString(path("bare").string()), ImportKind::Photographs, {});
+    QTRY_VERIFY2(sentence.find("plate.json") != std::string::npos, sentence.c_str());
+    QVERIFY(session_->project().catalogue().batches()->empty());
   }
 
   void photographsThatAreNoBatchAreRefused() {

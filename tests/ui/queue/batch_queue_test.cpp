@@ -68,6 +68,51 @@ class BatchQueueTest : public QObject {
  private slots:
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
+  void whatNobodyWantsIsSetAsideAndComesBackByComputingIt() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.queue.setWork(
+        [](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
+          return Error{ErrorCode::NotEnough, "No plate is seen.", {}};
+        });
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    bench.queue.setSession(&bench.session);
+    QTRY_COMPARE(bench.queue.failed(), 1);
+    bench.queue.setAside(number);
+    QCOMPARE(bench.queue.failed(), 0);
+    QCOMPARE(stateWords(bench.queue.row(0)), QStringLiteral("set aside"));
+    QVERIFY(bench.queue.row(0).failure.contains("photographs are kept"));
+    BatchQueue after_a_start;
+    after_a_start.setSession(&bench.session);
+    QVERIFY(after_a_start.row(0).aside);
+    QCOMPARE(after_a_start.failed(), 0);
+    bench.queue.retry(number);
+    QTRY_COMPARE(bench.queue.failed(), 1);
+    QVERIFY(!bench.queue.row(0).aside);
+  }
+
+  void whatWasSetAsideAtThePlateIsPhotographedOn() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString number = addBatch(bench.session, BatchState::Front);
+    bench.queue.setSession(&bench.session);
+    bench.queue.setAside(number);
+    QCOMPARE(stateOf(bench.session, number), BatchState::Failed);
+    QCOMPARE(bench.queue.failed(), 0);
+    bench.queue.retry(number);
+    QCOMPARE(stateOf(bench.session, number), BatchState::Front);
+    QVERIFY(bench.computed.isEmpty());
+  }
+
+  void whatIsDoneIsNotSetAside() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString number = addBatch(bench.session, BatchState::Done);
+    bench.queue.setSession(&bench.session);
+    bench.queue.setAside(number);
+    QCOMPARE(stateOf(bench.session, number), BatchState::Done);
+  }
+
   void batchesAreComputedOldestFirstAndShownNewestFirst() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

@@ -57,7 +57,7 @@ class ComputeBatchTest : public QObject {
     QCOMPARE(state, figures->ask > 0 ? catalogue::BatchState::Review : catalogue::BatchState::Done);
   }
 
-  // 48 batches must not become 529 when a first, small one has been computed.
+  // 48 batches must not become 529 when a first, small one has been computed, nor grow with each.
   void theRoomOfABatchIsPredictedFromItsPhotographs() {
     const QTemporaryDir folder;
     const std::filesystem::path place = folder.path().toStdString();
@@ -69,10 +69,15 @@ class ComputeBatchTest : public QObject {
                     .has_value());
     };
     photograph("B0001", 1000);
-    const double after = bytesPerBatch(place);
-    QVERIFY(after < before && after > before / 3);
+    QCOMPARE(bytesPerBatch(place), before);
     photograph("B0002", 20'000'000);
-    QVERIFY(bytesPerBatch(place) > after * 2 / 3 + 30e6);  // and its results are expected, too
+    photograph("B0003", 1000);
+    const double three = bytesPerBatch(place);
+    QCOMPARE(three, 3 * 40e6);  // its results are expected, too
+    photograph("B0004", 1000);
+    QCOMPARE(bytesPerBatch(place), three);
+    photograph("B0005", 30'000'000);
+    QCOMPARE(bytesPerBatch(place), 3 * 60e6);
   }
 };
 

@@ -81,8 +81,12 @@ class QueueStationTest : public QObject {
     QCOMPARE(queue_->row(0).state, QueueState::Busy);
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_Delete);
     QTRY_COMPARE(queue_->row(0).state, QueueState::Failed);
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_Delete);  // once more: not wanted at all
+    QVERIFY(queue_->row(0).aside);
+    QVERIFY(!child<QWidget>("queueCancelButton")->isEnabled());
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_R);
     QTRY_COMPARE(begun_.load(), 2);
+    QCOMPARE(child<QWidget>("queueCancelButton")->accessibleName(), QString("Stop this batch"));
   }
 
   void whatIsAskedAboutIsWhatIsStopped() {

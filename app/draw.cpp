@@ -36,13 +36,16 @@ ordered_json asJson(const SherdDrawing& drawing) {
   ordered_json rim;
   if (drawing.rim) {
     const RimEstimate& r = *drawing.rim;
+    const auto where_known = [&r](double x) {
+      return r.saysDiameter() ? ordered_json(x) : ordered_json();
+    };
     rim = {{"probability", r.probability},
-           {"diameter_mm", r.diameter_mm},
+           {"diameter_mm", where_known(r.diameter_mm)},
            {"low_mm", r.low_mm},
            {"high_mm", std::isfinite(r.high_mm) ? ordered_json(r.high_mm) : ordered_json()},
-           {"kept_pct", 100 * r.kept},
-           {"kept_low_pct", 100 * r.kept_low},
-           {"kept_high_pct", 100 * r.kept_high}};
+           {"kept_pct", where_known(100 * r.kept)},
+           {"kept_low_pct", where_known(100 * r.kept_low)},
+           {"kept_high_pct", where_known(100 * r.kept_high)}};
   }
   return {{"id", drawing.id},
           {"drawn_as_rim", drawing.drawn_as_rim},
@@ -52,7 +55,7 @@ ordered_json asJson(const SherdDrawing& drawing) {
 }
 
 void print(const SherdDrawing& drawing) {
-  if (drawing.drawn_as_rim)
+  if (drawing.drawn_as_rim && drawing.rim->saysDiameter())
     std::printf("%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim kept.\n",
                 drawing.id.c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm,
                 drawing.rim->high_mm, 100 * drawing.rim->kept);

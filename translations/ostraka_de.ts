@@ -1931,11 +1931,6 @@
       <translation>Mündung %1 cm weit (95 %: %2 bis %3), %4 % des Randes erhalten.</translation>
     </message>
     <message>
-      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mündung %1 cm weit (95 %: über %2), %3 % des Randes erhalten.</translation>
-    </message>
-    <message>
       <source>%1 drawn, %2 left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 gezeichnet, %2 ausgelassen.</translation>
@@ -6635,9 +6630,14 @@
       <translation>Kein Abschnitt der Kante kann ein Stück Rand sein; diese Scherbe als eine ohne Rand zeichnen.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); die Randlinie prüfen, bevor dem Durchmesser zu trauen ist.</translation>
+      <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); daher wird kein Durchmesser angegeben. Bitte prüfen, wie die Scherbe steht.</translation>
+    </message>
+    <message>
+      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Randstück ist für einen Durchmesser zu kurz oder zu gerade; bitte prüfen, wie die Scherbe steht.</translation>
     </message>
     <message>
       <source>Drawn as a rim, which is likely (%1 %); check it.</source>

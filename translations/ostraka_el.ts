@@ -1931,11 +1931,6 @@
       <translation>Στόμιο %1 cm (95 %: %2 έως %3), σώζεται το %4 % του χείλους.</translation>
     </message>
     <message>
-      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στόμιο %1 cm (95 %: πάνω από %2), σώζεται το %3 % του χείλους.</translation>
-    </message>
-    <message>
       <source>%1 drawn, %2 left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σχεδιάστηκαν %1, παραλείφθηκαν %2.</translation>
@@ -6635,9 +6630,14 @@
       <translation>Κανένα τμήμα της ακμής δεν μπορεί να είναι χείλος· σχεδιάστε αυτό το όστρακο ως όστρακο χωρίς χείλος.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό που θεωρήθηκε χείλος μόλις που του μοιάζει (%1 %)· ελέγξτε τη γραμμή του χείλους πριν εμπιστευτείτε τη διάμετρο.</translation>
+      <translation>Αυτό που θεωρήθηκε χείλος μόλις που του μοιάζει (%1 %), γι’ αυτό δεν δίνεται διάμετρος· ελέγξτε πώς στέκεται το όστρακο.</translation>
+    </message>
+    <message>
+      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τμήμα του χείλους είναι πολύ μικρό ή πολύ ευθύ για να δοθεί διάμετρος· ελέγξτε πώς στέκεται το όστρακο.</translation>
     </message>
     <message>
       <source>Drawn as a rim, which is likely (%1 %); check it.</source>

@@ -1931,11 +1931,6 @@
       <translation>Boca de %1 cm (95 %: %2 a %3), se conserva el %4 % del borde.</translation>
     </message>
     <message>
-      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Boca de %1 cm (95 %: más de %2), se conserva el %3 % del borde.</translation>
-    </message>
-    <message>
       <source>%1 drawn, %2 left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 dibujados, %2 omitidos.</translation>
@@ -6635,9 +6630,14 @@
       <translation>Ningún tramo del contorno puede ser parte de un borde; dibuje este fragmento como uno sin borde.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que se tomó por el labio apenas lo parece (%1 %); revise la línea del borde antes de fiarse del diámetro.</translation>
+      <translation>Lo que se tomó por el labio apenas lo parece (%1 %), así que no se indica diámetro; revise cómo está orientado el fragmento.</translation>
+    </message>
+    <message>
+      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El tramo de borde es demasiado corto o demasiado recto para dar un diámetro; revise cómo está orientado el fragmento.</translation>
     </message>
     <message>
       <source>Drawn as a rim, which is likely (%1 %); check it.</source>

@@ -1931,11 +1931,6 @@
       <translation>Ouverture de %1 cm (95 % : %2 à %3), %4 % du bord conservé.</translation>
     </message>
     <message>
-      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ouverture de %1 cm (95 % : plus de %2), %3 % du bord conservé.</translation>
-    </message>
-    <message>
       <source>%1 drawn, %2 left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 dessinés, %2 laissés de côté.</translation>
@@ -6635,9 +6630,14 @@
       <translation>Aucune partie du contour ne peut être un morceau de bord ; dessinez ce tesson comme un tesson sans bord.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce qui a été pris pour la lèvre n’y ressemble guère (%1 %) ; vérifiez la ligne du bord avant de vous fier au diamètre.</translation>
+      <translation>Ce qui a été pris pour la lèvre n’y ressemble guère (%1 %) : aucun diamètre n’est donné ; vérifiez l’orientation du tesson.</translation>
+    </message>
+    <message>
+      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bord conservé est trop court ou trop droit pour donner un diamètre ; vérifiez l’orientation du tesson.</translation>
     </message>
     <message>
       <source>Drawn as a rim, which is likely (%1 %); check it.</source>

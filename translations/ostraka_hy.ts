@@ -1931,11 +1931,6 @@
       <translation>Բերանը %1 cm (95 %՝ %2-ից %3), պահպանված է շուրթի %4 %-ը։</translation>
     </message>
     <message>
-      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բերանը %1 cm (95 %՝ %2-ից ավելի), պահպանված է շուրթի %3 %-ը։</translation>
-    </message>
-    <message>
       <source>%1 drawn, %2 left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը գծված է, %2-ը դուրս է թողնված։</translation>
@@ -6635,9 +6630,14 @@
       <translation>Եզրի ոչ մի հատված շուրթի մաս չի կարող լինել. այս բեկորը գծեք որպես առանց շուրթի բեկոր։</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այն, ինչ ընդունվել է որպես շուրթ, հազիվ է նման դրան (%1 %). տրամագծին վստահելուց առաջ ստուգեք շուրթի գիծը։</translation>
+      <translation>Այն, ինչ ընդունվել է որպես շուրթ, հազիվ է նման դրան (%1 %), ուստի տրամագիծ չի նշվում. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
+    </message>
+    <message>
+      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շուրթի կտորը տրամագծի համար չափազանց կարճ է կամ չափազանց ուղիղ. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
     </message>
     <message>
       <source>Drawn as a rim, which is likely (%1 %); check it.</source>

@@ -1909,11 +1909,6 @@
       <translation>Ağız çapı %1 cm (% 95: %2 ile %3 arası), ağzın %4 kadarı (yüzde) korunmuş.</translation>
     </message>
     <message>
-      <source>Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ağız çapı %1 cm (% 95: %2 üstü), ağzın %3 kadarı (yüzde) korunmuş.</translation>
-    </message>
-    <message>
       <source>%1 drawn, %2 left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 çizildi, %2 dışarıda kaldı.</translation>
@@ -6593,9 +6588,14 @@
       <translation>Kenarın hiçbir bölümü ağız kenarı olamaz; bu parçayı ağızsız bir parça olarak çizin.</translation>
     </message>
     <message>
-      <source>What was taken for the lip hardly looks like one (%1 %); check the line of the rim before you trust the diameter.</source>
+      <source>What was taken for the lip hardly looks like one (%1 %), so no diameter is stated; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dudak sanılan yer pek dudağa benzemiyor (%1 %); çapa güvenmeden önce ağız çizgisini denetleyin.</translation>
+      <translation>Dudak sanılan yer pek dudağa benzemiyor (%1 %), bu yüzden çap verilmiyor; parçanın nasıl durduğunu denetleyin.</translation>
+    </message>
+    <message>
+      <source>The piece of the rim is too short or too straight for a diameter; check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağız parçası çap vermek için fazla kısa ya da fazla düz; parçanın nasıl durduğunu denetleyin.</translation>
     </message>
     <message>
       <source>Drawn as a rim, which is likely (%1 %); check it.</source>

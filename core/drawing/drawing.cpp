@@ -71,6 +71,9 @@ class Composer {
           "No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.",
           out_.id};
     outer_ = out_.drawn_as_rim ? out_.rim->vessel_from_model : frameByAxes(walls);
+    // An axis that is not known may lie kilometres away: only how the sherd stands is kept of it.
+    if (out_.drawn_as_rim && !saysDiameter())
+      outer_.pretranslate(Vector3d(-(outer_ * walls.centre).x(), 0, 0));
     draw();
     return std::move(out_);
   }
@@ -83,9 +86,11 @@ class Composer {
     if (options_.rim == RimChoice::Yes) {
       if (p < 0.5)
         out_.remarks.push_back(words(
-            "What was taken for the lip hardly looks like one (%.0f %%); check the line of the "
-            "rim before you trust the diameter.",
+            "What was taken for the lip hardly looks like one (%.0f %%), so no diameter is stated; "
+            "check how the sherd stands.",
             100 * p));
+      else
+        sayWhyNoDiameter();
       return;
     }
     if (out_.drawn_as_rim && p < 0.99)
@@ -94,6 +99,15 @@ class Composer {
     else if (!out_.drawn_as_rim && p >= kPossible)
       out_.hints.push_back(
           words("May be a rim (%.0f %%); if it is one, say so and draw it again.", 100 * p));
+    if (out_.drawn_as_rim) sayWhyNoDiameter();
+  }
+
+  bool saysDiameter() const { return out_.drawn_as_rim && out_.rim->saysDiameter(); }
+  void sayWhyNoDiameter() {
+    if (saysDiameter()) return;
+    out_.remarks.emplace_back(
+        "The piece of the rim is too short or too straight for a diameter; check how the sherd "
+        "stands.");
   }
 
   ViewOptions viewOptions() const {
@@ -121,8 +135,8 @@ class Composer {
       for (const Vector2d& p : loop) section_box.extend(p);
     const SherdView outer = drawView(mesh_, outer_, viewOptions());
     const SherdView inner = drawView(mesh_, fromBehind(outer_), viewOptions());
-    const double rim_radius = out_.drawn_as_rim ? options_.scale * out_.rim->diameter_mm / 2 : 0;
-    const bool reconstructed = out_.drawn_as_rim && 2 * rim_radius <= kMostReconstructed_mm;
+    const double rim_radius = saysDiameter() ? options_.scale * out_.rim->diameter_mm / 2 : 0;
+    const bool reconstructed = saysDiameter() && 2 * rim_radius <= kMostReconstructed_mm;
     // A rim's section stands at its own radius left of the axis; otherwise everything stands in a
     // row, the section's left end at 0.
     double x = reconstructed ? 0 : -section_box.min().x();
@@ -194,12 +208,10 @@ class Composer {
       y += 1.45 * size;
     };
     line(out_.id, 4, Weight::Bold);
-    if (out_.drawn_as_rim) {
+    if (saysDiameter()) {
       const RimEstimate& rim = *out_.rim;
-      std::string text = words("\xC3\x98 %.1f cm", rim.diameter_mm / 10);
-      text += std::isfinite(rim.high_mm)
-                  ? words(" (95 %%: %.1f to %.1f), ", rim.low_mm / 10, rim.high_mm / 10)
-                  : words(" (95 %%: above %.1f), ", rim.low_mm / 10);
+      std::string text = words("\xC3\x98 %.1f cm (95 %%: %.1f to %.1f), ", rim.diameter_mm / 10,
+                               rim.low_mm / 10, rim.high_mm / 10);
       text += words("%.0f %% of the rim kept (%.0f to %.0f)", 100 * rim.kept, 100 * rim.kept_low,
                     100 * rim.kept_high);
       line(text, 3, Weight::Plain);

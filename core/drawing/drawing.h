@@ -28,7 +28,7 @@ struct DrawingOptions {
 };
 
 /// One sherd as drawn: section at the left, outer view, inner view; of a rim sherd with the
-/// vessel's axis and the mouth's diameter. Paper mm, y down.
+/// vessel's axis and the mouth's diameter where that is known. Paper mm, y down.
 struct SherdDrawing {
   std::string id;
   Sheet sheet;

@@ -311,6 +311,10 @@ class Estimator {
 
 }  // namespace
 
+bool RimEstimate::saysDiameter() const {
+  return diameter_mm > 0 && low_mm > 0 && high_mm <= kWidestMouth_mm;  // not of what is no number
+}
+
 std::optional<RimEstimate> estimateRim(const Walls& walls, const RimArc& arc) {
   return Estimator(walls, arc).run();
 }

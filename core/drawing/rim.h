@@ -7,6 +7,9 @@
 
 namespace ostraka::drawing {
 
+/// Wider mouths are not looked for: pithoi and dolia, the largest vessels, open about a metre wide.
+constexpr double kWidestMouth_mm = 1500;
+
 /// What a sherd tells about the mouth of its vessel. The rim is the circle on which the lip's
 /// highest points lie when the vessel stands upright.
 struct RimEstimate {
@@ -23,6 +26,10 @@ struct RimEstimate {
   /// z is the vessel's axis, up; z = 0 the rim's plane; the sherd's middle lies at +x.
   Eigen::Isometry3d vessel_from_model = Eigen::Isometry3d::Identity();
   int outer_face = 0;  ///< of Walls
+
+  /// Whether diameter and share may be stated: the interval is bounded on both sides, within what
+  /// vessels are. Otherwise the lip's sagitta is not above its scatter, or the lip rather a break.
+  bool saysDiameter() const;
 };
 
 /// Axis and mouth from a sherd with this stretch of lip: walls and lip are brought onto surfaces of

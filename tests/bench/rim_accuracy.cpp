@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   const double noise = std::atof(argv[3]);
   const bool wall = argc > 4 && std::strcmp(argv[4], "wall") == 0;
   std::vector<double> errors;
-  int inside = 0, missed = 0;
+  int inside = 0, missed = 0, stated = 0, stated_inside = 0, stated_of_all = 0;
   for (int i = 0; i < count; ++i) {
     const auto truth = drawing::trueSherd(
         wall ? virtualrig::SherdPart::Wall : virtualrig::SherdPart::Rim, first + i, noise);
@@ -34,18 +34,26 @@ int main(int argc, char** argv) {
           rim->diameter_mm, rim->low_mm, rim->high_mm, 100 * rim->kept, rim->residual_mm,
           rim->lip_scatter_mm, rim->smoother, rim->arc_mm, rim->probability);
     const bool counts = truth.kept >= 0.1;
-    std::printf("%s\n", counts ? " *" : "");
+    const bool states = rim && rim->saysDiameter();
+    std::printf("%s%s\n", states ? " stated" : "", counts ? " *" : "");
+    stated_of_all += states ? 1 : 0;
     if (!counts) continue;
     missed += rim ? 0 : 1;
     errors.push_back(rim ? std::abs(rim->diameter_mm / truth.diameter_mm - 1) : 1);
-    inside += rim && rim->low_mm <= truth.diameter_mm && truth.diameter_mm <= rim->high_mm ? 1 : 0;
+    const bool within =
+        rim && rim->low_mm <= truth.diameter_mm && truth.diameter_mm <= rim->high_mm;
+    inside += within ? 1 : 0;
+    stated += states ? 1 : 0;
+    stated_inside += states && within ? 1 : 0;
   }
   if (errors.empty()) return 0;
   std::sort(errors.begin(), errors.end());
   std::printf(
       "%zu sherds with a tenth or more: median error %.2f %%, 90 %% %.2f %%, worst %.2f %%, "
-      "truth inside the interval %d (%.0f %%), not found %d\n",
+      "truth inside the interval %d (%.0f %%), not found %d; diameter stated of %d, %d of these "
+      "inside; stated of all sherds %d of %d\n",
       errors.size(), 100 * errors[errors.size() / 2], 100 * errors[errors.size() * 9 / 10],
-      100 * errors.back(), inside, 100.0 * inside / static_cast<double>(errors.size()), missed);
+      100 * errors.back(), inside, 100.0 * inside / static_cast<double>(errors.size()), missed,
+      stated, stated_inside, stated_of_all, count);
   return 0;
 }

@@ -264,6 +264,12 @@ void DrawingPage::showPage(int page) {
   });
 }
 
+const drawing::RimEstimate* DrawingPage::mouth() const {
+  if (!drawn_ || drawn_->sherds.drawings.size() != 1) return nullptr;
+  const drawing::SherdDrawing& one = drawn_->sherds.drawings.front();
+  return one.drawn_as_rim && one.rim->saysDiameter() ? &*one.rim : nullptr;
+}
+
 QString DrawingPage::words() const {
   if (!problem_.isEmpty()) return problem_;
   if (drawing_) return tr("Drawing %n sherd(s) …", nullptr, static_cast<int>(sherds_.size()));
@@ -271,15 +277,10 @@ QString DrawingPage::words() const {
   if (!drawn_) return {};
   QStringList lines;
   const exchange::DrawnSherds& sherds = drawn_->sherds;
-  if (sherds.drawings.size() == 1 && sherds.drawings.front().drawn_as_rim) {
-    const drawing::RimEstimate& rim = *sherds.drawings.front().rim;
-    const QString percent = QLocale().toString(100 * rim.kept, 'f', 0);
-    lines << (std::isfinite(rim.high_mm)
-                  ? tr("Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.")
-                        .arg(cm(rim.diameter_mm), cm(rim.low_mm), cm(rim.high_mm), percent)
-                  : tr("Mouth %1 cm across (95 %: above %2), %3 % of the rim kept.")
-                        .arg(cm(rim.diameter_mm), cm(rim.low_mm), percent));
-  }
+  if (const drawing::RimEstimate* rim = mouth())
+    lines << tr("Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.")
+                 .arg(cm(rim->diameter_mm), cm(rim->low_mm), cm(rim->high_mm),
+                      QLocale().toString(100 * rim->kept, 'f', 0));
   if (sherds_.size() == 1) {
     for (const drawing::SherdDrawing& one : sherds.drawings)
       for (const auto* sentences : {&one.remarks, &one.hints})
@@ -310,8 +311,7 @@ void DrawingPage::refresh() {
   const bool ready = sheets > 0 && !writing_;
   save_->setEnabled(ready);
   print_->setEnabled(ready);
-  enter_->setVisible(count == 1 && drawn_ && drawn_->sherds.drawings.size() == 1 &&
-                     drawn_->sherds.drawings.front().drawn_as_rim);
+  enter_->setVisible(count == 1 && mouth());
 }
 
 void DrawingPage::save() {
@@ -376,13 +376,12 @@ void DrawingPage::write(const QString& title,
 }
 
 void DrawingPage::enterRim() {
-  if (!drawn_ || drawn_->sherds.drawings.empty()) return;
-  const drawing::RimEstimate& rim = *drawn_->sherds.drawings.front().rim;
-  // With the larger half of the 95 % interval; an open one has no half to name.
+  if (!mouth()) return;
+  const drawing::RimEstimate& rim = *mouth();
+  // With the larger half of the 95 % interval.
   const auto rounded = [](double value, double low, double high) {
     const auto tenths = [](double x) { return catalogue::numberText(std::round(x * 10) / 10); };
-    const double half = std::max(high - value, value - low);
-    return tenths(value) + (std::isfinite(half) ? " ± " + tenths(half) : std::string());
+    return tenths(value) + " ± " + tenths(std::max(high - value, value - low));
   };
   emit measuresWanted(
       {{sherds_.front(), "rim_diameter_mm", rounded(rim.diameter_mm, rim.low_mm, rim.high_mm)},

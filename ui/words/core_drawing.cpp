@@ -10,8 +10,11 @@ Sentences sentencesOfDrawing() {
           "ostraka::Error",
           "No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "What was taken for the lip hardly looks like one (%1 %); check the line "
-                        "of the rim before you trust the diameter."),
+                        "What was taken for the lip hardly looks like one (%1 %), so no diameter "
+                        "is stated; check how the sherd stands."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The piece of the rim is too short or too straight for a diameter; check "
+                        "how the sherd stands."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Drawn as a rim, which is likely (%1 %); check it."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "May be a rim (%1 %); if it is one, say so and draw it again."),

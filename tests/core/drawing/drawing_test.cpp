@@ -74,6 +74,27 @@ TEST(Drawing, OfARimSaysDiameterIntervalAndWhatIsKept) {
   EXPECT_THAT(svg, HasSubstr("% of the rim kept"));
 }
 
+// A person says that they are rims: of 317 a break is taken for the lip, of 528 there is too
+// little.
+TEST(Drawing, OfARimWithoutAKnownDiameterSaysWhyAndPrintsNone) {
+  for (const auto& [seed, why] : {std::pair(317, "hardly looks like one"),
+                                  std::pair(558, "too short or too straight for a diameter")}) {
+    const TrueSherdOfVessel rim =
+        trueSherd(SherdPart::Rim, static_cast<std::uint64_t>(seed), seed == 558 ? 0.05 : 0);
+    DrawingOptions options;
+    options.rim = RimChoice::Yes;
+    const auto drawing = drawSherd(rim.sherd.mesh, "R", options);
+    ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+    EXPECT_TRUE(drawing->drawn_as_rim);
+    EXPECT_THAT(drawing->remarks, testing::ElementsAre(HasSubstr(why)));
+    const std::string svg = formatSvg(layOut({*drawing}, 1, {})[0], "x");
+    EXPECT_THAT(svg, HasSubstr(why));
+    for (const char* no : {"\xC3\x98", "95 %", "rim kept", "above"})
+      EXPECT_THAT(svg, testing::Not(HasSubstr(no)));
+    EXPECT_LT(drawing->box.sizes().maxCoeff(), 300) << "no axis far away";
+  }
+}
+
 TEST(Drawing, RefusesAnOpenModel) {
   TriangleMesh open = wallSherd().sherd.mesh;
   open.triangles.pop_back();

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "drawing/revolution.h"
 #include "true_rim.h"
@@ -83,6 +85,22 @@ TEST(Rim, LeavesTheMouthOpenWhereABreakIsLikelierThanALip) {
   EXPECT_FALSE(std::isfinite(rim->high_mm));
   EXPECT_EQ(rim->kept_low, 0);
   EXPECT_EQ(rim->kept_high, 1);
+  EXPECT_FALSE(rim->saysDiameter());
+}
+
+TEST(Rim, StatesADiameterOnlyWhereItsIntervalIsBoundedWithinWhatVesselsAre) {
+  RimEstimate rim;
+  EXPECT_FALSE(rim.saysDiameter());  // nothing is known
+  rim.diameter_mm = 183;
+  rim.low_mm = 171;
+  rim.high_mm = 197;
+  EXPECT_TRUE(rim.saysDiameter());
+  rim.high_mm = std::numeric_limits<double>::infinity();  // straight within its scatter
+  EXPECT_FALSE(rim.saysDiameter());
+  rim.high_mm = std::nan("");
+  EXPECT_FALSE(rim.saysDiameter());
+  rim = {1, 18783360, 17000000, 19000000};  // narrow beside itself, and 19 km wide
+  EXPECT_FALSE(rim.saysDiameter());
 }
 
 TEST(Rim, IsSeldomProposedForPiecesOfAWall) {

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <cmath>
 
 #include "base/sheet.h"
 #include "sample_project.h"
@@ -98,6 +99,21 @@ class DrawingPageTest : public QObject {
     const std::string svg = formatSvg(page_->pages().front(), {});
     QVERIFY(svg.find(">ARM1-T3-0013-0001</text>") != std::string::npos);
     QVERIFY(svg.find(">ARM1-T3-0012-0002</text>") != std::string::npos);
+  }
+
+  // A jagged break is no lip, whoever says so: there is nothing to enter.
+  void aDiameterThatIsNotKnownIsNotOffered() {
+    TriangleMesh jagged = exchange::closedShell();
+    for (Eigen::Vector3f& p : jagged.vertices)
+      p.head<2>() *= 1 + 0.006F * std::sin(40 * std::atan2(p.y(), p.x()));
+    sample_->giveModel(1, jagged);
+    show({1});
+    child<QComboBox>("drawingRim")->setFocus();
+    QTest::keyClick(child<QComboBox>("drawingRim"), Qt::Key_Down);
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    QVERIFY2(words().contains("hardly looks like one"), qPrintable(words()));
+    QVERIFY2(!words().contains("Mouth"), qPrintable(words()));
+    QVERIFY(!child<QPushButton>("enterRim")->isVisible());
   }
 
   void stoppingDrawsNothing() {

@@ -66,10 +66,9 @@ class SampleProject {
   }
 
   /// A model worth drawing and turning.
-  void giveModel(int sherd) {
+  void giveModel(int sherd, const TriangleMesh& mesh = exchange::closedShell()) {
     const std::string path = "results/B0001/sherds/" + std::to_string(sherd) + "/model.ply";
-    must(writeFileAtomically(project_->folder() / path,
-                             formatPly(exchange::closedShell(), "plate_front")));
+    must(writeFileAtomically(project_->folder() / path, formatPly(mesh, "plate_front")));
     const auto row = sherds_[static_cast<std::size_t>(sherd)];
     must(catalogue().setModel(row, path, must(catalogue().sherd(row)).preview_path));
   }

@@ -46,7 +46,8 @@ void ExportModel::openProject(ProjectSession* session) {
   state_ = State::Choosing;
   done_.reset();
   problem_.clear();
-  if (session_ && target_.isEmpty())
+  target_.clear();  // another project's
+  if (session_)
     target_ = QDir::home().filePath(QString::fromStdString(session_->folder().filename().string()) +
                                     "-export");
   measureSize();

@@ -200,13 +200,14 @@ void ExportStation::buildLayout() {
 }
 
 void ExportStation::openProject(ProjectSession& session) {
-  setEnabled(true);
+  closeProject();
   model_.openProject(&session);
+  setEnabled(true);
 }
 
 void ExportStation::closeProject() {
+  setEnabled(false);  // before, so that no line keeps what is typed in it
   model_.openProject(nullptr);
-  setEnabled(false);
 }
 
 void ExportStation::showEvent(QShowEvent* event) {

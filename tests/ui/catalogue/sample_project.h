@@ -18,12 +18,12 @@ namespace ostraka::ui {
 /// A project with numbered, described sherds, pictures and all, in a folder that goes again.
 class SampleProject {
  public:
-  explicit SampleProject(int sherds) {
+  explicit SampleProject(int sherds, const char* name = "sample") {
     catalogue::ProjectRecord record;
     record.code = "ARM";
     record.title = "Sample";
     auto made =
-        catalogue::Project::create(std::filesystem::path(folder_.path().toStdString()) / "sample",
+        catalogue::Project::create(std::filesystem::path(folder_.path().toStdString()) / name,
                                    record, [this] { return now_ms_ += 1000; });
     project_ = std::make_shared<catalogue::Project>(must(std::move(made)));
     session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -61,6 +62,20 @@ class ExportStationTest : public QObject {
         QString("rows:%1,%2").arg(sample_->sherds()[0].value).arg(sample_->sherds()[1].value));
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("2 sherd(s)"));
     QVERIFY(child<QRadioButton>("chosen")->isChecked());
+  }
+
+  void eachProjectIsProposedAFolderOfItsOwn() {
+    const auto proposed = [](SampleProject& of) {
+      return QDir::home().filePath(
+          QString::fromStdString(of.session().folder().filename().string()) + "-export");
+    };
+    QCOMPARE(child<QLineEdit>("target")->text(), proposed(*sample_));
+    toFolder("typed");
+    SampleProject other(1, "other");
+    station_->closeProject();
+    QCOMPARE(child<QLineEdit>("target")->text(), QString());
+    station_->openProject(other.session());
+    QCOMPARE(child<QLineEdit>("target")->text(), proposed(other));
   }
 
   void whatWasChosenInTheCatalogueComesAlong() {

@@ -8294,5 +8294,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Modell kann hier nicht aufbewahrt werden (%1).</translation>
     </message>
+    <message>
+      <source>This sherd is void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Scherbe ist ungültig.</translation>
+    </message>
+    <message>
+      <source>This sherd is void, because: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Scherbe ist ungültig, weil: %1</translation>
+    </message>
+    <message>
+      <source>%1 is void and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist ungültig und wurde weggelassen.</translation>
+    </message>
   </context>
 </TS>

@@ -8294,5 +8294,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το μοντέλο δεν μπορεί να φυλαχτεί εδώ (%1).</translation>
     </message>
+    <message>
+      <source>This sherd is void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο αυτό είναι άκυρο.</translation>
+    </message>
+    <message>
+      <source>This sherd is void, because: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο αυτό είναι άκυρο, επειδή: %1</translation>
+    </message>
+    <message>
+      <source>%1 is void and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 είναι άκυρο και παραλείφθηκε.</translation>
+    </message>
   </context>
 </TS>

@@ -8294,5 +8294,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El modelo no puede guardarse aquí (%1).</translation>
     </message>
+    <message>
+      <source>This sherd is void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este fragmento está anulado.</translation>
+    </message>
+    <message>
+      <source>This sherd is void, because: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este fragmento está anulado, porque: %1</translation>
+    </message>
+    <message>
+      <source>%1 is void and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 está anulado y se ha omitido.</translation>
+    </message>
   </context>
 </TS>

@@ -8294,5 +8294,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le modèle ne peut pas être gardé ici (%1).</translation>
     </message>
+    <message>
+      <source>This sherd is void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce tesson est annulé.</translation>
+    </message>
+    <message>
+      <source>This sherd is void, because: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce tesson est annulé, parce que : %1</translation>
+    </message>
+    <message>
+      <source>%1 is void and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est annulé et a été laissé de côté.</translation>
+    </message>
   </context>
 </TS>

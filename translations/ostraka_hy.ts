@@ -8294,5 +8294,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մոդելը չի կարող այստեղ պահվել (%1)։</translation>
     </message>
+    <message>
+      <source>This sherd is void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս բեկորն անվավեր է։</translation>
+    </message>
+    <message>
+      <source>This sherd is void, because: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս բեկորն անվավեր է, քանի որ՝ %1</translation>
+    </message>
+    <message>
+      <source>%1 is void and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն անվավեր է և դուրս է թողնվել։</translation>
+    </message>
   </context>
 </TS>

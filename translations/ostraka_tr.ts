@@ -8252,5 +8252,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Model burada saklanamıyor (%1).</translation>
     </message>
+    <message>
+      <source>This sherd is void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parça geçersiz.</translation>
+    </message>
+    <message>
+      <source>This sherd is void, because: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parça geçersiz, çünkü: %1</translation>
+    </message>
+    <message>
+      <source>%1 is void and was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 geçersiz olduğu için dışarıda bırakıldı.</translation>
+    </message>
   </context>
 </TS>

@@ -28,6 +28,10 @@ std::string nameOf(const SherdRecord& sherd) {
 
 }  // namespace
 
+std::string leftOutAsVoid(const SherdRecord& sherd) {
+  return nameOf(sherd) + " is void and was left out.";
+}
+
 Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options) {
@@ -40,6 +44,10 @@ Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
+  if (sherd.state == catalogue::SherdState::Void)
+    how.remarks.push_back(sherd.void_reason.empty()
+                              ? "This sherd is void."
+                              : "This sherd is void, because: " + sherd.void_reason);
   if (sherd.scale_doubtful)
     how.remarks.push_back(
         "The measures of its batch are in doubt: so is the size of this drawing.");
@@ -65,9 +73,13 @@ Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
   for (const SherdRecord& sherd : *sherds) {
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(done++, static_cast<std::int64_t>(sherds->size()));
+    if (sherd.state == catalogue::SherdState::Void && rows.size() > 1) {
+      all.left_out.push_back({sherd.row, nameOf(sherd), leftOutAsVoid(sherd)});
+      continue;
+    }
     Result<drawing::SherdDrawing> drawn = drawSherd(sherd, project, options);
     if (!drawn) {
-      all.left_out.push_back({sherd.row, sherd.number, drawn.error().sentence()});
+      all.left_out.push_back({sherd.row, nameOf(sherd), drawn.error().sentence()});
       continue;
     }
     all.drawings.push_back(std::move(*drawn));

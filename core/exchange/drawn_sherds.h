@@ -23,11 +23,15 @@ struct DrawSherdsOptions {
 };
 
 /// A drawing of the catalogue's model, named by the sherd's number. Where a person says rim and no
-/// stretch of the edge can be one it is drawn without, and a remark says so. Errors: no model, a
+/// stretch of the edge can be one it is drawn without, and a remark says so; another one says that
+/// a sherd is void. Errors: no model, a
 /// file that cannot be read, a model that is not closed.
 Result<drawing::SherdDrawing> drawSherd(const catalogue::SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options);
+
+/// Why a void sherd is in no plate and in no export's drawings; a sentence with its name.
+std::string leftOutAsVoid(const catalogue::SherdRecord& sherd);
 
 struct SherdLeftOut {
   catalogue::SherdRow sherd;
@@ -38,8 +42,8 @@ struct DrawnSherds {
   std::vector<catalogue::SherdRow> rows;  ///< of the drawings, in the same order
   std::vector<SherdLeftOut> left_out;
 };
-/// In the order of the rows; what cannot be drawn is left out and named. Errors: Cancelled, the
-/// catalogue cannot be read.
+/// In the order of the rows; what cannot be drawn is left out and named, and so is what is void,
+/// unless it is the only one. Errors: Cancelled, the catalogue cannot be read.
 Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
                                const std::filesystem::path& project,
                                std::span<const catalogue::SherdRow> rows,

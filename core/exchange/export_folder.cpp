@@ -67,18 +67,7 @@ class Plan {
          options_.deviation_mm > 0 ? sherd.model_path : glb);
     want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
     want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
-    const auto drawings = options_.drawings.find(sherd.row);
-    if (options_.forms.contains(Form::Drawings) && drawings != options_.drawings.end())
-      for (const fs::path& drawing : drawings->second)
-        files_.push_back(
-            {sherd.row,
-             "drawing",
-             "drawings/" + name + slug(drawing.extension().string()).replace(0, 1, "."),
-             drawing,
-             {},
-             Form::Drawings});
-    else if (options_.forms.contains(Form::Drawings) && !sherd.model_path.empty())
-      drawn_.push_back(&sherd);
+    if (options_.forms.contains(Form::Drawings)) addDrawing(sherd, name);
     if (sherd.batch && batches_.emplace(sherd.batch, sherd.batch_number).second)
       return photographs(sherd.batch, sherd.batch_number);
     return {};
@@ -92,6 +81,8 @@ class Plan {
   const fs::path& project() const { return project_; }
   /// To be drawn; the records outlive the plan.
   const std::vector<const SherdRecord*>& drawn() const { return drawn_; }
+  /// Not drawn, and why.
+  const std::vector<std::string>& notDrawn() const { return not_drawn_; }
   int without_model = 0;
 
  private:
@@ -99,6 +90,25 @@ class Plan {
             const std::string& from) {
     if (from.empty() || !options_.forms.contains(form)) return;
     files_.push_back({sherd.row, role, to, project_ / from, hashes_[from], form});
+  }
+
+  // Drawings are for print; tables and records keep void sherds, with their state.
+  void addDrawing(const SherdRecord& sherd, const std::string& name) {
+    const auto made = options_.drawings.find(sherd.row);
+    if (made == options_.drawings.end() && sherd.model_path.empty()) return;
+    if (sherd.state == SherdState::Void) {
+      not_drawn_.push_back(leftOutAsVoid(sherd));
+    } else if (made != options_.drawings.end()) {
+      for (const fs::path& file : made->second)
+        files_.push_back({sherd.row,
+                          "drawing",
+                          "drawings/" + name + slug(file.extension().string()).replace(0, 1, "."),
+                          file,
+                          {},
+                          Form::Drawings});
+    } else {
+      drawn_.push_back(&sherd);
+    }
   }
 
   Result<void> photographs(BatchRow batch, const std::string& number) {
@@ -129,6 +139,7 @@ class Plan {
   const ExportOptions& options_;
   std::vector<Wanted> files_;
   std::vector<const SherdRecord*> drawn_;
+  std::vector<std::string> not_drawn_;
   std::vector<fs::path> viewed_photographs_;
   std::map<BatchRow, std::string> batches_;
   std::map<std::string, std::string> hashes_;
@@ -291,6 +302,8 @@ class Exporting {
     DrawSherdsOptions how;
     drawing::SheetOptions sheet;
     sheet.title = title;
+    for (const std::string& why : plan.notDrawn())
+      exported_.warnings.push_back("Not drawn: " + why);
     for (const SherdRecord* sherd : plan.drawn()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_, total_);

@@ -64,6 +64,9 @@ Sentences sentencesOfExchange() {
           "This sherd has no model yet, so it cannot be drawn; compute its batch first."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The measures of its batch are in doubt: so is the size of this drawing."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This sherd is void."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This sherd is void, because: %1"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "%1 is void and was left out."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "It is said to be a rim, but no stretch of its edge can be one; drawn without."),

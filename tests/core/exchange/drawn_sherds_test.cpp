@@ -59,6 +59,40 @@ TEST_F(DrawnSherds, AreNamedByTheirNumbersAndWhatCannotBeDrawnIsNamed) {
   EXPECT_THAT(drawn->left_out.front().why, HasSubstr("closed model"));
 }
 
+TEST_F(DrawnSherds, LeaveVoidOnesOutAndSayWhichUnlessOneAloneIsWanted) {
+  model(0, closedShell());
+  ASSERT_TRUE(set(rows[0], "part", "body"));
+  ASSERT_TRUE(set(rows[0], "void_reason", "a brick"));
+  const std::vector<catalogue::SherdRow> two = {rows[0], rows[1]}, one = {rows[0]};
+  const auto plates = drawSherds(catalogue(), project_->folder(), two, {}, quiet, {});
+  ASSERT_TRUE(plates) << plates.error().sentence();
+  EXPECT_THAT(plates->rows, testing::ElementsAre(rows[1]));
+  ASSERT_EQ(plates->left_out.size(), 1u);
+  EXPECT_EQ(plates->left_out.front().why, "ARM1-T3-0012-0001 is void and was left out.");
+  const auto alone = drawSherds(catalogue(), project_->folder(), one, {}, quiet, {});
+  ASSERT_TRUE(alone) << alone.error().sentence();
+  ASSERT_EQ(alone->drawings.size(), 1u);
+  EXPECT_THAT(alone->drawings.front().remarks,
+              testing::ElementsAre("This sherd is void, because: a brick"));
+}
+
+TEST_F(DrawnSherds, ThatAreVoidAreInTheExportsTableAndInNoDrawing) {
+  ASSERT_TRUE(set(rows[1], "void_reason", "a brick"));
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Drawings, Form::Csv};
+  const std::vector<catalogue::SherdRow> one = {rows[1]};
+  const auto size = sizeOfExport(catalogue(), project_->folder(), one, options, {});
+  ASSERT_TRUE(size);
+  EXPECT_EQ(size->drawings, 0);
+  const auto done = exportFolder(catalogue(), project_->folder(), one, options, quiet, {});
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_THAT(done->warnings,
+              testing::ElementsAre("Not drawn: ARM1-T3-0012-0002 is void and was left out."));
+  EXPECT_FALSE(fs::exists(options.target / "data/drawings"));
+  EXPECT_THAT(*readFile(options.target / "data/sherds.csv"), HasSubstr("void,a brick"));
+}
+
 TEST_F(DrawnSherds, StopBetweenTwoSherds) {
   std::stop_source stop;
   stop.request_stop();

@@ -101,6 +101,19 @@ class DrawingPageTest : public QObject {
     QVERIFY(svg.find(">ARM1-T3-0012-0002</text>") != std::string::npos);
   }
 
+  void aVoidSherdIsOnNoPlateAndSaysSoOnItsOwnSheet() {
+    QVERIFY(sample_->catalogue().voidSherd(sample_->row(1), "a brick", {}).has_value());
+    show({1, 2});
+    QTest::mouseClick(child<QPushButton>("drawMany"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(page_->pages().size(), size_t(1), 60000);
+    QCOMPARE(words(), QString("1 drawn, 1 left out.\nARM1-T3-0013-0001 is void and was left out."));
+    QVERIFY(formatSvg(page_->pages().front(), {}).find("0013-0001") == std::string::npos);
+    show({1});
+    QTRY_COMPARE_WITH_TIMEOUT(page_->pages().size(), size_t(1), 30000);
+    QVERIFY(formatSvg(page_->pages().front(), {}).find("This sherd is void, because: a brick") !=
+            std::string::npos);
+  }
+
   // A jagged break is no lip, whoever says so: there is nothing to enter.
   void aDiameterThatIsNotKnownIsNotOffered() {
     TriangleMesh jagged = exchange::closedShell();

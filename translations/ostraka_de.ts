@@ -2,6 +2,32 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
   <context>
+    <name>ostraka::ui::ProjectSession</name>
+    <message>
+      <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ordner des Projekts ist nicht mehr da: verschoben, umbenannt, oder sein Datenträger wurde entfernt. Das Projekt dort öffnen, wo es jetzt liegt.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einlesen</translation>
+    </message>
+    <message>
+      <source>Import nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nichts einlesen</translation>
+    </message>
+    <message>
+      <source>Which bag do the sherds of %1 come from?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aus welchem Beutel stammen die Scherben von %1?</translation>
+    </message>
+</context>
+<context>
     <name>ComputeBatch</name>
     <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
@@ -22,9 +48,9 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Während die Ladung berechnet wurde, sind Paare entschieden worden; berechnen Sie sie dafür noch einmal.</translation>
+      <translation>Während die Ladung berechnet wurde, wurden Paare entschieden oder Masken ausgebessert; dafür noch einmal berechnen.</translation>
     </message>
   </context>
   <context>
@@ -1009,6 +1035,11 @@
         <numerusform>%1; %n noch einmal aufzunehmen</numerusform>
       </translation>
     </message>
+    <message>
+      <source>masks were mended; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken ausgebessert; zu berechnen</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1334,6 +1365,11 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Ladung beiseitelegen</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde eingelesen. Um alle zu haben, alle einlesen und %1 in der Warteschlange beiseitelegen.</translation>
     </message>
   </context>
   <context>
@@ -4265,7 +4301,7 @@
   <context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
-      <source>7, a whole number, or scan its label</source>
+      <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, eine ganze Nummer, oder das Etikett lesen</translation>
     </message>
@@ -4657,6 +4693,11 @@
       <source>A sherd of %1 has the number %2 already; type another.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe von %1 hat die Nummer %2 schon; geben Sie eine andere ein.</translation>
+    </message>
+    <message>
+      <source>Sherd %1: %2 is not as this bag's sherds are numbered (%3). If that is no slip, go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1: %2 ist nicht so, wie die Scherben dieses Beutels nummeriert werden (%3). Wenn das kein Versehen ist, weiter.</translation>
     </message>
   </context>
   <context>

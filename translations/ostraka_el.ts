@@ -2,6 +2,32 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="el" sourcelanguage="en">
   <context>
+    <name>ostraka::ui::ProjectSession</name>
+    <message>
+      <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος του έργου δεν υπάρχει πια: μετακινήθηκε, μετονομάστηκε ή αφαιρέθηκε ο δίσκος του. Ανοίξτε το έργο εκεί όπου βρίσκεται τώρα.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγωγή</translation>
+    </message>
+    <message>
+      <source>Import nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς εισαγωγή</translation>
+    </message>
+    <message>
+      <source>Which bag do the sherds of %1 come from?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από ποια σακούλα είναι τα όστρακα του %1;</translation>
+    </message>
+</context>
+<context>
     <name>ComputeBatch</name>
     <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
@@ -22,9 +48,9 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποφασίστηκαν ζεύγη ενώ υπολογιζόταν η παρτίδα· υπολογίστε την ξανά γι' αυτά.</translation>
+      <translation>Όσο υπολογιζόταν η παρτίδα, αποφασίστηκαν ζεύγη ή διορθώθηκαν μάσκες· υπολογίστε την ξανά γι' αυτά.</translation>
     </message>
   </context>
   <context>
@@ -1009,6 +1035,11 @@
         <numerusform>%1· %n για νέα φωτογράφιση</numerusform>
       </translation>
     </message>
+    <message>
+      <source>masks were mended; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διορθώθηκαν μάσκες· να υπολογιστεί</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1334,6 +1365,11 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παραμερισμός αυτής της παρτίδας</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 έχει ήδη %2 από αυτά τα %3 αρχεία· δεν έγινε εισαγωγή. Για να τα έχετε όλα, εισαγάγετέ τα και παραμερίστε την %1 στην ουρά.</translation>
     </message>
   </context>
   <context>
@@ -4265,7 +4301,7 @@
   <context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
-      <source>7, a whole number, or scan its label</source>
+      <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, ολόκληρος αριθμός ή σάρωση της ετικέτας</translation>
     </message>
@@ -4657,6 +4693,11 @@
       <source>A sherd of %1 has the number %2 already; type another.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο της %1 έχει ήδη τον αριθμό %2· γράψτε άλλον.</translation>
+    </message>
+    <message>
+      <source>Sherd %1: %2 is not as this bag's sherds are numbered (%3). If that is no slip, go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακο %1: το %2 δεν είναι όπως αριθμούνται τα όστρακα αυτής της σακούλας (%3). Αν δεν είναι λάθος, συνεχίστε.</translation>
     </message>
   </context>
   <context>

@@ -2,6 +2,32 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
   <context>
+    <name>ostraka::ui::ProjectSession</name>
+    <message>
+      <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier du projet n'est plus là : déplacé, renommé, ou son disque a été retiré. Ouvrez le projet là où il est maintenant.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importer</translation>
+    </message>
+    <message>
+      <source>Import nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ne rien importer</translation>
+    </message>
+    <message>
+      <source>Which bag do the sherds of %1 come from?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De quel sac viennent les tessons de %1 ?</translation>
+    </message>
+</context>
+<context>
     <name>ComputeBatch</name>
     <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
@@ -22,9 +48,9 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des paires ont été décidées pendant le calcul du lot ; recalculez-le pour elles.</translation>
+      <translation>Des paires ont été décidées ou des masques retouchés pendant le calcul du lot ; recalculez-le pour en tenir compte.</translation>
     </message>
   </context>
   <context>
@@ -1009,6 +1035,11 @@
         <numerusform>%1 ; %n à rephotographier</numerusform>
       </translation>
     </message>
+    <message>
+      <source>masks were mended; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>masques retouchés ; reste à calculer</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1334,6 +1365,11 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mettre ce lot de côté</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a déjà %2 de ces %3 fichiers ; rien n'a été importé. Pour les avoir tous, importez-les et mettez %1 de côté dans la file.</translation>
     </message>
   </context>
   <context>
@@ -4265,7 +4301,7 @@
   <context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
-      <source>7, a whole number, or scan its label</source>
+      <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, un numéro entier, ou lire son étiquette</translation>
     </message>
@@ -4657,6 +4693,11 @@
       <source>A sherd of %1 has the number %2 already; type another.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson de %1 a déjà le numéro %2 ; tapez-en un autre.</translation>
+    </message>
+    <message>
+      <source>Sherd %1: %2 is not as this bag's sherds are numbered (%3). If that is no slip, go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tesson %1 : %2 n'est pas comme on numérote les tessons de ce sac (%3). Si ce n'est pas une erreur, continuez.</translation>
     </message>
   </context>
   <context>

@@ -2,6 +2,32 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="hy" sourcelanguage="en">
   <context>
+    <name>ostraka::ui::ProjectSession</name>
+    <message>
+      <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծի պանակն այլևս չկա. այն տեղափոխվել է, անվանափոխվել, կամ նրա սկավառակը հանվել է։ Բացեք նախագիծը այնտեղ, որտեղ այն հիմա է։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծել</translation>
+    </message>
+    <message>
+      <source>Import nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչինչ չներմուծել</translation>
+    </message>
+    <message>
+      <source>Which bag do the sherds of %1 come from?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ո՞ր տոպրակից են %1-ի բեկորները։</translation>
+    </message>
+</context>
+<context>
     <name>ComputeBatch</name>
     <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
@@ -22,9 +48,9 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Զույգեր որոշվեցին, մինչ խմբաքանակը հաշվարկվում էր. նորից հաշվարկեք այն դրանց համար։</translation>
+      <translation>Խմբաքանակի հաշվարկի ընթացքում զույգեր են որոշվել կամ դիմակներ ուղղվել. դրանց համար նորից հաշվարկեք։</translation>
     </message>
   </context>
   <context>
@@ -1009,6 +1035,11 @@
         <numerusform>%1. %n՝ նորից լուսանկարելու</numerusform>
       </translation>
     </message>
+    <message>
+      <source>masks were mended; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դիմակներն ուղղված են. հաշվարկել</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1334,6 +1365,11 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի կողմ դնել այս խմբաքանակը</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արդեն ունի այս %3 ֆայլից %2-ը. ոչինչ չի ներմուծվել։ Բոլորն ունենալու համար ներմուծեք դրանք և %1-ը հերթում մի կողմ դրեք։</translation>
     </message>
   </context>
   <context>
@@ -4265,7 +4301,7 @@
   <context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
-      <source>7, a whole number, or scan its label</source>
+      <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, ամբողջ համարը կամ կարդալ պիտակը</translation>
     </message>
@@ -4657,6 +4693,11 @@
       <source>A sherd of %1 has the number %2 already; type another.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի մի բեկոր արդեն ունի %2 համարը. գրեք ուրիշը։</translation>
+    </message>
+    <message>
+      <source>Sherd %1: %2 is not as this bag's sherds are numbered (%3). If that is no slip, go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկոր %1. %2-ը այնպես չէ, ինչպես համարակալվում են այս տոպրակի բեկորները (%3)։ Եթե սխալ չէ, շարունակեք։</translation>
     </message>
   </context>
   <context>

@@ -2,6 +2,32 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="tr" sourcelanguage="en">
   <context>
+    <name>ostraka::ui::ProjectSession</name>
+    <message>
+      <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projenin klasörü artık yerinde değil: taşındı, adı değişti ya da diski çıkarıldı. Projeyi şimdi bulunduğu yerde açın.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>Import</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İçe aktar</translation>
+    </message>
+    <message>
+      <source>Import nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İçe aktarma</translation>
+    </message>
+    <message>
+      <source>Which bag do the sherds of %1 come from?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 içindeki parçalar hangi torbadan?</translation>
+    </message>
+</context>
+<context>
     <name>ComputeBatch</name>
     <message>
       <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
@@ -21,9 +47,9 @@
       </translation>
     </message>
     <message>
-      <source>Pairs were decided while the batch was computed; compute it again for them.</source>
+      <source>Pairs were decided or masks mended while the batch was computed; compute it again for them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti hesaplanırken çiftlere karar verildi; onlar için yeniden hesaplayın.</translation>
+      <translation>Parti hesaplanırken çiftlere karar verildi ya da maskeler düzeltildi; bunlar için yeniden hesaplayın.</translation>
     </message>
   </context>
   <context>
@@ -997,6 +1023,11 @@
         <numerusform>%1; %n yeniden fotoğraflanacak</numerusform>
       </translation>
     </message>
+    <message>
+      <source>masks were mended; to be computed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>maskeler düzeltildi; hesaplanacak</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>
@@ -1319,6 +1350,11 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partiyi kenara koy</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey alınmadı. Hepsini almak için tümünü içe aktarın ve kuyrukta %1 partisini kenara koyun.</translation>
     </message>
   </context>
   <context>
@@ -4225,7 +4261,7 @@
   <context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
-      <source>7, a whole number, or scan its label</source>
+      <source>7, the whole number, or scan its label</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, tam numara veya etiketini okut</translation>
     </message>
@@ -4615,6 +4651,11 @@
       <source>A sherd of %1 has the number %2 already; type another.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 partisinden bir parçanın numarası zaten %2; başka bir numara yazın.</translation>
+    </message>
+    <message>
+      <source>Sherd %1: %2 is not as this bag's sherds are numbered (%3). If that is no slip, go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça %1: %2 bu torbanın parçalarının numaralanışı gibi değil (%3). Yanlış değilse devam edin.</translation>
     </message>
   </context>
   <context>

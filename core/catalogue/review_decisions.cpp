@@ -8,6 +8,7 @@
 #include "catalogue/catalogue.h"
 #include "catalogue/database.h"
 #include "catalogue/piece_decisions.h"
+#include "catalogue/project.h"
 #include "catalogue/sherd_columns.h"
 #include "pipeline/review.h"
 
@@ -332,6 +333,17 @@ Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
   const auto row = catalogue.personByInitials(person, {});
   if (!row) return row.error();
   return catalogue.setBatchState(batch->row, state, {*row, "window", {}});
+}
+
+Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
+                             const std::string& person) {
+  Result<Catalogue> catalogue = Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  const std::filesystem::path output = project / "results" / batch_number;
+  const Result<pipeline::Review> review = pipeline::loadReview(output);
+  if (!review) return review.error();
+  return settleBatch(*catalogue, batch_number, person,
+                     review->waiting() == 0 && !pipeline::wantsComputing(output));
 }
 
 Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,

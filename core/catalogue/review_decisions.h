@@ -30,6 +30,11 @@ Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_numbe
 Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do);
 
+/// The same by what OUT of the batch says now: who is asked, what is to be computed. Reads files
+/// and opens the project by itself: callable in any thread.
+Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
+                             const std::string& person);
+
 /// The batch is to be computed again; the queue sees it.
 Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
                         const std::string& person);

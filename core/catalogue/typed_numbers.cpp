@@ -145,6 +145,23 @@ Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
   });
 }
 
+Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std::string& number) {
+  std::string digits;
+  for (std::size_t i = 0; i <= number.size(); ++i) {
+    if (i < number.size() && number[i] >= '0' && number[i] <= '9') {
+      digits += number[i];
+      continue;
+    }
+    if (!digits.empty() && digits.size() <= kMostDigits) {
+      const Result<std::string> whole = wholeNumber(catalogue, batch, digits);
+      if (!whole) return whole.error();
+      if (uniqueKey(*whole) == uniqueKey(number)) return true;
+    }
+    digits.clear();
+  }
+  return false;
+}
+
 std::vector<int> placesOf(std::span<const TypedNumber> numbers,
                           std::span<const Eigen::Vector2d> places_mm) {
   std::vector<Eigen::Vector2d> typed;

@@ -28,6 +28,10 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
 Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
                                 const std::string& typed);
 
+/// The number is one that the project's scheme gives to sherds of this batch, with the digits that
+/// stand in it. Errors: without a bag nobody knows.
+Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std::string& number);
+
 /// For each number the place that it belongs to: nearest to each other, within 20 mm; else -1.
 std::vector<int> placesOf(std::span<const TypedNumber> numbers,
                           std::span<const Eigen::Vector2d> places_mm);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <tuple>
 
+#include "base/files.h"
 #include "base/json.h"
 #include "pipeline/chain.h"
 #include "pipeline/moved_batch.h"
@@ -91,6 +93,22 @@ ordered_json toJson(const std::vector<MaskStroke>& strokes) {
 
 Result<void> writeMaskStrokes(const fs::path& output, const std::vector<MaskStroke>& strokes) {
   return writeJson(strokesFile(output), {{"format", kFormatName}, {"strokes", toJson(strokes)}});
+}
+
+bool masksWantComputing(const fs::path& output) {
+  const Result<std::vector<MaskStroke>> strokes = readMaskStrokes(output);
+  const Result<json> report = readJson(output / "report.json");
+  if (!strokes || !report) return false;
+  std::multiset<std::string> now, followed;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    std::vector<MaskStroke> own = *strokes;
+    std::erase_if(own, [&](const MaskStroke& s) { return s.side != side; });
+    if (!own.empty()) now.insert(sha256(toJson(own).dump()));
+  }
+  for (const json& stage : report->value("stages", json::array()))
+    if (stage.contains("figures") && stage["figures"].contains("strokes_sha256"))
+      followed.insert(stage["figures"]["strokes_sha256"].get<std::string>());
+  return now != followed;
 }
 
 void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke) {

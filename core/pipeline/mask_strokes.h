@@ -30,6 +30,9 @@ Result<std::vector<MaskStroke>> readMaskStrokes(const std::filesystem::path& out
 Result<void> writeMaskStrokes(const std::filesystem::path& output,
                               const std::vector<MaskStroke>& strokes);
 
+/// The strokes are others than those that the results of OUT follow. False without results.
+bool masksWantComputing(const std::filesystem::path& output);
+
 nlohmann::ordered_json toJson(const std::vector<MaskStroke>& strokes);
 
 /// mask: 0..255 as in mask/masks.h, of the photograph's size.

@@ -57,7 +57,10 @@ Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<P
       if (Result<void> done = mendInto(folder / name, as_found / name, own); !done)
         return done.error();
     }
-    return StageNotes{{{"strokes", strokes->size()}, {"mended_masks", mended}}, {}};
+    return StageNotes{{{"strokes", strokes->size()},
+                       {"strokes_sha256", sha256(toJson(*strokes).dump())},
+                       {"mended_masks", mended}},
+                      {}};
   };
   const std::string name = std::string("mended_") + batch::name(side);
   const Result<StageRecord> record = runStage(

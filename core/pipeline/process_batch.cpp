@@ -86,10 +86,9 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   Result<Staged<Masks>> masks = maskStage(run, side, poses);
   if (!masks) return masks.error();
   stages.push_back({"masks, " + name, masks->record});
-  const std::string found_hash = masks->record.outputs_hash;
   masks = mendStage(run, side, poses, std::move(*masks));
   if (!masks) return masks.error();
-  if (masks->record.outputs_hash != found_hash) {
+  if (masks->record.notes.figures.contains("strokes")) {
     stages.push_back({"masks as mended, " + name, masks->record});
     stages.back().record.notes.warnings.clear();  // the stage before tells them
   }

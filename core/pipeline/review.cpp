@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/mask_strokes.h"
+
 namespace ostraka::pipeline {
 namespace {
 
@@ -226,6 +228,7 @@ bool onlyConfirm(const CandidateTable& table, const Decisions& decisions) {
 }
 
 bool wantsComputing(const std::filesystem::path& output) {
+  if (masksWantComputing(output)) return true;
   const Result<Decisions> decisions = readDecisions(output);
   const Result<CandidateTable> table = readCandidatesOf(output);
   if (!decisions || !table) return false;

@@ -75,8 +75,8 @@ Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing);
 /// These decisions say no more than the program does without any: nothing is to be computed for
 /// them.
 bool onlyConfirm(const CandidateTable& table, const Decisions& decisions);
-/// The decisions of OUT say more than its results followed: they were taken while it was computed,
-/// or since. False where it cannot be known.
+/// The decisions of OUT, or strokes on its masks, say other things than its results followed: they
+/// were made while it was computed, or since. False where it cannot be known.
 bool wantsComputing(const std::filesystem::path& output);
 
 /// The table of a batch that was computed. Errors: Missing when its pairs are not computed yet or

@@ -29,6 +29,7 @@ void BatchImporter::startAllTheSame() {
 }
 
 void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
+  if (!session_->isThere()) return emit failed(session_->goneError());
   const QString folder = QString::fromStdString(options.from.string());
   job_ = session_->jobs().start(makeJob(
                                     tr("Import of %1").arg(folder),
@@ -52,7 +53,7 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
       asked_ = options;
       asked_place_ = place;
       emit alreadyThere(QString::fromStdString(copied->same_as),
-                        QString::fromStdString(options.from.string()));
+                        QString::fromStdString(options.from.string()), copied->same, copied->files);
       return;
     }
     const Result<QString> number = copied ? enter(*copied, place) : copied.error();

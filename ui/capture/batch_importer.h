@@ -33,7 +33,8 @@ class BatchImporter final : public QObject {
   void imported(const QString& number, int files, const QStringList& doubts);
   void failed(const ostraka::Error& error);
   /// The project has these photographs or scans: nothing was imported.
-  void alreadyThere(const QString& number, const QString& folder);
+  /// Of its files; not all need to be there.
+  void alreadyThere(const QString& number, const QString& folder, int there, int files);
   void ended();  ///< whatever became of it, also when the project is closed
 
  private:

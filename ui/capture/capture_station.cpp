@@ -14,6 +14,7 @@
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
+#include "ui/capture/import_ask.h"
 #include "ui/capture/import_line.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/place_edit.h"
@@ -59,6 +60,11 @@ CaptureStation::CaptureStation(CaptureWizard* wizard, QWidget* parent)
     setFocus();
   });
   buildTwice();
+  import_ask_ = new ImportAsk(this);
+  connect(import_ask_, &ImportAsk::confirmed, importer_, &BatchImporter::start);
+  connect(import_ask_, &ImportAsk::confirmed, this, qOverload<>(&QWidget::setFocus));
+  connect(import_ask_, &ImportAsk::left, this, qOverload<>(&QWidget::setFocus));
+  all->addWidget(import_ask_);
   all->addWidget(new ImportLine(importer_, this));
   all->addWidget(twice_);
   all->addWidget(failure_);
@@ -92,10 +98,17 @@ void CaptureStation::buildTwice() {
   twice_->setSecondAct(tr("Import them all the same"));
   twice_->hide();
   connect(importer_, &BatchImporter::alreadyThere, this,
-          [this](const QString& number, const QString& folder) {
-            twice_->showWords(folder,
-                              tr("%1 has these files already; nothing was imported.").arg(number),
-                              tr("All right"));
+          [this](const QString& number, const QString& folder, int there, int files) {
+            twice_->showWords(
+                folder,
+                there == files
+                    ? tr("%1 has these files already; nothing was imported.").arg(number)
+                    : tr("%1 has %2 of these %3 files already; nothing was imported. To have them "
+                         "whole, import them all and set %1 aside in the queue.")
+                          .arg(number)
+                          .arg(there)
+                          .arg(files),
+                tr("All right"));
           });
   connect(importer_, &BatchImporter::started, twice_, &QWidget::hide);
   connect(twice_, &MessagePanel::actedSecond, importer_, &BatchImporter::startAllTheSame);
@@ -266,11 +279,13 @@ void CaptureStation::openProject(ProjectSession& session) {
   importer_->setSession(&session);
   wizard_->setSession(&session);
   const catalogue::Catalogue& rows = session.project().catalogue();
-  place_->setReader([&session](const QString& text) {
-    return findPlaceText(session.project().catalogue(), text);
-  });
-  place_->setNews(
-      [&session](const PlaceText& place) { return newOf(session.project().catalogue(), place); });
+  for (PlaceEdit* edit : {place_, import_ask_->place()}) {
+    edit->setReader([&session](const QString& text) {
+      return findPlaceText(session.project().catalogue(), text);
+    });
+    edit->setNews(
+        [&session](const PlaceText& place) { return newOf(session.project().catalogue(), place); });
+  }
   const Result<std::string> place = rows.setting(kPlaceKey);
   place_->setText(place ? QString::fromStdString(*place) : QString());
   placeTyped();
@@ -286,8 +301,11 @@ void CaptureStation::closeProject() {
   importer_->setSession(nullptr);
   renewal_->forget();
   board_->setThumbnails(nullptr);
-  place_->setNews({});
-  place_->setReader({});
+  import_ask_->hide();
+  for (PlaceEdit* place : {place_, import_ask_->place()}) {
+    place->setNews({});
+    place->setReader({});
+  }
   if (thumbnails_ != nullptr) thumbnails_->deleteLater();
   thumbnails_ = nullptr;
   failure_->hide();
@@ -345,9 +363,8 @@ void CaptureStation::chooseImport(ImportKind kind) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, kind](const QString& folder) {
-    importer_->start(folder, kind, wizard_->place());
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, kind](const QString& folder) { import_ask_->ask(folder, kind, place_->text()); });
   dialog->open();
 }
 

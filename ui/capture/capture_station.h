@@ -18,6 +18,7 @@ class FactList;
 class MessagePanel;
 class PlaceEdit;
 class NumberEdit;
+class ImportAsk;
 class PlateView;
 class RigPage;
 class RigRenewal;
@@ -90,6 +91,7 @@ class CaptureStation final : public Station {
   NumberEdit* number_edit_;
   MessagePanel *doubts_, *fault_;
   MessagePanel* twice_ = nullptr;
+  ImportAsk* import_ask_;
   MessagePanel* failure_;  ///< of an import or a calibration: nothing to do with the wizard
   QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
       *change_rig_, *set_aside_;

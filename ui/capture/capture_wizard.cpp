@@ -274,6 +274,7 @@ void CaptureWizard::setState(catalogue::BatchState state) {
 }
 
 void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retake) {
+  if (!session_->isThere()) return fail(session_->goneError(), {});  // or a ghost of it is made
   if (const Result<void> begun = batch_.begin(place_); !begun) return fail(begun.error(), {});
   const CapturePhase phase =
       side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;

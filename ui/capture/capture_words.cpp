@@ -87,12 +87,16 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
                               "their numbers (N) when the fronts are shot.")
                                .arg(shown.join(QStringLiteral(", ")))});
   }
-  if (phase_ == CapturePhase::Flip && summary_[0]) {
-    const int front = summary_[0]->check.sherds;
+  if (phase_ == CapturePhase::Flip && (summary_[0] || front_picture_)) {
+    // After a start the fronts are known by their picture only.
+    const int front = summary_[0] ? summary_[0]->check.sherds
+                                  : static_cast<int>(front_picture_->look.sherds.size());
     const int now = live_ ? static_cast<int>(live_->look.sherds.size()) : -1;
     facts.push_back({now < 0 || now == front,
                      now < 0 ? tr("Front: %n sherd(s)", nullptr, front)
                              : tr("Front: %1 sherds, now %2 are seen").arg(front).arg(now)});
+    if (batch_.counted() > 0 && batch_.counted() != front)
+      facts.push_back({false, tr("You counted %1").arg(batch_.counted())});
   }
   if (phase_ == CapturePhase::Done && summary_[0] && summary_[1]) {
     const int front = summary_[0]->check.sherds, back = summary_[1]->check.sherds;

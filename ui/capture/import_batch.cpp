@@ -89,7 +89,7 @@ std::string hashOf(const fs::path& file) {
 
 // Names may be others by now, and some files missing: most of them are enough. Only files of one
 // size are read.
-Result<std::string> batchWithTheSame(const ImportOptions& options, const std::stop_token& stop) {
+Result<Imported> batchWithTheSame(const ImportOptions& options, const std::stop_token& stop) {
   const BySize fresh = takenIn(options.from);
   std::map<fs::path, std::string> hashes;
   std::error_code error;
@@ -110,9 +110,14 @@ Result<std::string> batchWithTheSame(const ImportOptions& options, const std::st
       if (hash.empty()) hash = hashOf(file);
       same += there.contains(hash) ? 1 : 0;
     }
-    if (same * 2 > fresh.size()) return at->path().filename().string();
+    if (same * 2 <= fresh.size()) continue;
+    Imported there_already;
+    there_already.same_as = at->path().filename().string();
+    there_already.same = static_cast<int>(same);
+    there_already.files = static_cast<int>(fresh.size());
+    return there_already;
   }
-  return std::string();
+  return Imported();
 }
 
 }  // namespace
@@ -125,10 +130,8 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
   std::sort(files->begin(), files->end());
   Imported imported;
   if (!options.twice) {
-    Result<std::string> same = batchWithTheSame(options, stop);
-    if (!same) return same.error();
-    imported.same_as = std::move(*same);
-    if (!imported.same_as.empty()) return imported;
+    Result<Imported> same = batchWithTheSame(options, stop);
+    if (!same || !same->same_as.empty()) return same;
   }
   imported.folder = options.project / "batches" / "import.partial";
   std::error_code ignored;

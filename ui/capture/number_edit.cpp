@@ -18,7 +18,7 @@ NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
       note_(new QLabel(this)),
       edit_(new QLineEdit(this)) {
   edit_->setObjectName(QStringLiteral("sherdNumber"));
-  edit_->setPlaceholderText(tr("7, a whole number, or scan its label"));
+  edit_->setPlaceholderText(tr("7, the whole number, or scan its label"));
   edit_->setMinimumHeight(targetSize(*this));
   edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 34);
   edit_->installEventFilter(this);
@@ -78,9 +78,14 @@ bool NumberEdit::keepTyped() {
 
 void NumberEdit::keep() {
   if (!keepTyped()) return;
-  if (sherd_ + 1 < numbers_->count()) return choose(sherd_ + 1);
-  showSherd(sherd_);
-  emit finished();
+  const QString doubt = numbers_->doubtOf(sherd_);
+  const bool more = sherd_ + 1 < numbers_->count();
+  if (more)
+    choose(sherd_ + 1);
+  else
+    showSherd(sherd_);
+  if (!doubt.isEmpty()) note_->setText(doubt);
+  if (!more) emit finished();
 }
 
 bool NumberEdit::eventFilter(QObject* watched, QEvent* event) {

@@ -17,7 +17,7 @@ using catalogue::Catalogue;
 QStringList partsOf(const QString& text) {
   static const QRegularExpression between(QStringLiteral("\\s*[-/]\\s*|\\s+bag\\s+|\\s+"),
                                           QRegularExpression::CaseInsensitiveOption);
-  return text.trimmed().split(between, Qt::SkipEmptyParts);
+  return text.trimmed().split(between);
 }
 
 QStringList partsOf(const std::string& text) {
@@ -81,6 +81,18 @@ std::optional<PlaceText> inKnownSite(const Catalogue& rows, const QStringList& t
   return found;
 }
 
+bool isSiteCode(const QString& text) {
+  static const QRegularExpression form(QStringLiteral("^[\\p{Lu}0-9]{2,8}$"));
+  return form.match(text).hasMatch();
+}
+
+bool isKnownSite(const Catalogue& rows, const QString& code) {
+  const auto sites = rows.sites();
+  return sites && std::any_of(sites->begin(), sites->end(), [&](const auto& site) {
+           return isSame(QString::fromStdString(site.code), code);
+         });
+}
+
 }  // namespace
 
 QString PlaceText::words() const {
@@ -106,6 +118,7 @@ std::optional<PlaceText> readPlaceText(const QString& text) {
     plain = QString::fromStdString(label->number);
   }
   const QStringList parts = partsOf(plain);
+  if (parts.contains(QString())) return {};
   if (parts.size() == 4) return PlaceText{parts[0], parts[1], parts[2], parts[3]};
   if (parts.size() == 3) return PlaceText{parts[0], {}, parts[1], parts[2]};
   return {};
@@ -124,7 +137,10 @@ std::optional<PlaceText> findPlaceText(const Catalogue& rows, const QString& tex
   const QStringList typed = partsOf(plain);
   if (auto known = inKnownContext(rows, typed)) return known;
   if (auto known = inKnownSite(rows, typed)) return known;
-  return readPlaceText(plain);
+  auto read = readPlaceText(plain);
+  // Words of a sentence are no place: a site that is new has a code as new projects have.
+  if (read && !isSiteCode(read->site) && !isKnownSite(rows, read->site)) return {};
+  return read;
 }
 
 QString newOf(const Catalogue& rows, const PlaceText& place) {

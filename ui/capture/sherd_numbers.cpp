@@ -86,4 +86,17 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
   return {};
 }
 
+QString SherdNumbers::doubtOf(int sherd) const {
+  const QString number = of(sherd);
+  if (session_ == nullptr || !row_ || number.isEmpty()) return {};
+  const catalogue::Catalogue& rows = session_->project().catalogue();
+  const auto fits = catalogue::fitsTheBatch(rows, row_, number.toStdString());
+  const auto example = catalogue::wholeNumber(rows, row_, "1");
+  if (!fits || *fits || !example) return {};
+  return tr("Sherd %1: %2 is not as this bag's sherds are numbered (%3). If that is no slip, go "
+            "on.")
+      .arg(sherd + 1)
+      .arg(number, QString::fromStdString(*example));
+}
+
 }  // namespace ostraka::ui

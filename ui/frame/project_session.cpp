@@ -1,5 +1,7 @@
 #include "ui/frame/project_session.h"
 
+#include <system_error>
+
 #include "catalogue/project.h"
 #include "ui/words/sentence.h"
 
@@ -21,6 +23,19 @@ void ProjectSession::setInitials(const QString& initials) {
   if (kept != initials_) person_row_ = 0;
   initials_ = kept;
   emit initialsChanged(initials_);
+}
+
+bool ProjectSession::isThere() const {
+  std::error_code failed;
+  return !hasProject() || std::filesystem::exists(folder_ / "catalogue.sqlite", failed);
+}
+
+Error ProjectSession::goneError() const {
+  return {ErrorCode::Missing,
+          tr("The project's folder is not there any more: it was moved, renamed, or its disk was "
+             "taken out. Open the project again where it is now.")
+              .toStdString(),
+          folder_.string()};
 }
 
 catalogue::Act ProjectSession::act(const QString& why) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/result.h"
+
 namespace ostraka::catalogue {
 class Project;
 struct Act;
@@ -32,6 +34,9 @@ class ProjectSession final : public QObject {
   /// The open project; for the thread of the window only. Jobs open their own with folder().
   catalogue::Project& project() { return *project_; }
   const std::filesystem::path& folder() const { return folder_; }
+  /// Its folder is where it was when it was opened: not moved, renamed or taken away with its disk.
+  bool isThere() const;
+  Error goneError() const;
   JobRunner& jobs() { return runner_; }
   QUndoStack& undo() { return undo_; }
 

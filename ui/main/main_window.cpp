@@ -23,6 +23,7 @@
 #include "ui/frame/rail.h"
 #include "ui/frame/thumbnails.h"
 #include "ui/main/help_page.h"
+#include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_station.h"
@@ -215,25 +216,18 @@ void MainWindow::findProject(const QString& lost, const QString& found) {
   openProject(found);
 }
 
-// Two windows would compute the same batch twice. A window that died leaves no lock behind: its
-// process is gone.
 bool MainWindow::lockProject(const QString& folder) {
-  const QString file = QDir(folder).absoluteFilePath(QStringLiteral(".ostraka.lock"));
-  if (leaving_lock_ != nullptr && leaving_lock_->fileName() == file) {
+  if (leaving_lock_ != nullptr && leaving_lock_->isOf(folder)) {
     lock_ = std::move(leaving_lock_);
     return true;
   }
-  auto lock = std::make_unique<QLockFile>(file);
-  lock->setStaleLockTime(0);
-  if (!lock->tryLock() && lock->error() == QLockFile::LockFailedError) {
-    start_->showError(
-        {ErrorCode::UnusableInput,
-         tr("This project is open in another window already: go on there.").toStdString(),
-         folder.toStdString()});
-    return false;
-  }
-  lock_ = std::move(lock);
-  return true;
+  lock_ = ProjectLock::take(folder);
+  if (lock_ != nullptr) return true;
+  start_->showError(
+      {ErrorCode::UnusableInput,
+       tr("This project is open in another window already: go on there.").toStdString(),
+       folder.toStdString()});
+  return false;
 }
 
 // One that was just made.
@@ -297,6 +291,11 @@ void MainWindow::tryVirtualRig() {
 
 void MainWindow::showStation(int index) {
   if (index < 0 || index >= static_cast<int>(stations_.size()) || session_ == nullptr) return;
+  if (!session_->isThere() && !wizard_->isShooting()) {
+    const Error gone = session_->goneError();
+    closeProject();
+    return start_->showError(gone);
+  }
   const auto before = static_cast<std::size_t>(pages_->currentIndex());
   const auto now = static_cast<std::size_t>(index);
   if (before != now) stations_[now]->takeChosen(stations_[before]->chosen());

@@ -1,5 +1,4 @@
 #pragma once
-#include <QLockFile>
 #include <QMainWindow>
 #include <QString>
 #include <memory>
@@ -25,6 +24,7 @@ class FooterLine;
 class HeaderLine;
 class HelpPage;
 class JobRunner;
+class ProjectLock;
 class ProjectSession;
 class QueueStation;
 class PageArea;
@@ -82,8 +82,8 @@ class MainWindow final : public QMainWindow {
   JobRunner& runner_;
   WindowSettings settings_;
   std::unique_ptr<ProjectSession> session_;
-  std::unique_ptr<QLockFile> lock_;
-  std::unique_ptr<QLockFile> leaving_lock_;  ///< of a project whose computation is ending
+  std::unique_ptr<ProjectLock> lock_;
+  std::unique_ptr<ProjectLock> leaving_lock_;  ///< of a project whose computation is ending
   QUndoGroup* undo_;
   BatchQueue* queue_;
   CaptureWizard* wizard_;

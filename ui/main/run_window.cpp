@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "ui/frame/look.h"
-#include "ui/jobs/job.h"
 #include "ui/frame/wheel_guard.h"
+#include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/settings/window_settings.h"
 #include "ui/viewport/sherd_view.h"

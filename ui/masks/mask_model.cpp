@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "catalogue/review_decisions.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/words/sentence.h"
@@ -51,6 +52,7 @@ class StrokeCommand final : public QUndoCommand {
   StrokeCommand(MaskModel& model, pipeline::MaskStroke stroke)
       : QUndoCommand(MaskModel::tr("paint on a mask")),
         model_(&model),
+        session_(model.session_),
         output_(model.output_),
         stroke_(std::move(stroke)) {}
   void redo() override {
@@ -73,6 +75,7 @@ class StrokeCommand final : public QUndoCommand {
       if (model_ && model_->output_ == output_) {
         if (model_->hold(*strokes)) return;
       } else if (pipeline::writeMaskStrokes(output_, *strokes)) {
+        if (model_) model_->settle(session_, QString::fromStdString(output_.filename().string()));
         return;
       }
     }
@@ -80,6 +83,7 @@ class StrokeCommand final : public QUndoCommand {
   }
 
   QPointer<MaskModel> model_;
+  QPointer<ProjectSession> session_;
   std::filesystem::path output_;
   pipeline::MaskStroke stroke_;
   bool first_ = true;
@@ -217,7 +221,32 @@ bool MaskModel::hold(std::vector<pipeline::MaskStroke> strokes) {
   strokes_ = std::move(strokes);
   painted_ = true;
   if (index_ >= 0) drawVeil();
+  settle(session_, batch_);
   return true;
+}
+
+// The queue tells that the batch is to be computed again, also to who leaves without doing it.
+void MaskModel::settle(ProjectSession* session, const QString& batch) {
+  if (session == nullptr || !session->hasProject()) return;
+  if (settling_) {
+    settle_next_ = batch;
+    return;
+  }
+  settling_ = session->jobs().start(
+      makeJob(tr("Masks of %1").arg(batch),
+              [project = session->folder(), number = batch.toStdString(),
+               person = session->initials().toStdString()](Progress&, std::stop_token) {
+                return catalogue::settleByResults(project, number, person);
+              }),
+      session);
+  connect(settling_, &JobHandle::finished, session,
+          [this, self = QPointer(this), session, batch](const JobOutcome&) {
+            session->tellBatchChanged(batch);
+            if (!self) return;
+            settling_->deleteLater();
+            settling_.clear();
+            if (!settle_next_.isEmpty()) settle(session, std::exchange(settle_next_, {}));
+          });
 }
 
 void MaskModel::paint(pipeline::MaskPaint paint, const QPolygonF& path, double radius_px) {

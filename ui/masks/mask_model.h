@@ -55,6 +55,7 @@ class MaskModel final : public QObject {
   bool hold(std::vector<pipeline::MaskStroke> strokes);
   void drawVeil();
   void forgetJob();
+  void settle(ProjectSession* session, const QString& batch);
   static Result<Shown> read(const pipeline::MaskedPhotograph& photograph);
 
   QPointer<ProjectSession> session_;
@@ -65,7 +66,8 @@ class MaskModel final : public QObject {
   bool painted_ = false;
   int index_ = -1;
   QImage photograph_, found_veil_, veil_;
-  QPointer<JobHandle> job_;
+  QPointer<JobHandle> job_, settling_;
+  QString settle_next_;  ///< a batch that was painted on meanwhile
 };
 
 }  // namespace ostraka::ui

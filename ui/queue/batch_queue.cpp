@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "catalogue/project.h"
+#include "pipeline/mask_strokes.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
@@ -154,6 +155,8 @@ QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow
   } else {
     readDetails(project, row);
   }
+  row.masks_mended = row.state == QueueState::Review &&
+                     pipeline::masksWantComputing(project.resultsFolder(batch.number));
   return row;
 }
 

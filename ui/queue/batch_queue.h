@@ -36,7 +36,8 @@ struct QueueRow {
   JobProgress progress;
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
-  bool aside = false;  ///< Failed, and nobody wants it
+  bool aside = false;         ///< Failed, and nobody wants it
+  bool masks_mended = false;  ///< Review: since its results were computed
   QString
       scale_doubts;  ///< known lengths contradict the plate, a sentence a line: no measure is sure
   std::optional<BatchFigures> figures;

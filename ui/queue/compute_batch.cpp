@@ -146,7 +146,8 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
     progress.note(NoteLevel::Warning,
                   QCoreApplication::translate(
                       "ComputeBatch",
-                      "Pairs were decided while the batch was computed; compute it again for them.")
+                      "Pairs were decided or masks mended while the batch was computed; compute it "
+                      "again for them.")
                       .toStdString());
   figures->counted = countedOtherwise(rows, *record);
   if (figures->counted > 0)

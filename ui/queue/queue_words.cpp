@@ -30,6 +30,7 @@ QString queueStateWords(QueueState state) {
 QString stateWords(const QueueRow& row) {
   if (row.state == QueueState::Review && row.figures && row.figures->draft)
     return BatchQueue::tr("a draft: look, then compute it again");
+  if (row.masks_mended) return BatchQueue::tr("masks were mended; to be computed");
   if (row.state == QueueState::Review && !row.scale_doubts.isEmpty())
     return BatchQueue::tr("the scale is not right: see the report");
   if (row.state == QueueState::Review && row.figures && row.figures->ask == 0)

@@ -1,5 +1,6 @@
 // The whole chain on a small batch of the virtual rig: 2 sherds, 800 pixels wide.
 #include "pipeline/process_batch.h"
+#include "pipeline/review.h"
 
 #include <gtest/gtest.h>
 
@@ -270,12 +271,15 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   }
   ASSERT_TRUE(writeMaskStrokes(out, strokes).has_value());
   EXPECT_EQ(maskFolder(out, batch::Side::Front), "masks_front") << "nothing is mended yet";
+  EXPECT_TRUE(masksWantComputing(out));
+  EXPECT_TRUE(wantsComputing(out));
   const auto points = [&](const std::string& number) {
     const auto scan = readPlyCloud(out / "sherds" / number / "front.ply");
     return scan ? static_cast<double>(scan->size()) : 0.0;
   };
   const double first_before = points("01"), second_before = points("02");
   ASSERT_TRUE(process(out, 1, quiet).has_value());
+  EXPECT_FALSE(masksWantComputing(out));
   EXPECT_EQ(maskFolder(out, batch::Side::Front), "mended_front");
   EXPECT_EQ(maskFolder(out, batch::Side::Back), "masks_back");
   const std::string log = *readFile(out / "log.txt");
@@ -293,6 +297,7 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   EXPECT_TRUE(fs::exists(masked->front().photograph));
 
   ASSERT_TRUE(writeMaskStrokes(out, {}).has_value());
+  EXPECT_TRUE(masksWantComputing(out)) << "what is taken back is to be computed, too";
   ASSERT_TRUE(process(out, 1, quiet).has_value());
   EXPECT_EQ(results(out), before) << "taken back, all is as it was";
 }

@@ -38,6 +38,25 @@ class CaptureResumeTest : public QObject {
     QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
   }
 
+  void aProjectThatWasMovedGetsNoPhotographsAtItsOldPlace() {
+    InlineJobRunner jobs;
+    const std::filesystem::path place = folder() / "open", moved = folder() / "moved";
+    Bench bench(place, jobs);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    std::filesystem::rename(place, moved);
+    bench.wizard.next();
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    QVERIFY(bench.wizard.fault()->what.find("not there any more") != std::string::npos);
+    QVERIFY(!std::filesystem::exists(place));
+    QCOMPARE(bench.rig.shot, std::vector<batch::Side>{batch::Side::Front});
+    std::filesystem::rename(moved, place);  // and back: it goes on
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+  }
+
   void aWrongBagIsMendedAfterTheFronts() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

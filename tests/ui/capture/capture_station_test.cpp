@@ -11,11 +11,13 @@
 #include <QtTest>
 
 #include "base/files.h"
+#include "catalogue/label_codes.h"
 #include "catalogue/project.h"
 #include "fake_rig.h"
 #include "rig/rig.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/import_ask.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/sherd_numbers.h"
 #include "ui/capture/stop_board.h"
@@ -298,6 +300,36 @@ class CaptureStationTest : public QObject {
     QTRY_VERIFY(!stop->isVisible());
   }
 
+  void anImportAsksForItsBag() {
+    QTemporaryDir scans;
+    for (const char* file : {"front/a.ply", "back/b.ply"})
+      QVERIFY(writeFileAtomically(std::filesystem::path(scans.path().toStdString()) / file, file)
+                  .has_value());
+    auto* ask = station_->findChild<ImportAsk*>();
+    QSignalSpy imported(station_->importer(), &BatchImporter::imported);
+    ask->ask(scans.path(), ImportKind::Scans, "ARM1-T3-0012-4");
+    QVERIFY(ask->isVisible());
+    auto* line = ask->findChild<QLineEdit*>();
+    QTRY_VERIFY(line->hasFocus());
+    QTest::keyClicks(line, "no bag at all, never");
+    QVERIFY(!ask->findChild<QPushButton*>("importStart")->isEnabled());
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(ask->isVisible());
+    line->selectAll();
+    QTest::keyClicks(line, "ARM1-T3-0012-5");
+    QTest::keyClick(line, Qt::Key_Return);
+    QVERIFY(!ask->isVisible());
+    QTRY_COMPARE(imported.count(), 1);
+    const auto batch =
+        session_->project().catalogue().batchByNumber(imported[0][0].toString().toStdString());
+    QCOMPARE(batch->bags.size(), std::size_t{1});
+    const auto place = catalogue::placeOf(session_->project().catalogue(), batch->bags.front());
+    QCOMPARE(QString::fromStdString((*place)->bag), QStringLiteral("5"));
+    ask->ask(scans.path(), ImportKind::Scans, {});
+    QTest::keyClick(ask, Qt::Key_Escape);
+    QVERIFY(!ask->isVisible());
+  }
+
   void anotherRigIsNotToBeHadWhileThePlateIsPhotographed() {
     auto* another = child<QAction>("changeRig");
     wizard_->setRig(sourceOf(*rig_));
@@ -408,6 +440,12 @@ class CaptureStationTest : public QObject {
     QVERIFY(rows.setModel(*made, "models/B0002/1/model.ply", "").has_value());
     QCOMPARE(numbers.give(0, "old-8"),
              QStringLiteral("A sherd of B0002 has the number old-8 already; type another."));
+    // A number of another context than the bag's is kept, and doubted.
+    QCOMPARE(numbers.give(1, "ARM1-T3-0099-0001"), QString());
+    QVERIFY2(numbers.doubtOf(1).contains("(ARM1-T3-0012-0001)"), qPrintable(numbers.doubtOf(1)));
+    QCOMPARE(numbers.give(1, "33"), QString());
+    QCOMPARE(numbers.doubtOf(1), QString());
+    QCOMPARE(numbers.give(1, {}), QString());
     // What no sherd has is refused, with the reason.
     for (const char* typed : {"x y/z", "no number", "12 a"})
       QVERIFY2(numbers.give(0, typed).contains("no sherd's number"), typed);

@@ -73,13 +73,21 @@ class ImportTest : public QObject {
     QTRY_COMPARE(imported.count(), 2);
     take("copy");
     QTRY_COMPARE(there.count(), 1);
-    QCOMPARE(there.front().front().toString(), QStringLiteral("B0001"));
+    QCOMPARE(there.front(),
+             (QVariantList{"B0001", QString::fromStdString(path("copy").string()), 3, 3}));
+    std::filesystem::copy(path("copy"), path("whole"), std::filesystem::copy_options::recursive);
+    QVERIFY(writeFileAtomically(path("whole") / "back" / "more.ply", "one more").has_value());
+    take("whole");
+    QTRY_COMPARE(there.count(), 2);
+    QCOMPARE(there[1].mid(2), (QVariantList{3, 4}));
+    take("copy");
+    QTRY_COMPARE(there.count(), 3);
     QCOMPARE(session_->project().catalogue().batches()->size(), std::size_t{2});
     QVERIFY(!std::filesystem::exists(path("project") / "batches" / "import.partial"));
     importer.startAllTheSame();
     QTRY_COMPARE(imported.count(), 3);
     QCOMPARE(session_->project().catalogue().batches()->size(), std::size_t{3});
-    QCOMPARE(there.count(), 1);
+    QCOMPARE(there.count(), 3);
   }
 
   void aFolderWithoutBacksIsRefusedWithASentenceAndLeavesNothing() {

@@ -36,6 +36,7 @@ class PlaceTextTest : public QObject {
     QTest::newRow("one word") << "ARM1";
     QTest::newRow("a sherd's code") << "OST1:S:ARM1-T3-0012-0007:7F3K9Q2M";
     QTest::newRow("too much") << "a-b-c-d-e";
+    QTest::newRow("one part is missing") << "VIRT-T1--3";
   }
   void refusesWhatIsNoPlace() {
     QFETCH(QString, text);
@@ -59,6 +60,8 @@ class PlaceTextTest : public QObject {
     QCOMPARE(read("OST1:B:AR-TS-T3-0012-4:7F3K9Q2M"),
              std::optional(PlaceText{"AR-TS", "T3", "0012", "4"}));
     QCOMPARE(read("ARM1-T3-0012-4"), std::optional(PlaceText{"ARM1", "T3", "0012", "4"}));
+    QVERIFY(!read("hello new world"));  // a sentence, not a new site
+    QVERIFY(!read("arm1-T3-0012-4"));
     QCOMPARE(read("AR-TS-4"), std::optional(PlaceText{"AR", "", "TS", "4"}));
   }
 

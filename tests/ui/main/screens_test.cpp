@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QLockFile>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTabWidget>
@@ -30,6 +29,7 @@
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/main/new_project.h"
+#include "ui/main/project_lock.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"
 
@@ -142,6 +142,21 @@ class ScreensTest : public QObject {
     QVERIFY(other.session() == nullptr);
   }
 
+  void aProjectThatWasMovedIsClosedAndOpensWhereItIsNow() {
+    openVirtual();
+    const QString moved = project_ + "-moved";
+    QVERIFY(QDir().rename(project_, moved));
+    window_->showStation(3);
+    QVERIFY(window_->session() == nullptr);
+    auto* words = named<MessagePanel>(*window_, "startMessage");
+    QVERIFY2(words->words().contains("not there any more"), qPrintable(words->words()));
+    QVERIFY(!QFile::exists(project_));
+    window_->openProject(moved);  // its lock is this window's own
+    QVERIFY(window_->session() != nullptr);
+    window_->closeProject();
+    QVERIFY(QDir().rename(moved, project_));
+  }
+
   // Opening may bring the catalogue up to date: never under the hands of another window.
   void aProjectThatIsOpenElsewhereIsNotEvenRead() {
     openVirtual();
@@ -152,8 +167,8 @@ class ScreensTest : public QObject {
     catalogue.close();
     auto* words = named<MessagePanel>(*window_, "startMessage");
     {
-      QLockFile elsewhere(project_ + "/.ostraka.lock");
-      QVERIFY(elsewhere.tryLock());
+      const auto elsewhere = ProjectLock::take(project_);
+      QVERIFY(elsewhere != nullptr);
       window_->openProject(project_);
       QVERIFY(window_->session() == nullptr);
       QVERIFY2(words->words().contains("another window"), qPrintable(words->words()));

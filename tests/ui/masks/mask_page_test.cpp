@@ -13,7 +13,10 @@
 #include <filesystem>
 
 #include "../names.h"
+#include "base/files.h"
+#include "catalogue/project.h"
 #include "pipeline/mask_strokes.h"
+#include "pipeline/review.h"
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
@@ -79,6 +82,40 @@ class MaskPageTest : public QObject {
     session_->undo().redo();
     QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
     QVERIFY(qAlpha(model_->veil().pixel(plate)) > 0);
+  }
+
+  void aBatchThatWasDoneWantsComputingUntilTheStrokeIsTakenBack() {
+    catalogue::ProjectRecord record;
+    record.code = "TEST";
+    record.title = "Test";
+    const fs::path project = fs::path(folder_->path().toStdString()) / "project";
+    auto made = catalogue::Project::create(project, record);
+    QVERIFY(made.has_value());
+    fs::create_directories(project / "results");
+    fs::copy(out_, project / "results" / "B0001", fs::copy_options::recursive);
+    // A run that has followed what was painted and decided so far: nothing.
+    QVERIFY(writeFileAtomically(project / "results/B0001/report.json",
+                                R"({"decisions":[],"stages":[]})")
+                .has_value());
+    catalogue::BatchRecord batch;
+    batch.state = catalogue::BatchState::Done;
+    QVERIFY(made->catalogue().addBatch(batch, {}).has_value());
+    ProjectSession session(std::make_shared<catalogue::Project>(std::move(*made)), project, jobs_);
+    session.setInitials("AP");
+    const auto state = [&] { return session.project().catalogue().batchByNumber("B0001")->state; };
+    const bool asks = pipeline::loadReview(project / "results" / "B0001")->waiting() > 0;
+    const auto settled = asks ? catalogue::BatchState::Review : catalogue::BatchState::Done;
+    QSignalSpy told(&session, &ProjectSession::batchChanged);
+    page_->openBatch(session, "B0001");
+    QTRY_VERIFY_WITH_TIMEOUT(!model_->veil().isNull(), 20000);
+    model_->paint(pipeline::MaskPaint::Plate, QPolygonF{{10, 10}, {30, 30}}, 8);
+    QTRY_COMPARE(state(), catalogue::BatchState::Review);
+    QVERIFY(pipeline::masksWantComputing(project / "results" / "B0001"));
+    QTRY_VERIFY(told.count() > 0);
+    page_->closeBatch();  // and an undo from another page reaches the file, too
+    session.undo().undo();
+    QVERIFY(!pipeline::masksWantComputing(project / "results" / "B0001"));
+    QTRY_COMPARE(state(), settled);
   }
 
   void theKeysMoveTheBrushAndPaintPlate() {

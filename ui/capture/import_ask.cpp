@@ -1,0 +1,66 @@
+#include "ui/capture/import_ask.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/capture/place_edit.h"
+#include "ui/frame/look.h"
+
+namespace ostraka::ui {
+
+ImportAsk::ImportAsk(QWidget* parent)
+    : QWidget(parent), words_(new QLabel(this)), place_(new PlaceEdit(this)) {
+  setObjectName(QStringLiteral("importAsk"));
+  words_->setWordWrap(true);
+  import_ = new QPushButton(tr("Import"), this);
+  import_->setObjectName(QStringLiteral("importStart"));
+  auto* leave = new QPushButton(tr("Import nothing"), this);
+  leave->setObjectName(QStringLiteral("importLeave"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(place_, 1);
+  for (QPushButton* button : {import_, leave}) {
+    button->setMinimumHeight(targetSize(*this));
+    row->addWidget(button);
+  }
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(words_);
+  column->addLayout(row);
+  column->addWidget(place_->note());
+  connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
+  connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
+  connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
+  connect(place_, &PlaceEdit::edited, this, [this] { import_->setEnabled(place_->isUsable()); });
+  hide();
+}
+
+void ImportAsk::ask(const QString& folder, ImportKind kind, const QString& suggestion) {
+  folder_ = folder;
+  kind_ = kind;
+  words_->setText(tr("Which bag do the sherds of %1 come from?").arg(folder));
+  place_->setText(suggestion);
+  import_->setEnabled(place_->isUsable());
+  show();
+  place_->choose();
+}
+
+void ImportAsk::confirm() {
+  if (!isVisible() || !place_->isUsable()) return;
+  hide();
+  emit confirmed(folder_, kind_, place_->place());
+}
+
+void ImportAsk::leave() {
+  hide();
+  emit left();
+}
+
+void ImportAsk::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) return leave();
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace ostraka::ui

@@ -8,31 +8,13 @@
 #include "catalogue/migrations.h"
 #include "catalogue/names.h"
 #include "catalogue/numbering.h"
+#include "catalogue/starting_words.h"
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct StartingVocabulary {
-  const char* name;
-  std::vector<const char*> terms;
-};
-
-// What a new project begins with.
-const std::vector<StartingVocabulary>& startingVocabularies() {
-  static const std::vector<StartingVocabulary> all = {
-      {"part",
-       {"rim", "neck", "shoulder", "body", "base", "handle", "spout", "lid", "profile", "whole",
-        "unknown"}},
-      {"surface", {"plain", "smoothed", "burnished", "slipped", "washed", "glazed", "painted"}},
-      {"decoration", {"none", "incised", "impressed", "stamped", "applied", "painted", "combed"}},
-      {"manufacture", {"hand", "coil", "mould", "wheel", "unknown"}},
-      {"firing", {"oxidised", "reduced", "mixed"}},
-      {"condition", {"fresh", "worn", "encrusted", "burnt", "flaked", "repaired"}}};
-  return all;
-}
 
 bool isProjectCode(const std::string& code) {
   if (code.size() < 2 || code.size() > 8) return false;
@@ -91,8 +73,9 @@ Result<void> Catalogue::setProject(const ProjectRecord& p, const Act& act) {
           .run();
       for (const StartingVocabulary& vocabulary : startingVocabularies())
         for (std::size_t i = 0; i < vocabulary.terms.size(); ++i)
-          database_->sql("INSERT INTO vocabulary (name, term, position) VALUES (?, ?, ?)")
-              .with(vocabulary.name, vocabulary.terms[i], static_cast<std::int64_t>(i))
+          database_->sql("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)")
+              .with(vocabulary.name, vocabulary.terms[i].term, static_cast<std::int64_t>(i),
+                    nlohmann::json(vocabulary.terms[i].labels).dump(), vocabulary.terms[i].uri)
               .run();
     }
     rememberDifferences(*this, act, "project", 1,

@@ -37,9 +37,9 @@ std::string inContext(const std::string& condition) {
 
 // The terms that are meant, as they are spelled in the vocabularies and so at the sherds: capitals
 // make no difference, and a label in another language will do.
-std::string isTerm(Query& query, const std::string& word) {
+std::vector<std::string> termsCalled(Query& query, const std::string& word) {
   const std::string key = uniqueKey(word);
-  std::string in = "term IN (" + query.mark(word);
+  std::vector<std::string> terms;
   Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
   while (rows.next()) {
     std::string term, labels;
@@ -48,8 +48,14 @@ std::string isTerm(Query& query, const std::string& word) {
     const nlohmann::json names = nlohmann::json::parse(labels, nullptr, false);
     for (const nlohmann::json& name : names)
       meant |= name.is_string() && uniqueKey(name.get<std::string>()) == key;
-    if (meant) in += ", " + query.mark(term);
+    if (meant) terms.push_back(term);
   }
+  return terms;
+}
+
+std::string isTerm(Query& query, const std::string& word) {
+  std::string in = "term IN (" + query.mark(word);
+  for (const std::string& term : termsCalled(query, word)) in += ", " + query.mark(term);
   return in + ")";
 }
 
@@ -60,8 +66,14 @@ std::string wordSql(Query& query, const std::string& word) {
       quoted += c;
       if (c == '"') quoted += '"';
     }
-    return "s.row IN (SELECT rowid FROM sherd_text WHERE sherd_text MATCH " +
-           query.mark(quoted + "\"") + ")";
+    std::string found =
+        "SELECT rowid FROM sherd_text WHERE sherd_text MATCH " + query.mark(quoted + "\"");
+    // The text holds terms as they are stored, and the window shows their labels.
+    const std::vector<std::string> terms = termsCalled(query, word);
+    if (std::any_of(terms.begin(), terms.end(),
+                    [&](const std::string& term) { return uniqueKey(term) != uniqueKey(word); }))
+      found += " UNION SELECT sherd FROM sherd_term WHERE " + isTerm(query, word);
+    return "s.row IN (" + found + ")";
   }
   // Below three letters the search has no index: whole terms and whole places then.
   const std::string key = query.mark(uniqueKey(word));

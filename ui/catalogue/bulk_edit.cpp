@@ -117,11 +117,10 @@ void BulkEdit::showProgress(double fraction) {
 
 void BulkEdit::offerTerms() {
   const std::string field = field_->currentData().toString().toStdString();
+  if (session_) words_.read(session_->project().catalogue());
   QStringList terms;
   for (const catalogue::SherdField& known : catalogue::sherdFields())
-    if (session_ && field == known.name && !std::string_view(known.vocabulary).empty())
-      if (const auto vocabulary = session_->project().catalogue().vocabulary(known.vocabulary))
-        for (const catalogue::Term& term : *vocabulary) terms << QString::fromStdString(term.term);
+    if (session_ && field == known.name) terms = words_.of(known);
   auto* completer = new QCompleter(terms, value_);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   delete value_->completer();
@@ -179,9 +178,10 @@ void BulkEdit::showPreview(const std::vector<catalogue::ChangePreview>& shown,
     table_->insertRow(row);
     const QString number = QString::fromStdString(records[i].number);
     table_->setItem(row, 0, new QTableWidgetItem(number.isEmpty() ? tr("no number yet") : number));
-    table_->setItem(row, 1, new QTableWidgetItem(QString::fromStdString(change.old_value)));
+    table_->setItem(row, 1,
+                    new QTableWidgetItem(words_.shown(change.change.field, change.old_value)));
     auto* then = new QTableWidgetItem(change.refusal.empty()
-                                          ? QString::fromStdString(change.new_value)
+                                          ? words_.shown(change.change.field, change.new_value)
                                           : tr("refused: %1").arg(wordsOf(change.refusal)));
     then->setToolTip(then->text());
     if (!change.refusal.empty()) then->setIcon(icon("error"));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "ui/frame/term_words.h"
 
 class QComboBox;
 class QLabel;
@@ -48,6 +49,7 @@ class BulkEdit final : public QWidget {
   std::vector<catalogue::FieldChange> good_;
   QLabel* heading_ = nullptr;
   QComboBox* field_ = nullptr;
+  TermWords words_;
   QLineEdit* value_ = nullptr;
   QLabel* summary_ = nullptr;
   QTableWidget* table_ = nullptr;

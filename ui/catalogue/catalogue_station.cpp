@@ -254,6 +254,7 @@ void CatalogueStation::openProject(ProjectSession& session) {
           [this](const QString& initials) { who_->setVisible(initials.isEmpty()); });
   connect(&session, &ProjectSession::vocabulariesChanged, this, [this] {
     details_->setVocabularies(session_->project().catalogue());
+    model_->readVocabularies();
     showSelection();
   });
   who_->setVisible(session.initials().isEmpty());

@@ -9,6 +9,7 @@
 #include "catalogue/values.h"
 #include "ui/frame/free_tr.h"
 #include "ui/frame/lines.h"
+#include "ui/frame/term_words.h"
 
 namespace ostraka::ui {
 
@@ -130,19 +131,23 @@ QString withFieldNames(const QString& filter) {
   return read + filter.mid(done);
 }
 
-QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field) {
+QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
+                  const TermWords& words) {
   if (field == "state") return stateLabel(sherd.state);
   if (field == "scale") return sherd.scale_doubtful ? tr("in doubt") : QString();
   const std::string text = catalogue::textOf(sherd, field);
   if (text.empty()) return {};
-  for (const catalogue::SherdField& known : catalogue::sherdFields())
-    if (field == known.name && known.kind == catalogue::FieldKind::Number) {
+  for (const catalogue::SherdField& known : catalogue::sherdFields()) {
+    if (field != known.name) continue;
+    if (known.kind == catalogue::FieldKind::Number) {
       // Not std::stod: it obeys the language that Qt set.
       const auto value = catalogue::parsedNumber(text);
       if (!value) return {};
       const QString number = QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
       return isDoubtful(sherd, field) ? tr("%1 ?").arg(number) : number;
     }
+    return words.shown(known, QString::fromStdString(text));
+  }
   return QString::fromStdString(text);
 }
 

@@ -5,6 +5,8 @@
 
 namespace ostraka::ui {
 
+class TermWords;
+
 /// What people call a field of a sherd, with its unit: "length, mm".
 QString fieldLabel(const std::string& field);
 /// A line of the filter with the fields' names as people call them put into those of the catalogue:
@@ -12,7 +14,8 @@ QString fieldLabel(const std::string& field);
 /// names stay as they are.
 QString withFieldNames(const QString& filter);
 /// A value as people read it: numbers in the language's form with a sensible number of digits.
-QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field);
+QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
+                  const TermWords& words);
 /// What people call a measure, with its unit, and its value in the language's form.
 QString measureLabel(const std::string& kind);
 QString measureText(double value);

@@ -192,11 +192,10 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
 }
 
 void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
+  words_.read(catalogue);
   for (const catalogue::SherdField& field : catalogue::sherdFields()) {
     if (std::string_view(field.vocabulary).empty()) continue;
-    QStringList terms;
-    if (const auto vocabulary = catalogue.vocabulary(field.vocabulary))
-      for (const catalogue::Term& term : *vocabulary) terms << QString::fromStdString(term.term);
+    const QStringList terms = words_.of(field);
     QWidget* editor = editors_.value(field.name);
     if (auto* box = qobject_cast<QComboBox*>(editor)) {
       box->clear();
@@ -247,7 +246,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
       why_no_number_->setText(wordsOf(proposed.error().what));
   }
   for (const catalogue::SherdField& field : catalogue::sherdFields())
-    if (field.editable) setText(field.name, shownText(*sherd, field));
+    if (field.editable) setText(field.name, words_.shown(field, shownText(*sherd, field)));
   place_->clear();
   if (const auto contexts = catalogue.contexts())
     for (const catalogue::ContextRecord& context : *contexts) {
@@ -290,9 +289,9 @@ void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
   if (const auto all = catalogue.history(sherd_))
     for (const catalogue::HistoryEntry& entry : *all) {
       const bool measure = !catalogue::unitOf(entry.field).empty();
-      const auto shown = [measure](const std::string& value) {
+      const auto shown = [&](const std::string& value) {
         const Result<double> number = catalogue::parsedNumber(value);
-        return measure && number ? measureText(*number) : QString::fromStdString(value);
+        return measure && number ? measureText(*number) : words_.shown(entry.field, value);
       };
       const QString old_value = shown(entry.old_value), new_value = shown(entry.new_value);
       const QString label = measureLabel(entry.field);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "catalogue/catalogue.h"
+#include "ui/frame/term_words.h"
 
 class QComboBox;
 class QFormLayout;
@@ -55,6 +56,7 @@ class SherdDetails final : public QScrollArea {
   QFormLayout* form_ = nullptr;
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
+  TermWords words_;
   QHash<QString, QString> shown_;  ///< what a field showed before it was edited
   QWidget* refusal_ = nullptr;
   QLabel* refusal_text_ = nullptr;

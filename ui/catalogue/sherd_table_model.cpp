@@ -46,7 +46,14 @@ void SherdTableModel::setCatalogue(const catalogue::Catalogue* catalogue,
   filter_ = {};
   pictures_.clear();
   asked_.clear();
+  readVocabularies();
   reload();
+}
+
+void SherdTableModel::readVocabularies() {
+  words_ = {};
+  if (catalogue_ != nullptr) words_.read(*catalogue_);
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }
 
 QString SherdTableModel::setFilter(const QString& line) {
@@ -182,7 +189,7 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
     return font;
   }
   if (role == Qt::DecorationRole) return picture(index.row(), *sherd);
-  const QString text = fieldText(*sherd, field);
+  const QString text = fieldText(*sherd, field, words_);
   const bool doubtful = isDoubtful(*sherd, field);
   if (role == Qt::ToolTipRole && doubtful)
     return tr("%1: the scale of batch %2 is in doubt; its report says why and what to do.")

@@ -11,6 +11,7 @@
 
 #include "catalogue/catalogue.h"
 #include "catalogue/filter.h"
+#include "ui/frame/term_words.h"
 
 namespace ostraka::ui {
 
@@ -35,6 +36,7 @@ class SherdTableModel final : public QAbstractTableModel {
   const catalogue::Filter& filter() const { return filter_; }
   /// Asks the catalogue again.
   void reload();
+  void readVocabularies();  ///< words that are shown in the cells
   /// These sherds changed: their cells are drawn anew, the order stays until reload().
   void refresh(const std::vector<catalogue::SherdRow>& rows);
 
@@ -62,6 +64,7 @@ class SherdTableModel final : public QAbstractTableModel {
   std::filesystem::path project_;
   JobRunner* jobs_ = nullptr;
   QPointer<QObject> requests_;  ///< parent of the jobs for pictures; goes with the project
+  TermWords words_;
   catalogue::Filter filter_;
   catalogue::SherdOrder order_;
   std::vector<std::string> fields_;

@@ -13,6 +13,7 @@
 #include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/term_words.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -22,7 +23,7 @@ constexpr int kLines = 7;
 
 QString linesOf(const std::vector<catalogue::Term>& terms) {
   QStringList lines;
-  for (const catalogue::Term& term : terms) lines << QString::fromStdString(term.term);
+  for (const catalogue::Term& term : terms) lines << termLabel(term);
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -141,8 +142,9 @@ std::vector<catalogue::Term> VocabularyEdit::written() const {
   for (const QString& line : terms_->toPlainText().split(QLatin1Char('\n'))) {
     const std::string word = line.simplified().toStdString();
     if (word.empty()) continue;
-    const auto known = std::find_if(held_.begin(), held_.end(),
-                                    [&](const catalogue::Term& term) { return term.term == word; });
+    const auto known = std::find_if(held_.begin(), held_.end(), [&](const catalogue::Term& term) {
+      return term.term == word || termLabel(term).toStdString() == word;
+    });
     terms.push_back(known == held_.end() ? catalogue::Term{word, {}, {}} : *known);
   }
   return terms;

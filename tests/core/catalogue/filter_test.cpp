@@ -116,6 +116,13 @@ TEST_F(Filters, TermsAreFoundHoweverTheVocabularySpellsThem) {
   EXPECT_EQ(letters("-part:ts part:\"terra sigillata\""), "?");
 }
 
+TEST_F(Filters, AWordOfAnotherLanguageFindsTheTermThatItMeans) {
+  EXPECT_FALSE(found("rim").empty());
+  EXPECT_EQ(found("bord"), found("rim"));
+  EXPECT_EQ(found("part:Rand"), found("part:rim"));
+  EXPECT_EQ(found("-χείλος").size() + found("χείλος").size(), found("").size());
+}
+
 TEST_F(Filters, TheCodeOfAPrintedLabelFindsItsSherd) {
   const std::string b = "ARM1-T3-0012-0002:" + labelEnd("ARM1-T3-0012-0002");
   EXPECT_EQ(letters("OST1:S:" + b), "b");

@@ -170,6 +170,29 @@ TEST_F(ProjectFolder, SeveralActsAreOneTransaction) {
   EXPECT_TRUE(found("").empty());
 }
 
+TEST_F(ProjectFolder, ANewProjectsWordsHaveLabelsThatAreToldApart) {
+  for (const char* name : {"part", "surface", "decoration", "manufacture", "firing", "condition"}) {
+    const auto terms = catalogue().vocabulary(name);
+    ASSERT_TRUE(terms.has_value());
+    ASSERT_GE(terms->size(), 3u) << name;
+    for (const char* language : {"de", "el", "es", "fr", "hy", "tr"}) {
+      std::set<std::string> labels;
+      for (const Term& term : *terms) {
+        ASSERT_TRUE(term.labels.contains(language)) << name << " " << term.term;
+        EXPECT_TRUE(labels.insert(uniqueKey(term.labels.at(language))).second)
+            << name << " " << term.labels.at(language);
+        for (const Term& other : *terms)  // nor is it another one's own word
+          EXPECT_TRUE(&other == &term ||
+                      uniqueKey(other.term) != uniqueKey(term.labels.at(language)))
+              << name << " " << term.labels.at(language);
+      }
+    }
+  }
+  const SherdRow sherd = draft(context12);
+  ASSERT_TRUE(set(sherd, "part", "Bord; col"));
+  EXPECT_EQ(valueOf(sherd, "part"), "rim; neck");
+}
+
 TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
   const SherdRow sherd = draft(context12);
   ASSERT_TRUE(set(sherd, "firing", "reduced"));

@@ -109,6 +109,25 @@ class CatalogueStationTest : public QObject {
     QVERIFY(static_cast<bool>(history->front().by));
   }
 
+  void termsAreShownAndTypedInTheWindowsLanguage() {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::French));
+    const auto back = qScopeGuard([&] { QLocale::setDefault(before); });
+    sample_->session().tellVocabulariesChanged();
+    choose(0);
+    auto* part = child<QLineEdit>("field_part");
+    QCOMPARE(part->text(), QString("bord"));
+    QCOMPARE(table()->model()->index(0, 3).data().toString(), QString("bord"));
+    part->setFocus();
+    part->selectAll();
+    QTest::keyClicks(part, "bord; col");
+    QTest::keyClick(part, Qt::Key_Return);
+    QCOMPARE(sample_->value(0, "part"), QString("rim; neck"));
+    QCOMPARE(part->text(), QString("bord; col"));
+    filter("col");
+    QCOMPARE(table()->model()->rowCount(), 1);
+  }
+
   void theHistoryTellsMeasuresAsPeopleReadThem() {
     choose(0);
     QStringList told;

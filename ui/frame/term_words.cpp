@@ -1,0 +1,49 @@
+#include "ui/frame/term_words.h"
+
+#include <QLocale>
+
+#include "catalogue/catalogue.h"
+
+namespace ostraka::ui {
+
+QString termLabel(const catalogue::Term& term) {
+  const QString language = QLocale().name().section(QLatin1Char('_'), 0, 0);
+  const auto label = term.labels.find(language.toStdString());
+  return QString::fromStdString(label == term.labels.end() ? term.term : label->second);
+}
+
+void TermWords::read(const catalogue::Catalogue& catalogue) {
+  labels_.clear();
+  in_order_.clear();
+  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+    const QString name = QString::fromLatin1(field.vocabulary);
+    if (name.isEmpty() || labels_.contains(name)) continue;
+    const auto terms = catalogue.vocabulary(field.vocabulary);
+    if (!terms) continue;
+    for (const catalogue::Term& term : *terms) {
+      const QString label = termLabel(term);
+      labels_[name].insert(QString::fromStdString(term.term), label);
+      in_order_[name] << label;
+    }
+  }
+}
+
+QString TermWords::shown(const catalogue::SherdField& field, const QString& text) const {
+  const auto labels = labels_.constFind(QString::fromLatin1(field.vocabulary));
+  if (labels == labels_.constEnd() || text.isEmpty()) return text;
+  QStringList words;
+  for (const QString& term : text.split(QStringLiteral("; "))) words << labels->value(term, term);
+  return words.join(QStringLiteral("; "));
+}
+
+QString TermWords::shown(const std::string& field, const std::string& text) const {
+  for (const catalogue::SherdField& known : catalogue::sherdFields())
+    if (field == known.name) return shown(known, QString::fromStdString(text));
+  return QString::fromStdString(text);
+}
+
+QStringList TermWords::of(const catalogue::SherdField& field) const {
+  return in_order_.value(QString::fromLatin1(field.vocabulary));
+}
+
+}  // namespace ostraka::ui

@@ -4026,6 +4026,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch nicht gespeichert: %1. Die Eingabetaste im Feld speichert es.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -4026,6 +4026,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aún no guardado: %1. Intro en el campo lo guarda.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -4026,6 +4026,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore enregistré : %1. Entrée dans le champ l'enregistre.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -3988,6 +3988,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

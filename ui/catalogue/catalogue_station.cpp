@@ -419,7 +419,9 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
     details_->showRefusal(change.field, QString::fromStdString(refused.refusal), number, picture);
     return;
   }
-  complain(edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change}));
+  const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
+  complain(why);
+  details_->keepUnsaved(field, value, why);
 }
 
 void CatalogueStation::move(const QStringList& place) {

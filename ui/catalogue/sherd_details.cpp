@@ -221,6 +221,32 @@ void SherdDetails::setText(const std::string& field, const QString& text) {
   }
 }
 
+void SherdDetails::keepUnsaved(const QString& field, const QString& value, const QString& why) {
+  auto& typed = unsaved_[sherd_.value];
+  if (why.isEmpty())
+    typed.remove(field);
+  else
+    typed.insert(field, value);
+  if (typed.isEmpty()) unsaved_.remove(sherd_.value);
+  showUnsaved();
+}
+
+void SherdDetails::showUnsaved() {
+  const QHash<QString, QString> typed = unsaved_.value(sherd_.value);
+  QStringList fields;
+  for (auto at = typed.begin(); at != typed.end(); ++at) {
+    fields << fieldLabel(at.key().toStdString());
+    if (auto* line = qobject_cast<QLineEdit*>(editors_.value(at.key()))) line->setText(*at);
+    if (auto* box = qobject_cast<QComboBox*>(editors_.value(at.key()))) box->setCurrentText(*at);
+  }
+  if (fields.isEmpty()) return;
+  fields.sort();
+  showRefusal(
+      typed.begin().key().toStdString(),
+      tr("Not saved yet: %1. Return in the field saves it.").arg(fields.join(QStringLiteral(", "))),
+      {}, {});
+}
+
 void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
                              const std::filesystem::path& project, catalogue::SherdRow row) {
   const Result<catalogue::SherdRecord> sherd = catalogue.sherd(row);
@@ -257,6 +283,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
       if (context.row == sherd->context) place_->setCurrentIndex(place_->count() - 1);
     }
   if (!sherd->context) place_->setCurrentIndex(-1);
+  showUnsaved();
   showMeasures(catalogue, *sherd);
   showHistory(catalogue);
   showFiles(catalogue, project);

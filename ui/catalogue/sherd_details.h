@@ -30,6 +30,9 @@ class SherdDetails final : public QScrollArea {
   catalogue::SherdRow sherd() const { return sherd_; }
   /// The cursor into the first field that is empty, or into this one.
   void edit(const std::string& field = {});
+  /// What was typed stays at its sherd until it is saved, whatever is shown meanwhile: the disk was
+  /// full, or the catalogue busy. Empty why: it is saved.
+  void keepUnsaved(const QString& field, const QString& value, const QString& why);
   /// In place, beside the field: what was wrong; with the picture of the sherd in the way.
   void showRefusal(const std::string& field, const QString& sentence, const QString& other,
                    const QString& picture);
@@ -45,6 +48,7 @@ class SherdDetails final : public QScrollArea {
   void addPlace();
   QWidget* editorFor(const catalogue::SherdField& field);
   void setText(const std::string& field, const QString& text);
+  void showUnsaved();
   void showMeasures(const catalogue::Catalogue& catalogue, const catalogue::SherdRecord& sherd);
   void showHistory(const catalogue::Catalogue& catalogue);
   void showFiles(const catalogue::Catalogue& catalogue, const std::filesystem::path& project);
@@ -57,7 +61,8 @@ class SherdDetails final : public QScrollArea {
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
   TermWords words_;
-  QHash<QString, QString> shown_;  ///< what a field showed before it was edited
+  QHash<QString, QString> shown_;                   ///< what a field showed before it was edited
+  QHash<qint64, QHash<QString, QString>> unsaved_;  ///< sherd -> field -> what was typed
   QWidget* refusal_ = nullptr;
   QLabel* refusal_text_ = nullptr;
   QLabel* refusal_picture_ = nullptr;

@@ -234,7 +234,7 @@ class CaptureStationTest : public QObject {
     station_->showItem("calibrate:B0001");
     station_->closeProject();
     station_->openProject(*session_);
-    QTest::qWait(50);
+    QCoreApplication::processEvents();  // an inline job ends with the events that it posted
     QCOMPARE(renewed.count(), 1);
   }
 

@@ -1,4 +1,5 @@
 #include "ui/catalogue/catalogue_station.h"
+#include "catalogue/database.h"
 
 #include <QAccessible>
 #include <QAction>
@@ -17,6 +18,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "catalogue/database.h"
 #include "sample_project.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
@@ -107,6 +109,35 @@ class CatalogueStationTest : public QObject {
     const auto history = sample_->catalogue().history(sample_->sherds()[0]);
     QCOMPARE(history->front().field, std::string("part"));
     QVERIFY(static_cast<bool>(history->front().by));
+  }
+
+  void whatCouldNotBeSavedStaysWithItsSherdUntilItIs() {
+    choose(0);
+    auto* ware = child<QLineEdit>("field_ware");
+    const QString before = ware->text();
+    auto& database = sample_->session().project().catalogue().database();
+    database
+        .sql(
+            "CREATE TEMP TRIGGER full BEFORE UPDATE ON sherd BEGIN SELECT RAISE(ABORT, 'full'); "
+            "END")
+        .run();
+    ware->setFocus();
+    ware->selectAll();
+    QTest::keyClicks(ware, "coarse");
+    QTest::keyClick(ware, Qt::Key_Return);
+    QCOMPARE(sample_->value(0, "ware"), before);
+    choose(1);
+    QVERIFY(ware->text() != QString("coarse"));
+    choose(0);
+    QCOMPARE(ware->text(), QString("coarse"));
+    database.sql("DROP TRIGGER full").run();
+    ware->setFocus();
+    QTest::keyClick(ware, Qt::Key_Return);
+    QCOMPARE(sample_->value(0, "ware"), QString("coarse"));
+    choose(1);
+    choose(0);
+    QCOMPARE(ware->text(), QString("coarse"));
+    QVERIFY(!child<QWidget>("refusal")->isVisible());
   }
 
   void termsAreShownAndTypedInTheWindowsLanguage() {

@@ -126,7 +126,7 @@ class SentenceTest : public QObject {
   }
 
   // Hours of log in one text cost no more than its length.
-  void aLongUnknownTextIsReadAtOnce() {
+  void aLongUnknownTextStaysAsItIs() {
     std::string text;
     for (int i = 0; i < 200; ++i) text += "Nobody: said this. ";
     QCOMPARE(wordsOf(text), QString::fromStdString(text));

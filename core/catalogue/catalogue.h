@@ -98,6 +98,8 @@ class Catalogue {
   // measurements: a new value is a new row that replaces the older one
   Result<void> measure(const Measurement&, const Act&);
   Result<std::vector<Measurement>> measurements(SherdRow) const;  ///< those that count now
+  /// Those of them that persons took, by sherd.
+  Result<std::vector<Measurement>> measuredByHand(std::span<const SherdRow>) const;
 
   // files and history
   Result<FileRow> save(const FileRecord&, const Act&);  ///< row none: by its path

@@ -29,6 +29,21 @@ std::string textOf(double value, const std::optional<double>& uncertainty) {
   return numberText(value) + (uncertainty ? " ± " + numberText(*uncertainty) : std::string());
 }
 
+constexpr const char* kCurrent =
+    "SELECT sherd, kind, unit, value, uncertainty, method, person, model_sha256 FROM measurement "
+    "WHERE current = 1 ";
+
+std::vector<Measurement> readAll(Statement& rows) {
+  std::vector<Measurement> all;
+  while (rows.next()) {
+    Measurement m;
+    rows >> m.sherd >> m.kind >> m.unit >> m.value >> m.uncertainty >> m.method >> m.by >>
+        m.model_sha256;
+    all.push_back(std::move(m));
+  }
+  return all;
+}
+
 void show(Database& database, SherdRow sherd, const std::string& kind,
           const std::optional<double>& value) {
   database.sql("UPDATE sherd_measure SET " + kind + " = ? WHERE sherd = ?")
@@ -105,18 +120,18 @@ Result<void> Catalogue::measure(const Measurement& m, const Act& act) {
 
 Result<std::vector<Measurement>> Catalogue::measurements(SherdRow sherd) const {
   return database_->door([&] {
-    std::vector<Measurement> all;
+    Statement rows = database_->sql(std::string(kCurrent) + "AND sherd = ? ORDER BY row");
+    return readAll(rows.with(sherd));
+  });
+}
+
+Result<std::vector<Measurement>> Catalogue::measuredByHand(std::span<const SherdRow> sherds) const {
+  return database_->door([&] {
     Statement rows = database_->sql(
-        "SELECT sherd, kind, unit, value, uncertainty, method, person, model_sha256 FROM "
-        "measurement WHERE sherd = ? AND current = 1 ORDER BY row");
-    rows.with(sherd);
-    while (rows.next()) {
-      Measurement m;
-      rows >> m.sherd >> m.kind >> m.unit >> m.value >> m.uncertainty >> m.method >> m.by >>
-          m.model_sha256;
-      all.push_back(std::move(m));
-    }
-    return all;
+        std::string(kCurrent) +
+        "AND person IS NOT NULL AND method <> 'program' AND sherd IN (SELECT value FROM "
+        "json_each(?)) ORDER BY sherd, row");
+    return readAll(rows.with(rowsJson(sherds)));
   });
 }
 

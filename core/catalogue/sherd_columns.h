@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct SherdColumn {
 const std::vector<SherdColumn>& sherdColumns();
 /// By its name, or its name without the unit (length, thickness); null when there is none.
 const SherdColumn* sherdColumn(const std::string& name);
+
+/// Rows as one JSON array, so that a page is one query.
+std::string rowsJson(std::span<const SherdRow> rows);
 
 /// Sorts drafts, which have no number, behind all numbers.
 inline constexpr const char* kBehindAllNumbers = "\xF4\x8F\xBF\xBF";

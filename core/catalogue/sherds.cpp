@@ -15,7 +15,6 @@ constexpr const char* kKinds[] = {"length",        "width",   "thickness_min", "
                                   "thickness_max", "area",    "volume",        "filled_pct",
                                   "rim_diameter",  "rim_pct", "weight"};
 
-// Rows are asked for as one JSON array, so that a page is one query.
 constexpr const char* kSherds =
     "SELECT s.row, s.id, s.number, s.state, s.void_reason, s.context, s.bag, s.batch, s.front, "
     "s.back, s.part, s.decoration, s.condition, s.ware, s.fabric, s.inclusions, s.manufacture, "
@@ -53,15 +52,6 @@ SherdRecord readSherd(Statement& row) {
   return s;
 }
 
-std::string rowsJson(std::span<const SherdRow> rows) {
-  std::string text = "[";
-  for (const SherdRow& row : rows) {
-    if (text.size() > 1) text += ',';
-    text += std::to_string(row.value);
-  }
-  return text + "]";
-}
-
 // Shares of the surface stay true whatever the scale is.
 void readDoubts(Database& database, const std::string& wanted,
                 std::unordered_map<std::int64_t, SherdRecord>& sherds) {
@@ -79,6 +69,15 @@ void readDoubts(Database& database, const std::string& wanted,
 }
 
 }  // namespace
+
+std::string rowsJson(std::span<const SherdRow> rows) {
+  std::string text = "[";
+  for (const SherdRow& row : rows) {
+    if (text.size() > 1) text += ',';
+    text += std::to_string(row.value);
+  }
+  return text + "]";
+}
 
 void searchAnew(Database& database, SherdRow sherd) {
   database.sql("DELETE FROM sherd_term WHERE sherd = ?").with(sherd).run();

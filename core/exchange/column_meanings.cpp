@@ -1,6 +1,25 @@
 #include "exchange/column_meanings.h"
 
+#include <cmath>
+
+#include "catalogue/values.h"
+
 namespace ostraka::exchange {
+namespace {
+
+constexpr double kPerStep = 1000;  // three decimals: a micrometre, a milligram
+
+}  // namespace
+
+std::string tableNumber(double value) {
+  return catalogue::numberText(std::round(kPerStep * value) / kPerStep);
+}
+
+bool showsInTable(std::string_view typed, double value) {
+  const Result<double> number = catalogue::parsedNumber(typed);
+  // A rounding of binary numbers beside the half of a step.
+  return number && std::abs(*number - value) <= 0.5 / kPerStep + 1e-12 * std::abs(value);
+}
 
 const std::vector<ColumnMeaning>& columnMeanings() {
   static const std::vector<ColumnMeaning> all = {
@@ -45,6 +64,9 @@ const std::vector<ColumnMeaning>& columnMeanings() {
        "doubtful: lengths known besides the plate contradict it, so that all measures by the "
        "program may be wrong by the same factor"},
       {"note", "", "note"},
+      {"measured_by_hand", "",
+       "columns whose measures a person took or entered, separated by '; '; the others are the "
+       "program's"},
       {"mass_centre_x_mm", "mm", "centre of mass of the model, in the coordinates of its PLY file"},
       {"mass_centre_y_mm", "mm", "the same, second coordinate"},
       {"mass_centre_z_mm", "mm", "the same, third coordinate, upwards from the plate"},

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "catalogue/names.h"
+#include "catalogue/values.h"
+#include "exchange/column_meanings.h"
 #include "exchange/csv.h"
 #include "exchange/portions.h"
 
@@ -20,9 +22,9 @@ using catalogue::SherdRow;
 
 constexpr const char* kClear = "<clear>";
 // Columns that an export writes beside the fields; they say nothing about the sherd itself.
-const std::set<std::string> kBeside = {"model_file",      "image_file",       "drawing_file",
-                                       "licence",         "mass_centre_x_mm", "mass_centre_y_mm",
-                                       "mass_centre_z_mm"};
+const std::set<std::string> kBeside = {"measured_by_hand", "model_file",      "image_file",
+                                       "drawing_file",     "licence",         "mass_centre_x_mm",
+                                       "mass_centre_y_mm", "mass_centre_z_mm"};
 
 const SherdField* fieldNamed(const std::string& name) {
   for (const SherdField& field : catalogue::sherdFields())
@@ -149,6 +151,11 @@ class Importing {
       if (name == "number" && catalogue::uniqueKey(typed) == catalogue::uniqueKey(now->number))
         continue;  // capitals make no difference
       const std::string value = typed == kClear ? std::string() : typed;
+      // Else a measure of the program, rounded in a table, would come back as a person's.
+      const std::string before = catalogue::textOf(*now, name);
+      if (field && field->kind == FieldKind::Number && !before.empty() &&
+          showsInTable(value, *catalogue::parsedNumber(before)))
+        continue;
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
       if (value != catalogue::textOf(*now, own)) changes.push_back({sherd, own, value});
     }

@@ -24,14 +24,35 @@ bool isNumber(const SherdField& field) {
   return field.kind == FieldKind::Number;
 }
 
+std::string columnOf(const std::string& kind) {
+  const std::string unit = "_" + unitOf(kind);
+  return kind.ends_with(unit) ? kind : kind + unit;
+}
+
+using HandColumns = std::map<SherdRow, std::set<std::string>>;
+Result<HandColumns> measuredByHand(const Catalogue& catalogue, std::span<const SherdRow> rows) {
+  const Result<std::vector<Measurement>> measured = catalogue.measuredByHand(rows);
+  if (!measured) return measured.error();
+  HandColumns columns;
+  for (const Measurement& m : *measured) columns[m.sherd].insert(columnOf(m.kind));
+  return columns;
+}
+
+std::string shownValue(const SherdRecord& sherd, const SherdField& field) {
+  const std::string text = textOf(sherd, field.name);
+  return isNumber(field) && !text.empty() ? tableNumber(*parsedNumber(text)) : text;
+}
+
 // Sherds are read a page at a time, so that 100,000 need no more memory than the text itself.
 template <class Use>
 Result<void> eachSherd(const Catalogue& catalogue, std::span<const SherdRow> rows, Use use) {
   for (std::size_t i = 0; i < rows.size(); i += kPage) {
-    const Result<std::vector<SherdRecord>> page =
-        catalogue.sherds(rows.subspan(i, std::min(kPage, rows.size() - i)));
+    const std::span<const SherdRow> some = rows.subspan(i, std::min(kPage, rows.size() - i));
+    const Result<std::vector<SherdRecord>> page = catalogue.sherds(some);
     if (!page) return page.error();
-    for (const SherdRecord& sherd : *page) use(sherd);
+    Result<HandColumns> by_hand = measuredByHand(catalogue, some);
+    if (!by_hand) return by_hand.error();
+    for (const SherdRecord& sherd : *page) use(sherd, (*by_hand)[sherd.row]);
   }
   return {};
 }
@@ -54,36 +75,42 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const SherdRow> r
   const Result<ProjectRecord> project = catalogue.project();
   if (!project) return project.error();
   std::set<std::string> own;  // fields of the user's own, of any of the sherds
-  Result<void> read = eachSherd(catalogue, rows, [&](const SherdRecord& sherd) {
-    if (sherd.extra_json == "{}") return;
-    const nlohmann::json extra = nlohmann::json::parse(sherd.extra_json, nullptr, false);
-    if (extra.is_object())
-      for (const auto& [key, value] : extra.items()) own.insert(key);
-  });
+  Result<void> read =
+      eachSherd(catalogue, rows, [&](const SherdRecord& sherd, const std::set<std::string>&) {
+        if (sherd.extra_json == "{}") return;
+        const nlohmann::json extra = nlohmann::json::parse(sherd.extra_json, nullptr, false);
+        if (extra.is_object())
+          for (const auto& [key, value] : extra.items()) own.insert(key);
+      });
   if (!read) return read;
   std::vector<OdsSheet::Column> columns;
   for (const SherdField& field : sherdFields()) columns.push_back({field.name, isNumber(field)});
+  columns.push_back({"measured_by_hand"});
   for (const char* column : kCentreColumns) columns.push_back({column, true});
   for (const char* column : kFileColumns) columns.push_back({column});
   columns.push_back({"licence"});
   for (const std::string& key : own) columns.push_back({"extra." + key});
   table.begin(columns);
-  return eachSherd(catalogue, rows, [&](const SherdRecord& sherd) {
-    static const std::map<std::string, std::string> kNone;
-    const auto named = files.find(sherd.row);
-    const auto& beside = named == files.end() ? kNone : named->second;
-    std::vector<std::string> values;
-    for (const SherdField& field : sherdFields()) values.push_back(textOf(sherd, field.name));
-    const auto add = [&](const char* column) {
-      const auto found = beside.find(column);
-      values.push_back(found == beside.end() ? std::string() : found->second);
-    };
-    for (const char* column : kCentreColumns) add(column);
-    for (const char* column : kFileColumns) add(column);
-    values.push_back(project->licence);
-    for (const std::string& key : own) values.push_back(textOf(sherd, "extra." + key));
-    table.row(values);
-  });
+  return eachSherd(catalogue, rows,
+                   [&](const SherdRecord& sherd, const std::set<std::string>& by_hand) {
+                     static const std::map<std::string, std::string> kNone;
+                     const auto named = files.find(sherd.row);
+                     const auto& beside = named == files.end() ? kNone : named->second;
+                     std::vector<std::string> values;
+                     for (const SherdField& field : sherdFields())
+                       values.push_back(shownValue(sherd, field));
+                     values.push_back(joinTerms({by_hand.begin(), by_hand.end()}));
+                     const auto add = [&](const char* column) {
+                       const auto found = beside.find(column);
+                       values.push_back(found == beside.end() ? std::string() : found->second);
+                     };
+                     for (const char* column : kCentreColumns) add(column);
+                     for (const char* column : kFileColumns) add(column);
+                     values.push_back(project->licence);
+                     for (const std::string& key : own)
+                       values.push_back(textOf(sherd, "extra." + key));
+                     table.row(values);
+                   });
 }
 
 Result<void> writeContexts(const Catalogue& catalogue, std::span<const ContextRow> rows,

@@ -204,6 +204,43 @@ TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
   std::setlocale(LC_ALL, "C");
 }
 
+TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
+  import(kTwo);
+  const std::vector<SherdRow> rows = *catalogue().sherdRows(Filter(), {});
+  for (const auto& [kind, value] :
+       {std::pair("length", 32.833193793898516), std::pair("area", 15201.000499)}) {
+    Measurement m;  // the program's
+    m.sherd = rows[0];
+    m.kind = kind;
+    m.value = value;
+    ASSERT_TRUE(catalogue().measure(m, {}));
+  }
+  ASSERT_TRUE(set(rows[0], "width_mm", "21.0625"));
+  const Result<std::string> text = sherdsCsv(catalogue(), rows, ByteOrderMark::With);
+  ASSERT_TRUE(text) << text.error().sentence();
+  EXPECT_THAT(*text, testing::HasSubstr(",32.833,21.063,"));
+  EXPECT_THAT(*text, testing::HasSubstr(",15201,"));
+  EXPECT_THAT(*text, testing::HasSubstr(",measured_by_hand,"));
+  EXPECT_THAT(*text, testing::HasSubstr(",weight_g; width_mm,"));
+  std::string with_commas = *text;  // as a French spreadsheet saves it
+  with_commas.replace(with_commas.find(",32.833,"), 8, ",\"32,833\",");
+  for (const std::string& table : {*text, with_commas}) {
+    const ImportReport report = import(table);
+    EXPECT_EQ(report.same, 2);
+    EXPECT_EQ(report.changed, 0);
+    EXPECT_TRUE(report.warnings.empty());
+  }
+  EXPECT_DOUBLE_EQ(catalogue().sherd(rows[0])->measures.at("length"), 32.833193793898516);
+  const auto by_hand = catalogue().measuredByHand(rows);
+  ASSERT_TRUE(by_hand);
+  EXPECT_THAT(*by_hand, testing::UnorderedElementsAre(testing::Field(&Measurement::kind, "weight"),
+                                                      testing::Field(&Measurement::kind, "width")));
+  std::string other = *text;  // by a person, who measured it again
+  other.replace(other.find(",32.833,"), 8, ",32.834,");
+  EXPECT_EQ(import(other).changed, 1);
+  EXPECT_EQ(catalogue().measuredByHand(rows)->size(), 3u);
+}
+
 TEST_F(Import, CanBeStoppedAndThenEntersNothing) {
   std::stop_source stop;
   stop.request_stop();

@@ -8355,5 +8355,40 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ist ungültig und wurde weggelassen.</translation>
     </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was für die Lippe gehalten wurde, sieht kaum danach aus (%1 %); bitte prüfen, wie die Scherbe steht.</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm (95 %: %2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm (95 %: %2 bis %3)</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % des Randes erhalten</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % des Randes erhalten (%2 bis %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wandung %1 mm (%2 bis %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wandung %1 mm</translation>
+    </message>
   </context>
 </TS>

@@ -8355,5 +8355,40 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 είναι άκυρο και παραλείφθηκε.</translation>
     </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό που θεωρήθηκε χείλος μόλις που του μοιάζει (%1 %)· ελέγξτε πώς στέκεται το όστρακο.</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm (95 %: %2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm (95 %: %2 έως %3)</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σώζεται το %1 % του χείλους</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σώζεται το %1 % του χείλους (%2 έως %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τοίχωμα %1 mm (%2 έως %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τοίχωμα %1 mm</translation>
+    </message>
   </context>
 </TS>

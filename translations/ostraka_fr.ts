@@ -8355,5 +8355,40 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 est annulé et a été laissé de côté.</translation>
     </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui a été pris pour la lèvre n’y ressemble guère (%1 %) ; vérifiez l’orientation du tesson.</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm (95 %: %2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm (95 % : %2 à %3)</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % du bord conservé</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 % du bord conservé (%2 à %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>paroi %1 mm (%2 à %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>paroi %1 mm</translation>
+    </message>
   </context>
 </TS>

@@ -8355,5 +8355,40 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն անվավեր է և դուրս է թողնվել։</translation>
     </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն, ինչ ընդունվել է որպես շուրթ, հազիվ է նման դրան (%1 %). ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm (95 %: %2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm (95 %՝ %2-ից %3)</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պահպանված է շուրթի %1 %-ը</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պահպանված է շուրթի %1 %-ը (%2-ից %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատը %1 mm (%2-ից %3)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատը %1 mm</translation>
+    </message>
   </context>
 </TS>

@@ -8313,5 +8313,40 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 geçersiz olduğu için dışarıda bırakıldı.</translation>
     </message>
+    <message>
+      <source>What was taken for the lip hardly looks like one (%1 %); check how the sherd stands.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dudak sanılan yer pek dudağa benzemiyor (%1 %); parçanın nasıl durduğunu denetleyin.</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm</translation>
+    </message>
+    <message>
+      <source>Ø %1 cm (95 %: %2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ø %1 cm (% 95: %2 ile %3 arası)</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>korunan ağız kenarı % %1</translation>
+    </message>
+    <message>
+      <source>%1 % of the rim kept (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>korunan ağız kenarı % %1 (%2 ile %3 arası)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm (%2 to %3)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cidar %1 mm (%2 ile %3 arası)</translation>
+    </message>
+    <message>
+      <source>wall %1 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cidar %1 mm</translation>
+    </message>
   </context>
 </TS>

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
+#include "drawing/caption.h"
 #include "drawing/section.h"
 
 namespace ostraka::drawing {
@@ -15,11 +17,12 @@ using Eigen::Vector3d;
 constexpr double kGap_mm = 9;                  // between section and views, on paper
 constexpr double kLikely = 0.9;                // from which a proposed rim is drawn as one
 constexpr double kPossible = 0.1;              // below which nothing is said of a rim
+constexpr double kEntered = 0.051;             // of what is entered to a tenth
 constexpr double kMostReconstructed_mm = 400;  // on paper: beyond, the axis is left out
 
-std::string words(const char* format, double a, double b = 0, double c = 0) {
+std::string words(const char* format, double value) {
   char text[200];
-  std::snprintf(text, sizeof text, format, a, b, c);
+  std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
@@ -62,7 +65,7 @@ class Composer {
   Result<SherdDrawing> run() {
     out_.remarks = options_.remarks;
     const Walls walls = findWalls(mesh_);
-    out_.measures = model::measure(mesh_);
+    out_.measures = printedMeasures();
     if (options_.rim != RimChoice::No) out_.rim = findRim(walls);
     decide();
     if (options_.rim == RimChoice::Yes && !out_.drawn_as_rim)
@@ -71,9 +74,7 @@ class Composer {
           "No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.",
           out_.id};
     outer_ = out_.drawn_as_rim ? out_.rim->vessel_from_model : frameByAxes(walls);
-    // An axis that is not known may lie kilometres away: only how the sherd stands is kept of it.
-    if (out_.drawn_as_rim && !saysDiameter())
-      outer_.pretranslate(Vector3d(-(outer_ * walls.centre).x(), 0, 0));
+    placeAxis(walls);
     draw();
     return std::move(out_);
   }
@@ -84,7 +85,12 @@ class Composer {
     const double p = out_.rim->probability;
     out_.drawn_as_rim = options_.rim == RimChoice::Yes || p >= kLikely;
     if (options_.rim == RimChoice::Yes) {
-      if (p < 0.5)
+      if (p < kLikelyLip && byHand("rim_diameter"))
+        out_.remarks.push_back(
+            words("What was taken for the lip hardly looks like one (%.0f %%); check how the sherd "
+                  "stands.",
+                  100 * p));
+      else if (p < kLikelyLip)
         out_.remarks.push_back(words(
             "What was taken for the lip hardly looks like one (%.0f %%), so no diameter is stated; "
             "check how the sherd stands.",
@@ -102,12 +108,68 @@ class Composer {
     if (out_.drawn_as_rim) sayWhyNoDiameter();
   }
 
-  bool saysDiameter() const { return out_.drawn_as_rim && out_.rim->saysDiameter(); }
   void sayWhyNoDiameter() {
-    if (saysDiameter()) return;
+    if (out_.rim->saysDiameter() || byHand("rim_diameter")) return;
     out_.remarks.emplace_back(
         "The piece of the rim is too short or too straight for a diameter; check how the sherd "
         "stands.");
+  }
+
+  const Estimate* byHand(const char* kind) const {
+    const auto found = options_.by_hand.find(kind);
+    const bool there = found != options_.by_hand.end() && found->second.value > 0;
+    return there ? &found->second : nullptr;
+  }
+
+  model::Measures printedMeasures() const {
+    model::Measures m = model::measure(mesh_);
+    for (const auto& [kind, measure] : {std::pair("length", &m.length_mm),
+                                        {"width", &m.width_mm},
+                                        {"thickness_min", &m.thickness_min_mm},
+                                        {"thickness_mean", &m.thickness_mean_mm},
+                                        {"thickness_max", &m.thickness_max_mm}})
+      if (const Estimate* measured = byHand(kind)) *measure = measured->value;
+    // The model's range is none about a wall that a person measured.
+    if (byHand("thickness_mean") && !byHand("thickness_min")) m.thickness_min_mm = 0;
+    if (byHand("thickness_mean") && !byHand("thickness_max")) m.thickness_max_mm = 0;
+    return m;
+  }
+
+  // A hand's value that is the estimate, rounded as it is entered from a drawing, keeps the
+  // estimate's interval, which is not symmetric.
+  static Estimate printed(const Estimate& measured, const Estimate& found) {
+    return std::abs(measured.value - found.value) <= kEntered ? found : measured;
+  }
+
+  void decideMouth() {
+    Mouth& mouth = out_.mouth.emplace();
+    const RimEstimate* rim = out_.drawn_as_rim ? &*out_.rim : nullptr;
+    if (rim && rim->saysDiameter()) {
+      mouth.diameter_mm = {rim->diameter_mm, std::pair(rim->low_mm, rim->high_mm)};
+      mouth.kept_pct = {100 * rim->kept, std::pair(100 * rim->kept_low, 100 * rim->kept_high)};
+    }
+    if (const Estimate* measured = byHand("rim_diameter")) {
+      mouth.by_hand = true;
+      const Estimate diameter = printed(*measured, mouth.diameter_mm);
+      if (diameter.value != mouth.diameter_mm.value) mouth.kept_pct.reset();
+      mouth.diameter_mm = diameter;
+      if (!mouth.kept_pct && rim && rim->probability >= kLikelyLip)
+        mouth.kept_pct =
+            Estimate{std::min(100.0, 100 * rim->arc_mm / (std::numbers::pi * diameter.value)), {}};
+    }
+    if (const Estimate* measured = byHand("rim_pct"))
+      mouth.kept_pct = mouth.kept_pct ? printed(*measured, *mouth.kept_pct) : *measured;
+    if (mouth.diameter_mm.value == 0) out_.mouth.reset();
+  }
+
+  // How far the axis lies from the lip is what the mouth's diameter says; an axis that is not known
+  // may lie kilometres away, and only how the sherd stands is kept of it.
+  void placeAxis(const Walls& walls) {
+    decideMouth();
+    if (!out_.drawn_as_rim) return;
+    const double off = out_.mouth ? (out_.rim->diameter_mm - out_.mouth->diameter_mm.value) / 2
+                                  : (outer_ * walls.centre).x();
+    outer_.pretranslate(Vector3d(-off, 0, 0));
   }
 
   ViewOptions viewOptions() const {
@@ -135,8 +197,9 @@ class Composer {
       for (const Vector2d& p : loop) section_box.extend(p);
     const SherdView outer = drawView(mesh_, outer_, viewOptions());
     const SherdView inner = drawView(mesh_, fromBehind(outer_), viewOptions());
-    const double rim_radius = saysDiameter() ? options_.scale * out_.rim->diameter_mm / 2 : 0;
-    const bool reconstructed = saysDiameter() && 2 * rim_radius <= kMostReconstructed_mm;
+    const bool mouth = out_.drawn_as_rim && out_.mouth;
+    const double rim_radius = mouth ? options_.scale * out_.mouth->diameter_mm.value / 2 : 0;
+    const bool reconstructed = mouth && 2 * rim_radius <= kMostReconstructed_mm;
     // A rim's section stands at its own radius left of the axis; otherwise everything stands in a
     // row, the section's left end at 0.
     double x = reconstructed ? 0 : -section_box.min().x();
@@ -153,7 +216,7 @@ class Composer {
       right = std::max(right, rim_radius);
     }
     place(inner, right + kGap_mm);
-    caption();
+    addCaption(out_, options_.wording);
   }
 
   void place(const SherdView& view, double left) {
@@ -196,33 +259,6 @@ class Composer {
     out_.sheet.line({0, 0}, {0, bottom}, 0.2, 3);
     out_.box.extend(Vector2d(-radius, 0));
     out_.box.extend(Vector2d(radius, bottom));
-  }
-
-  void caption() {
-    double y = out_.box.max().y() + 6;
-    const double x = out_.box.min().x();
-    const auto line = [&](const std::string& text, double size, Weight weight) {
-      const Text drawn{{x, y}, size, text, Anchor::Left, weight};
-      out_.sheet.items.push_back(drawn);
-      out_.box.extend(Vector2d(x + textWidth(drawn), y + 1));
-      y += 1.45 * size;
-    };
-    line(out_.id, 4, Weight::Bold);
-    if (saysDiameter()) {
-      const RimEstimate& rim = *out_.rim;
-      std::string text = words("\xC3\x98 %.1f cm (95 %%: %.1f to %.1f), ", rim.diameter_mm / 10,
-                               rim.low_mm / 10, rim.high_mm / 10);
-      text += words("%.0f %% of the rim kept (%.0f to %.0f)", 100 * rim.kept, 100 * rim.kept_low,
-                    100 * rim.kept_high);
-      line(text, 3, Weight::Plain);
-    }
-    const model::Measures& m = out_.measures;
-    line(words("%.1f x %.1f mm", m.length_mm, m.width_mm) +
-             (m.thickness_mean_mm > 0 ? words(", wall %.1f mm (%.1f to %.1f)", m.thickness_mean_mm,
-                                              m.thickness_min_mm, m.thickness_max_mm)
-                                      : ""),
-         3, Weight::Plain);
-    for (const std::string& remark : out_.remarks) line(remark, 2.6, Weight::Plain);
   }
 
   const TriangleMesh& mesh_;

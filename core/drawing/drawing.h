@@ -1,6 +1,8 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -8,6 +10,7 @@
 #include "cloud/point_cloud.h"
 #include "drawing/rim.h"
 #include "drawing/view.h"
+#include "drawing/wording.h"
 #include "model/model.h"
 
 /// The archaeological drawing of a sherd from its model.
@@ -19,12 +22,29 @@ enum class RimChoice {
   No
 };
 
+struct Estimate {
+  double value = 0;
+  std::optional<std::pair<double, double>> interval;  ///< 95 %
+};
+/// What a person measured, by the catalogue's kinds: length, width, thickness_min, thickness_mean,
+/// thickness_max, rim_diameter (mm), rim_pct (%); others are not printed.
+using HandMeasures = std::map<std::string, Estimate>;
+
 struct DrawingOptions {
   double scale = 1;  ///< mm on paper per mm: 1 or 0.5 by custom
   RimChoice rim = RimChoice::Propose;
   Surface surface = Surface::Relief;
+  HandMeasures by_hand;  ///< printed instead of what the model says; a mouth is drawn as wide
   std::vector<std::string> remarks;  ///< to stand below the measures, before the drawing's own
+  Wording wording;
   Result<void> check() const;
+};
+
+/// The mouth's diameter and the share of its circle that is kept, as printed.
+struct Mouth {
+  Estimate diameter_mm;
+  std::optional<Estimate> kept_pct;
+  bool by_hand = false;  ///< the catalogue has the diameter by a person
 };
 
 /// One sherd as drawn: section at the left, outer view, inner view; of a rim sherd with the
@@ -35,8 +55,9 @@ struct SherdDrawing {
   Eigen::AlignedBox2d box;         ///< of everything on the sheet
   std::optional<RimEstimate> rim;  ///< where a stretch of the edge could be a lip
   bool drawn_as_rim = false;
-  model::Measures measures;
-  std::vector<std::string> remarks;  ///< on the sheet, too; whole sentences
+  std::optional<Mouth> mouth;        ///< where its diameter is known
+  model::Measures measures;          ///< as printed; 0: not
+  std::vector<std::string> remarks;  ///< on the sheet, too, in its language; English sentences
   std::vector<std::string> hints;    ///< what could be drawn otherwise; not on the sheet
 };
 
@@ -50,6 +71,7 @@ struct SheetOptions {
   Layout layout = Layout::OneEach;  ///< a sheet for each sherd, or plates of many
   Paper paper = Paper::A4;
   std::string title;  ///< below the plates; may be empty
+  Wording wording;
 };
 
 /// Pages with scale bar. A drawing that is larger than the paper gets A3, then a page of its own

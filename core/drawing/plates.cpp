@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "drawing/drawing.h"
 
@@ -12,7 +11,7 @@ using Eigen::Vector2d;
 constexpr double kMargin_mm = 12, kBetween_mm = 8, kFoot_mm = 22;  // one sheet: 8 above the drawing
 
 // Full centimetres in black and white, as long as fits a sherd.
-Sheet scaleBar(double scale) {
+Sheet scaleBar(double scale, const Wording& wording) {
   Sheet sheet;
   const double step = 10 * scale;
   for (int k = 0; k < 5; ++k)
@@ -20,11 +19,8 @@ Sheet scaleBar(double scale) {
                   k % 2 == 0 ? 0.0 : 1.0, 0.0, 0.2);
   sheet.text({0, -1}, 2.6, "0", Anchor::Middle);
   sheet.text({5 * step, -1}, 2.6, "5 cm", Anchor::Middle);
-  char ratio[40];
-  if (scale <= 1)
-    std::snprintf(ratio, sizeof ratio, "1 : %.4g", 1 / scale);
-  else
-    std::snprintf(ratio, sizeof ratio, "%.4g : 1", scale);
+  const std::string ratio =
+      scale <= 1 ? "1 : " + wording.shortNumber(1 / scale) : wording.shortNumber(scale) + " : 1";
   sheet.text({5 * step + 12, 2}, 3, ratio);
   return sheet;
 }
@@ -44,12 +40,12 @@ Vector2d paperFor(const Vector2d& need, Paper paper) {
   return need + Vector2d(2 * kMargin_mm, 2 * kMargin_mm + kFoot_mm);
 }
 
-void addFoot(Page& page, double scale, const std::string& title) {
-  Sheet foot = scaleBar(scale);
+void addFoot(Page& page, double scale, const SheetOptions& options) {
+  Sheet foot = scaleBar(scale, options.wording);
   page.layers.push_back({foot, {kMargin_mm + 3, page.height_mm - kMargin_mm - 2}, {}});
-  if (title.empty()) return;
+  if (options.title.empty()) return;
   Sheet words;
-  words.text({0, 0}, 3, title, Anchor::Right);
+  words.text({0, 0}, 3, options.title, Anchor::Right);
   page.layers.push_back({words, {page.width_mm - kMargin_mm, page.height_mm - kMargin_mm}, {}});
 }
 
@@ -63,7 +59,7 @@ std::vector<Page> plates(const std::vector<SherdDrawing>& drawings, double scale
   std::vector<Page> pages;
   const auto newPage = [&](const Vector2d& size) {
     pages.push_back({size.x(), size.y(), {}});
-    addFoot(pages.back(), scale, options.title);
+    addFoot(pages.back(), scale, options);
   };
   const Vector2d paper = paperSize(options.paper), room = usable(paper);
   Vector2d at(0, 0);
@@ -105,7 +101,7 @@ std::vector<Page> layOut(const std::vector<SherdDrawing>& drawings, double scale
     Page page{size.x(), size.y(), {}};
     const double left = (size.x() - drawing.box.sizes().x()) / 2;
     page.layers.push_back(placed(drawing, {left, kMargin_mm + 8}));
-    addFoot(page, scale, options.title);
+    addFoot(page, scale, options);
     pages.push_back(std::move(page));
   }
   return pages;

@@ -24,7 +24,6 @@ constexpr double kCircleWeight = 8;       // of a point of the lip against one o
 constexpr double kOffCircle_mm = 0.7;     // where a lip's edge ends and a break begins
 constexpr double kRing_mm = 0.6;          // of the lip's profile
 constexpr double kTop_mm = 0.35;          // below the highest: what the rim's circle is read from
-constexpr double kLikelyLip = 0.5;        // below it the stretch is rather a break
 constexpr double kSmallestMouth_mm = 20;  // findRimArcs takes no smaller circle for a lip
 
 // t quantile for 97.5 % (Cornish-Fisher expansion about the normal's).

@@ -10,6 +10,9 @@ namespace ostraka::drawing {
 /// Wider mouths are not looked for: pithoi and dolia, the largest vessels, open about a metre wide.
 constexpr double kWidestMouth_mm = 1500;
 
+/// Of RimEstimate::probability; below it the stretch is rather a break, and its arc says nothing.
+constexpr double kLikelyLip = 0.5;
+
 /// What a sherd tells about the mouth of its vessel. The rim is the circle on which the lip's
 /// highest points lie when the vessel stands upright.
 struct RimEstimate {

@@ -26,13 +26,26 @@ std::string nameOf(const SherdRecord& sherd) {
   return sherd.batch_number + (sherd.piece < 10 ? "-0" : "-") + std::to_string(sherd.piece);
 }
 
+Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, catalogue::SherdRow sherd,
+                              drawing::HandMeasures& by_hand) {
+  const auto measured = catalogue.measuredByHand({&sherd, 1});
+  if (!measured) return measured.error();
+  for (const catalogue::Measurement& m : *measured) {
+    by_hand[m.kind] = {m.value, {}};
+    if (m.uncertainty && *m.uncertainty < m.value)
+      by_hand[m.kind].interval = {m.value - *m.uncertainty, m.value + *m.uncertainty};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string leftOutAsVoid(const SherdRecord& sherd) {
   return nameOf(sherd) + " is void and was left out.";
 }
 
-Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
+Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
+                                        const SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options) {
   const std::string id = nameOf(sherd);
@@ -43,6 +56,8 @@ Result<drawing::SherdDrawing> drawSherd(const SherdRecord& sherd,
   const Result<PlyContents> model = readPly(project / sherd.model_path);
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;
+  if (Result<void> read = takeHandMeasures(catalogue, sherd.row, how.by_hand); !read)
+    return read.error();
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
   if (sherd.state == catalogue::SherdState::Void)
     how.remarks.push_back(sherd.void_reason.empty()
@@ -77,7 +92,7 @@ Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
       all.left_out.push_back({sherd.row, nameOf(sherd), leftOutAsVoid(sherd)});
       continue;
     }
-    Result<drawing::SherdDrawing> drawn = drawSherd(sherd, project, options);
+    Result<drawing::SherdDrawing> drawn = drawSherd(catalogue, sherd, project, options);
     if (!drawn) {
       all.left_out.push_back({sherd.row, nameOf(sherd), drawn.error().sentence()});
       continue;

@@ -24,9 +24,10 @@ struct DrawSherdsOptions {
 
 /// A drawing of the catalogue's model, named by the sherd's number. Where a person says rim and no
 /// stretch of the edge can be one it is drawn without, and a remark says so; another one says that
-/// a sherd is void. Errors: no model, a
-/// file that cannot be read, a model that is not closed.
-Result<drawing::SherdDrawing> drawSherd(const catalogue::SherdRecord& sherd,
+/// a sherd is void. What persons measured is printed instead of the model's measures. Errors: no
+/// model, a file that cannot be read, a model that is not closed.
+Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
+                                        const catalogue::SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options);
 

@@ -300,8 +300,10 @@ class Exporting {
 
   Result<void> draw(const Plan& plan, const std::string& title) {
     DrawSherdsOptions how;
+    how.drawing.wording = options_.wording;
     drawing::SheetOptions sheet;
     sheet.title = title;
+    sheet.wording = options_.wording;
     for (const std::string& why : plan.notDrawn())
       exported_.warnings.push_back("Not drawn: " + why);
     for (const SherdRecord* sherd : plan.drawn()) {
@@ -333,7 +335,7 @@ class Exporting {
                                : std::vector<double>(std::begin(kScales), std::end(kScales));
     for (const double scale : scales) {
       how.drawing.scale = scale;
-      Result<drawing::SherdDrawing> drawn = drawSherd(sherd, project, how);
+      Result<drawing::SherdDrawing> drawn = drawSherd(catalogue_, sherd, project, how);
       if (!drawn) return drawn.error();
       std::vector<Page> pages = drawing::layOut({std::move(*drawn)}, scale, sheet);
       const Eigen::Vector2d wanted = paperSize(sheet.paper);

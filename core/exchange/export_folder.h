@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "drawing/wording.h"
 
 namespace ostraka::exchange {
 
@@ -35,6 +36,7 @@ struct ExportOptions {
   std::map<catalogue::SherdRow, std::vector<std::filesystem::path>> drawings;
   /// mm on paper per mm; nothing: for each sherd the largest of 1:1 to 1:5 that fits its sheet.
   std::optional<double> drawing_scale = 1;
+  drawing::Wording wording;         ///< of the drawings
   std::string program = "ostraka";  ///< with its version
   /// PLY, GLB and OBJ with fewer triangles, this far off the model (see lighterModel); what it came
   /// to is stated in each file. 0: as computed, and the GLB as it is kept.

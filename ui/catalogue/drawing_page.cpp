@@ -24,6 +24,7 @@
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
+#include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -158,6 +159,7 @@ void DrawingPage::buildLayout() {
 
 exchange::DrawSherdsOptions DrawingPage::options() const {
   exchange::DrawSherdsOptions how;
+  how.drawing.wording = printWording();
   how.drawing.scale = scale_->currentData().toDouble();
   how.drawing.surface = static_cast<drawing::Surface>(surface_->currentData().toInt());
   how.rim_from_catalogue = rim_->currentData().toInt() == FromCatalogue;
@@ -204,6 +206,7 @@ void DrawingPage::draw() {
   if (!session_ || sherds_.empty()) return;
   forget();
   drawing::SheetOptions sheets;
+  sheets.wording = printWording();
   if (sherds_.size() > 1) sheets.layout = drawing::SheetOptions::Layout::Plates;
   const auto work = [folder = session_->folder(), sherds = sherds_, how = options(), sheets](
                         Progress& progress,
@@ -264,10 +267,10 @@ void DrawingPage::showPage(int page) {
   });
 }
 
-const drawing::RimEstimate* DrawingPage::mouth() const {
+const drawing::Mouth* DrawingPage::mouth() const {
   if (!drawn_ || drawn_->sherds.drawings.size() != 1) return nullptr;
   const drawing::SherdDrawing& one = drawn_->sherds.drawings.front();
-  return one.drawn_as_rim && one.rim->saysDiameter() ? &*one.rim : nullptr;
+  return one.mouth && !one.mouth->by_hand ? &*one.mouth : nullptr;
 }
 
 QString DrawingPage::words() const {
@@ -277,10 +280,11 @@ QString DrawingPage::words() const {
   if (!drawn_) return {};
   QStringList lines;
   const exchange::DrawnSherds& sherds = drawn_->sherds;
-  if (const drawing::RimEstimate* rim = mouth())
+  if (const drawing::Mouth* shown = mouth())
     lines << tr("Mouth %1 cm across (95 %: %2 to %3), %4 % of the rim kept.")
-                 .arg(cm(rim->diameter_mm), cm(rim->low_mm), cm(rim->high_mm),
-                      QLocale().toString(100 * rim->kept, 'f', 0));
+                 .arg(cm(shown->diameter_mm.value), cm(shown->diameter_mm.interval->first),
+                      cm(shown->diameter_mm.interval->second),
+                      QLocale().toString(shown->kept_pct->value, 'f', 0));
   if (sherds_.size() == 1) {
     for (const drawing::SherdDrawing& one : sherds.drawings)
       for (const auto* sentences : {&one.remarks, &one.hints})
@@ -377,16 +381,15 @@ void DrawingPage::write(const QString& title,
 
 void DrawingPage::enterRim() {
   if (!mouth()) return;
-  const drawing::RimEstimate& rim = *mouth();
-  // With the larger half of the 95 % interval.
-  const auto rounded = [](double value, double low, double high) {
+  // With the larger half of the 95 % interval; a share by hand has perhaps none.
+  const auto rounded = [](const drawing::Estimate& found) {
     const auto tenths = [](double x) { return catalogue::numberText(std::round(x * 10) / 10); };
-    return tenths(value) + " ± " + tenths(std::max(high - value, value - low));
+    if (!found.interval) return tenths(found.value);
+    const auto& [low, high] = *found.interval;
+    return tenths(found.value) + " ± " + tenths(std::max(high - found.value, found.value - low));
   };
-  emit measuresWanted(
-      {{sherds_.front(), "rim_diameter_mm", rounded(rim.diameter_mm, rim.low_mm, rim.high_mm)},
-       {sherds_.front(), "rim_pct",
-        rounded(100 * rim.kept, 100 * rim.kept_low, 100 * rim.kept_high)}});
+  emit measuresWanted({{sherds_.front(), "rim_diameter_mm", rounded(mouth()->diameter_mm)},
+                       {sherds_.front(), "rim_pct", rounded(*mouth()->kept_pct)}});
 }
 
 }  // namespace ostraka::ui

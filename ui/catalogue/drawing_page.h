@@ -64,8 +64,8 @@ class DrawingPage final : public QWidget {
   void arrived(const std::shared_ptr<const Drawn>& drawn);
   void showPage(int page);
   void refresh();
-  /// Of the one sherd that is drawn, where its mouth's diameter is known.
-  const drawing::RimEstimate* mouth() const;
+  /// Of the one sherd that is drawn, where the rim says it and nobody measured it.
+  const drawing::Mouth* mouth() const;
   QString words() const;
   void save();
   void print();

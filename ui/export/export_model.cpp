@@ -9,6 +9,7 @@
 #include "catalogue/project.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/project_session.h"
+#include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -113,6 +114,7 @@ exchange::ExportOptions ExportModel::options() const {
   options.forms = forms_;
   options.drawing_scale = drawing_scale_;
   options.deviation_mm = deviation_mm_;
+  options.wording = printWording();
   options.program = ("ostraka " + QCoreApplication::applicationVersion()).trimmed().toStdString();
   return options;
 }

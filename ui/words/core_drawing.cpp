@@ -13,6 +13,16 @@ Sentences sentencesOfDrawing() {
                         "What was taken for the lip hardly looks like one (%1 %), so no diameter "
                         "is stated; check how the sherd stands."),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "What was taken for the lip hardly looks like one (%1 %); check how the "
+                        "sherd stands."),
+      // What drawings say beside numbers.
+      QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm (95 %: %2 to %3)"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "%1 % of the rim kept"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "%1 % of the rim kept (%2 to %3)"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "wall %1 mm"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "wall %1 mm (%2 to %3)"),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "The piece of the rim is too short or too straight for a diameter; check "
                         "how the sherd stands."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Drawn as a rim, which is likely (%1 %); check it."),

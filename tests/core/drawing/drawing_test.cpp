@@ -95,6 +95,57 @@ TEST(Drawing, OfARimWithoutAKnownDiameterSaysWhyAndPrintsNone) {
   }
 }
 
+// Measured with a rim chart: the mouth is drawn that wide, whatever the short arc says.
+TEST(Drawing, OfARimWithADiameterByHandIsDrawnThatWide) {
+  const TrueSherdOfVessel rim = trueSherd(SherdPart::Rim, 558, 0.05);
+  DrawingOptions options;
+  options.rim = RimChoice::Yes;
+  options.by_hand["rim_diameter"] = {230, {}};
+  const auto drawing = drawSherd(rim.sherd.mesh, "R", options);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  EXPECT_TRUE(drawing->remarks.empty());
+  ASSERT_TRUE(drawing->mouth && drawing->mouth->kept_pct);
+  EXPECT_NEAR(drawing->mouth->kept_pct->value, 100 * rim.kept, 0.5);  // truth: 233 mm, 3.4 %
+  // The section's lip stands 115 mm left of the axis, where the rim's line ends.
+  EXPECT_NEAR(drawing->box.min().x(), -115, 4);
+  const std::string svg = formatSvg(layOut({*drawing}, 1, {})[0], "x");
+  EXPECT_THAT(svg, HasSubstr("\u00D8 23.0 cm, 3 % of the rim kept<"));
+}
+
+TEST(Drawing, SaysItsTextsInTheLanguageAndWithItsDecimalSign) {
+  DrawingOptions options;
+  options.rim = RimChoice::No;
+  options.wording.translated = [](const std::string& english) { return "[" + english + "]"; };
+  options.wording.decimal = ",";
+  options.scale = 0.4;
+  options.remarks = {"The size is in doubt."};
+  const auto drawing = drawSherd(wallSherd().sherd.mesh, "ARM1.7", options);
+  ASSERT_TRUE(drawing.has_value());
+  EXPECT_THAT(drawing->remarks, testing::ElementsAre("The size is in doubt."));
+  SheetOptions sheet;
+  sheet.wording = options.wording;
+  sheet.title = "Dig no. 1.5";
+  const std::string svg = formatSvg(layOut({*drawing}, options.scale, sheet)[0], "x");
+  EXPECT_THAT(svg, HasSubstr(">[The size is in doubt.]</text>"));
+  EXPECT_THAT(
+      svg, testing::ContainsRegex(">[0-9]+,[0-9] \u00D7 [0-9]+,[0-9] mm, \\[wall [0-9]+,[0-9] mm"));
+  EXPECT_THAT(svg, HasSubstr(">1 : 2,5</text>"));
+  EXPECT_THAT(svg, HasSubstr(">ARM1.7</text>"));
+  EXPECT_THAT(svg, HasSubstr(">Dig no. 1.5</text>"));
+}
+
+TEST(Drawing, BreaksLongRemarksAtItsWidth) {
+  DrawingOptions options;
+  options.rim = RimChoice::No;
+  const auto bare = drawSherd(wallSherd().sherd.mesh, "R", options);
+  options.remarks = {"The size of this one is in doubt."};
+  for (int i = 0; i < 20; ++i) options.remarks.front() += " And so on and on.";
+  const auto broken = drawSherd(wallSherd().sherd.mesh, "R", options);
+  ASSERT_TRUE(bare && broken);
+  EXPECT_LE(broken->box.sizes().x(), std::max(70.0, bare->box.sizes().x()));
+  EXPECT_GT(broken->box.sizes().y(), bare->box.sizes().y() + 4 * 2.6);
+}
+
 TEST(Drawing, RefusesAnOpenModel) {
   TriangleMesh open = wallSherd().sherd.mesh;
   open.triangles.pop_back();

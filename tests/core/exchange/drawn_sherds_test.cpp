@@ -93,6 +93,27 @@ TEST_F(DrawnSherds, ThatAreVoidAreInTheExportsTableAndInNoDrawing) {
   EXPECT_THAT(*readFile(options.target / "data/sherds.csv"), HasSubstr("void,a brick"));
 }
 
+TEST_F(DrawnSherds, PrintWhatAPersonMeasuredInsteadOfWhatTheModelSays) {
+  const auto measuresOf = [&] {
+    const auto drawn = drawSherd(catalogue(), *catalogue().sherd(rows[1]), project_->folder(), {});
+    EXPECT_TRUE(drawn) << drawn.error().sentence();
+    return formatSvg(drawing::layOut({*drawn}, 1, {})[0], "x");
+  };
+  catalogue::Measurement by_program;
+  by_program.sherd = rows[1];
+  by_program.kind = "width";
+  by_program.value = 77;
+  ASSERT_TRUE(catalogue().measure(by_program, {}));
+  EXPECT_THAT(measuresOf(), HasSubstr(" \u00D7 47.1"));  // the shell's
+  ASSERT_TRUE(set(rows[1], "length_mm", "58.5"));
+  ASSERT_TRUE(set(rows[1], "thickness_mean_mm", "6.8"));
+  ASSERT_TRUE(set(rows[1], "rim_diameter_mm", "123 ± 4"));
+  const std::string svg = measuresOf();
+  EXPECT_THAT(svg, HasSubstr(">58.5 \u00D7 47.1"));
+  EXPECT_THAT(svg, HasSubstr(", wall 6.8 mm<"));
+  EXPECT_THAT(svg, HasSubstr("\u00D8 12.3 cm (95 %: 11.9 to 12.7)"));
+}
+
 TEST_F(DrawnSherds, StopBetweenTwoSherds) {
   std::stop_source stop;
   stop.request_stop();

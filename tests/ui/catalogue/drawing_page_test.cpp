@@ -4,10 +4,12 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLocale>
 #include <QPdfWriter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
 #include <cmath>
 
 #include "base/sheet.h"
@@ -112,6 +114,28 @@ class DrawingPageTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(page_->pages().size(), size_t(1), 30000);
     QVERIFY(formatSvg(page_->pages().front(), {}).find("This sherd is void, because: a brick") !=
             std::string::npos);
+  }
+
+  void theSheetIsInTheWindowsLanguage() {
+    class French final : public QTranslator {
+     public:
+      QString translate(const char* context, const char* source, const char*, int) const override {
+        const bool wall =
+            qstrcmp(context, "ostraka::Error") == 0 && qstrcmp(source, "wall %1 mm") == 0;
+        return wall ? QStringLiteral("paroi %1 mm") : QString();
+      }
+      bool isEmpty() const override { return false; }
+    } french;
+    const QLocale before;
+    QVERIFY(QCoreApplication::installTranslator(&french));
+    QLocale::setDefault(QLocale(QLocale::French));
+    show({1});
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    const QString svg = QString::fromStdString(formatSvg(page_->pages().front(), {}));
+    QCoreApplication::removeTranslator(&french);
+    QLocale::setDefault(before);
+    // As the catalogue has them by hand.
+    QVERIFY2(svg.contains(">41,0 × 31,0 mm, paroi 4,5 mm</text>"), qPrintable(svg.right(1500)));
   }
 
   // A jagged break is no lip, whoever says so: there is nothing to enter.

@@ -818,6 +818,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sicher durch das, was für andere entschieden wurde: %1; für sich allein %2.</translation>
     </message>
+    <message>
+      <source>%1, aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, beiseite</translation>
+    </message>
+    <message>
+      <source>%1, again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, noch einmal</translation>
+    </message>
+    <message>
+      <source>%1, void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, ungültig</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>

@@ -818,6 +818,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Βέβαιο από όσα αποφασίστηκαν για άλλα: %1· από μόνο του %2.</translation>
     </message>
+    <message>
+      <source>%1, aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, στην άκρη</translation>
+    </message>
+    <message>
+      <source>%1, again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, ξανά</translation>
+    </message>
+    <message>
+      <source>%1, void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, άκυρο</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>

@@ -818,6 +818,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seguro por lo decidido para otros: %1; por sí solo %2.</translation>
     </message>
+    <message>
+      <source>%1, aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, aparte</translation>
+    </message>
+    <message>
+      <source>%1, again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, otra vez</translation>
+    </message>
+    <message>
+      <source>%1, void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, anulado</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>

@@ -818,6 +818,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sûr par ce qui a été décidé pour d'autres : %1 ; à lui seul %2.</translation>
     </message>
+    <message>
+      <source>%1, aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, de côté</translation>
+    </message>
+    <message>
+      <source>%1, again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, de nouveau</translation>
+    </message>
+    <message>
+      <source>%1, void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, annulé</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>

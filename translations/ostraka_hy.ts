@@ -818,6 +818,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վստահ է մյուսների համար որոշվածի շնորհիվ՝ %1. ինքնին՝ %2։</translation>
     </message>
+    <message>
+      <source>%1, aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, մի կողմ</translation>
+    </message>
+    <message>
+      <source>%1, again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, կրկին</translation>
+    </message>
+    <message>
+      <source>%1, void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, անվավեր</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>

@@ -812,6 +812,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diğerleri için verilen kararlardan emin: %1; tek başına %2.</translation>
     </message>
+    <message>
+      <source>%1, aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, kenarda</translation>
+    </message>
+    <message>
+      <source>%1, again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, yeniden</translation>
+    </message>
+    <message>
+      <source>%1, void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, geçersiz</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>

@@ -7,10 +7,6 @@ namespace {
 
 using batch::Side;
 
-bool takenOut(const ReviewCard& card) {
-  return card.state == CardState::Aside || card.state == CardState::Reshoot;
-}
-
 // The number that the front would share with the rival, and the back have with its.
 std::string otherNumber(const ReviewCard& card, const Review& review, Side side) {
   if (card.state != CardState::Ask) return {};
@@ -29,10 +25,28 @@ std::string otherNumber(const ReviewCard& card, const Review& review, Side side)
 MapMark markOf(const ReviewCard& card, const Review& review, Side side) {
   MapMark mark;
   mark.scan = side == Side::Front ? card.front : card.back;
-  mark.number = takenOut(card) ? std::string() : card.number;
+  mark.number = card.number;
   mark.other_number = otherNumber(card, review, side);
   mark.state = card.state;
   return mark;
+}
+
+// A back that was set aside with its front is still of that front's sherd.
+std::string numberOfBackAside(int back, const LivePairs& live, const Review& review,
+                              const Decisions& standing) {
+  std::string number;
+  for (const PairDecision& d : standing) {
+    if (d.kind != DecisionKind::Aside && d.kind != DecisionKind::Reshoot) continue;
+    const ReviewCard* card = nullptr;
+    bool meant = false;
+    for (const ScanRef& ref : d.scans)
+      if (ref.side == Side::Front)
+        card = review.ofFront(resolved(ref, live.table().fronts));
+      else
+        meant = meant || resolved(ref, live.table().backs) == back;
+    if (meant) number = card == nullptr ? std::string() : card->number;
+  }
+  return number;
 }
 
 Result<MapSide> sideOf(const LivePairs& live, Side side, std::vector<MapMark> marks) {
@@ -68,6 +82,7 @@ Result<PlateMap> plateMap(const LivePairs& live, const Decisions& standing) {
     for (const int back : list) {
       MapMark mark;
       mark.scan = back;
+      if (state != CardState::Alone) mark.number = numberOfBackAside(back, live, *review, standing);
       mark.state = state;
       backs.push_back(mark);
     }

@@ -12,7 +12,7 @@ namespace ostraka::pipeline {
 struct MapMark {
   int scan = 0;                                        ///< index of the side's scan
   Eigen::Vector2d place_mm = Eigen::Vector2d::Zero();  ///< the scan's, see ScanRef
-  std::string number;  ///< of its sherd: "03"; empty: nobody's back, or set aside
+  std::string number;                                  ///< of its sherd: "03"; empty: nobody's back
   /// A doubtful pair shows both numbers: the one that it would have with its rival. Else empty.
   std::string other_number;
   CardState state = CardState::Sure;

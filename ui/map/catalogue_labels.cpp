@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "catalogue/catalogue.h"
@@ -47,53 +48,91 @@ QString codeOf(QLatin1Char kind, const QString& number, const std::string& id) {
       .arg(number.toUpper(), QString::fromStdString(id).remove('-').right(kTail).toUpper());
 }
 
+bool isTakenOut(const pipeline::MapMark& mark) {
+  return mark.state == pipeline::CardState::Aside || mark.state == pipeline::CardState::Reshoot;
+}
+
+// What the catalogue has of one batch's fronts, found by their places: the results that the map
+// shows may be newer than those in the catalogue, or older, and number the pieces otherwise.
+class KnownFronts {
+ public:
+  KnownFronts(const catalogue::Catalogue& catalogue, const std::string& batch_number) {
+    const auto batch = catalogue.batchByNumber(batch_number);
+    if (!batch) return;
+    const auto scans = catalogue.scans(batch->row);
+    const auto rows = catalogue.sherdRows(batch->row);
+    if (!scans || !rows) return;
+    auto sherds = catalogue.sherds(*rows);
+    if (!sherds) return;
+    sherds_ = std::move(*sherds);
+    for (const catalogue::ScanRecord& scan : *scans) {
+      if (scan.side != batch::Side::Front || !scan.isThere()) continue;
+      if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
+      places_.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
+      fronts_.push_back(scan.row);
+    }
+  }
+
+  const catalogue::SherdRecord* at(const Eigen::Vector2d& place_mm) const {
+    const int at = pipeline::resolved({batch::Side::Front, {}, place_mm, {}}, places_);
+    if (at < 0) return nullptr;
+    const catalogue::ScanRow front = fronts_[static_cast<std::size_t>(at)];
+    const auto sherd = std::find_if(sherds_.begin(), sherds_.end(),
+                                    [&](const auto& s) { return s.front == front; });
+    return sherd == sherds_.end() ? nullptr : &*sherd;
+  }
+
+ private:
+  std::vector<pipeline::ScanRef> places_;
+  std::vector<catalogue::ScanRow> fronts_;
+  std::vector<catalogue::SherdRecord> sherds_;
+};
+
+void fillIn(PlateSherd& sherd, const catalogue::SherdRecord& known, const pipeline::MapMark& mark) {
+  SherdLabel& label = sherd.label;
+  label.context = placeOf(known.site, known.trench, known.context_number, known.bag_number);
+  sherd.has_final_number = !known.number.empty();
+  if (sherd.has_final_number) label.number = QString::fromStdString(known.number);
+  label.code = codeOf(QLatin1Char('S'), label.number, known.id);
+  // A draft whose front has no partner is void without anybody's word.
+  const bool alone = isTakenOut(mark) || mark.state == pipeline::CardState::Alone;
+  sherd.is_void = known.state == catalogue::SherdState::Void && (sherd.has_final_number || !alone);
+}
+
 }  // namespace
 
-QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::PlateMap& map,
-                                  const catalogue::Catalogue& catalogue,
-                                  const std::string& batch_number) {
-  const auto batch = catalogue.batchByNumber(batch_number);
-  if (!batch) return labels;
-  const auto scans = catalogue.scans(batch->row);
-  const auto rows = catalogue.sherdRows(batch->row);
-  if (!scans || !rows) return labels;
-  const auto sherds = catalogue.sherds(*rows);
-  if (!sherds) return labels;
-  // By their places: the results that the map shows may be newer than those in the catalogue, or
-  // older, and number the pieces otherwise.
-  std::vector<pipeline::ScanRef> places;
-  std::vector<catalogue::ScanRow> fronts;
-  for (const catalogue::ScanRecord& scan : *scans) {
-    if (scan.side != batch::Side::Front || !scan.isThere()) continue;
-    if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
-    places.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
-    fronts.push_back(scan.row);
-  }
-  qsizetype next = 0;
+QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
+                                  const catalogue::Catalogue* catalogue,
+                                  const QString& batch_number, const QString& date) {
+  std::optional<KnownFronts> known;
+  if (catalogue != nullptr) known.emplace(*catalogue, batch_number.toStdString());
+  QVector<PlateSherd> sherds;
   for (const pipeline::MapMark& mark : map.front.marks) {
-    if (mark.number.empty() || next >= labels.size()) continue;
-    SherdLabel& label = labels[next++];
-    const int at = pipeline::resolved({batch::Side::Front, {}, mark.place_mm, {}}, places);
-    if (at < 0) continue;
-    const catalogue::ScanRow front = fronts[static_cast<std::size_t>(at)];
-    const auto sherd = std::find_if(sherds->begin(), sherds->end(),
-                                    [&](const auto& s) { return s.front == front; });
-    if (sherd == sherds->end()) continue;
-    label.context = placeOf(sherd->site, sherd->trench, sherd->context_number, sherd->bag_number);
-    if (!sherd->number.empty()) label.number = QString::fromStdString(sherd->number);
-    label.code = codeOf(QLatin1Char('S'), label.number, sherd->id);
+    if (mark.number.empty()) continue;
+    PlateSherd sherd;
+    sherd.on_plate = QString::fromStdString(mark.number);
+    sherd.is_taken_out = isTakenOut(mark);
+    const QString number = batch_number + QLatin1Char('-') + sherd.on_plate;
+    sherd.label = {number, {}, date, QStringLiteral("OST1:S:") + number.toUpper()};
+    const catalogue::SherdRecord* record = known ? known->at(mark.place_mm) : nullptr;
+    if (record != nullptr) fillIn(sherd, *record, mark);
+    sherds.append(std::move(sherd));
   }
+  return sherds;
+}
+
+QVector<SherdLabel> labelsOf(const QVector<PlateSherd>& sherds) {
+  QVector<SherdLabel> labels;
+  for (const PlateSherd& sherd : sherds)
+    if (sherd.getsLabel()) labels.append(sherd.label);
   return labels;
 }
 
-MapNumbers mapNumbers(const QVector<SherdLabel>& labels, const pipeline::PlateMap& map,
-                      const QString& batch_number) {
+MapNumbers mapNumbers(const QVector<PlateSherd>& sherds) {
   MapNumbers numbers;
-  qsizetype next = 0;
-  for (const pipeline::MapMark& mark : map.front.marks) {
-    if (mark.number.empty() || next >= labels.size()) continue;
-    const QString plate = QString::fromStdString(mark.number), number = labels[next++].number;
-    if (number != batch_number + QLatin1Char('-') + plate) numbers.endings.insert(plate, number);
+  for (const PlateSherd& sherd : sherds) {
+    if (sherd.has_final_number) numbers.endings.insert(sherd.on_plate, sherd.label.number);
+    if (sherd.is_void) numbers.voided.insert(sherd.on_plate);
   }
   if (numbers.endings.isEmpty()) return numbers;
   // What all begin with ends with a mark between two parts: 0012-, never 001.

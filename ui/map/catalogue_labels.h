@@ -9,17 +9,29 @@ class Catalogue;
 
 namespace ostraka::ui {
 
-/// The labels of a batch with what the catalogue knows of its sherds: number, place, and a code
-/// with the end of the sherd's id. What has no number there yet keeps the batch's own; its label
-/// leads to it all the same, also when it has one.
-/// labels: one for each mark of the front side that has a number, in their order.
-QVector<SherdLabel> withCatalogue(QVector<SherdLabel> labels, const pipeline::PlateMap& map,
-                                  const catalogue::Catalogue& catalogue,
-                                  const std::string& batch_number);
+/// One sherd of a plate's front side.
+struct PlateSherd {
+  QString on_plate;  ///< its number on the plate: "03"
+  SherdLabel label;  ///< what its label says, if it gets one
+  bool has_final_number = false;
+  bool is_void = false;
+  bool is_taken_out = false;  ///< aside, or to be photographed again
+  /// Not what is void, nor what was taken out before it had its number.
+  bool getsLabel() const { return !is_void && (has_final_number || !is_taken_out); }
+};
 
-/// What the map shows of final numbers, from those labels.
-MapNumbers mapNumbers(const QVector<SherdLabel>& labels, const pipeline::PlateMap& map,
-                      const QString& batch_number);
+/// The sherds of a map with what the catalogue knows of them: number, place, and a code with the
+/// end of the sherd's id. What has no number there yet keeps the batch's own; its label leads to it
+/// all the same, also when it has one.
+/// catalogue: null where there is none. date: of the shooting.
+QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
+                                  const catalogue::Catalogue* catalogue,
+                                  const QString& batch_number, const QString& date);
+
+QVector<SherdLabel> labelsOf(const QVector<PlateSherd>& sherds);
+
+/// What the map shows of their numbers.
+MapNumbers mapNumbers(const QVector<PlateSherd>& sherds);
 
 /// A label for each bag of the project, by place, with the number of its sherds and who bagged
 /// them: who entered the bag, else `initials`, of who prints. Read by the camera or a code reader

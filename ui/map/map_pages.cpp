@@ -26,16 +26,6 @@ constexpr double kLabelWide_mm = 85, kLabelHigh_mm = 32;
 constexpr double kCode_mm = 25, kLargestModule_mm = 0.75;
 constexpr int kQuietModules = 4;
 
-QString wordsOf(const MapMark& mark, const MapNumbers& numbers) {
-  const QString number = numbers.shown(QString::fromStdString(mark.number));
-  if (mark.state == CardState::Aside) return tr("aside");
-  if (mark.state == CardState::Reshoot) return tr("again");
-  if (number.isEmpty()) return QStringLiteral("?");
-  if (!mark.other_number.empty())
-    return tr("%1 or %2").arg(number, numbers.shown(QString::fromStdString(mark.other_number)));
-  return mark.state == CardState::Ask || mark.state == CardState::Alone ? number + " ?" : number;
-}
-
 QFont numberFont(const QPainter& painter, double height) {
   QFont font = painter.font();
   font.setBold(true);
@@ -59,6 +49,19 @@ double areaOf(const QRectF& r) {
 }
 
 }  // namespace
+
+QString wordsOf(const MapMark& mark, const MapNumbers& numbers) {
+  const QString plate = QString::fromStdString(mark.number);
+  const QString number = numbers.shown(plate);
+  const bool is_final = numbers.endings.contains(plate);
+  if (mark.state == CardState::Aside) return is_final ? tr("%1, aside").arg(number) : tr("aside");
+  if (mark.state == CardState::Reshoot) return is_final ? tr("%1, again").arg(number) : tr("again");
+  if (numbers.voided.contains(plate)) return tr("%1, void").arg(number);
+  if (number.isEmpty()) return QStringLiteral("?");
+  if (!mark.other_number.empty())
+    return tr("%1 or %2").arg(number, numbers.shown(QString::fromStdString(mark.other_number)));
+  return mark.state == CardState::Ask || mark.state == CardState::Alone ? number + " ?" : number;
+}
 
 void paintLabel(QPainter& painter, const QRectF& where, const SherdLabel& label, double per_mm) {
   painter.setPen(QPen(Qt::gray, 0.1 * per_mm, Qt::DotLine));

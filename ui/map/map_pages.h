@@ -2,6 +2,7 @@
 #include <QHash>
 #include <QImage>
 #include <QPolygonF>
+#include <QSet>
 #include <QString>
 #include <QVector>
 #include <vector>
@@ -26,6 +27,7 @@ struct SherdLabel {
 struct MapNumbers {
   QString common;                   ///< what all begin with: "ARM1-T3-0012-"; may be empty
   QHash<QString, QString> endings;  ///< by the plate's own number: "03" -> "0007"
+  QSet<QString> voided;             ///< the plate's own numbers of sherds that are void
   /// On the picture: the ending; in brackets the plate's own where there is no final number yet.
   QString shown(const QString& plate_number) const;
 };
@@ -36,6 +38,10 @@ struct MapPicture {
   QImage front, back;  ///< null: the photograph is gone
   MapNumbers numbers = {};
 };
+
+/// What stands on the map at a mark: its number, and what is to be known before the piece is
+/// bagged.
+QString wordsOf(const pipeline::MapMark& mark, const MapNumbers& numbers);
 
 /// A number on the map: how large it is written, where its sherd's middle lies, the sherd.
 struct NumberToPlace {

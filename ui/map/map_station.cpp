@@ -230,19 +230,17 @@ QString MapStation::dayOf(const MapPicture& picture) const {
 }
 
 void MapStation::nameMarks() {
-  view_->setNumbers(mapNumbers(labels(), view_->picture().map, batch_));
+  view_->setNumbers(mapNumbers(sherds()));
+}
+
+QVector<PlateSherd> MapStation::sherds() const {
+  const bool has_catalogue = session_ && session_->hasProject();
+  return sherdsOnPlate(view_->picture().map,
+                       has_catalogue ? &session_->project().catalogue() : nullptr, batch_, date_);
 }
 
 QVector<SherdLabel> MapStation::labels() const {
-  const pipeline::PlateMap& map = view_->picture().map;
-  QVector<SherdLabel> labels;
-  for (const pipeline::MapMark& mark : map.front.marks) {
-    if (mark.number.empty()) continue;
-    const QString number = tr("%1-%2").arg(batch_, QString::fromStdString(mark.number));
-    labels.append({number, {}, date_, QStringLiteral("OST1:S:") + number.toUpper()});
-  }
-  if (!session_ || !session_->hasProject()) return labels;
-  return withCatalogue(labels, map, session_->project().catalogue(), batch_.toStdString());
+  return labelsOf(sherds());
 }
 
 QString MapStation::pageTitle() const {
@@ -264,7 +262,10 @@ bool MapStation::writePdf(const QString& file) {
 
 // Such labels are for the table, not for the bag: in the store nobody knows their batch.
 QString MapStation::unnumberedWords() const {
-  const auto none = static_cast<int>(labels().size() - view_->picture().numbers.endings.size());
+  const QVector<PlateSherd> all = sherds();
+  const auto none = static_cast<int>(std::count_if(all.begin(), all.end(), [](const auto& sherd) {
+    return sherd.getsLabel() && !sherd.has_final_number;
+  }));
   return none > 0 ? tr("%n sherd(s) of this batch have no number yet: their labels name the batch.",
                        nullptr, none)
                   : QString();

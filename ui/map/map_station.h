@@ -13,6 +13,7 @@ class QPushButton;
 namespace ostraka::ui {
 
 class MapView;
+struct PlateSherd;
 
 /// The station Map: which sherd is which on the plate, on screen and on paper.
 class MapStation final : public Station {
@@ -28,7 +29,8 @@ class MapStation final : public Station {
   void closeProject() override;
   void setInFront(bool in_front) override;
 
-  /// As the catalogue has them; before it has, with the batch's and the sherd's number.
+  /// As the catalogue has them; before it has, with the batch's and the sherd's number. None for
+  /// what is void.
   QVector<SherdLabel> labels() const;
   /// Map and labels as PDF. False: said why.
   bool writePdf(const QString& file);
@@ -47,6 +49,7 @@ class MapStation final : public Station {
   void showBatch(const QString& batch);
   void openBatch(const QString& batch);
   void nameMarks();
+  QVector<PlateSherd> sherds() const;
   bool isOfScans() const;
   QString unnumberedWords() const;
   QString dayOf(const MapPicture& picture) const;

@@ -66,9 +66,12 @@ void CatalogueLabelsTest::theMapShowsTheEndsOfNumbersThatTellThemApart() {
   map.front.marks.resize(4);
   for (const int i : {0, 1, 2}) map.front.marks[i].number = "0" + std::to_string(i + 1);
   const auto numbers = [&](const QStringList& list) {
-    QVector<SherdLabel> labels;
-    for (const QString& number : list) labels.append({number, {}, {}, {}});
-    return mapNumbers(labels, map, QStringLiteral("B0001"));
+    QVector<PlateSherd> sherds = sherdsOnPlate(map, nullptr, QStringLiteral("B0001"), {});
+    for (qsizetype i = 0; i < sherds.size(); ++i) {
+      sherds[i].has_final_number = !list[i].startsWith("B0001");
+      sherds[i].label.number = list[i];
+    }
+    return mapNumbers(sherds);
   };
   const MapNumbers one = numbers({"ARM1-T3-0012-0007", "ARM1-T3-0012-0010", "ARM1-T3-0012-0011"});
   QCOMPARE(one.common, QStringLiteral("ARM1-T3-0012-"));
@@ -221,9 +224,11 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   map.front.marks[1].place_mm = {-10, -30};
   map.front.marks[2].place_mm = {31, 12};
   map.front.marks[2].number = "02";  // the one between is set aside
-  const QVector<SherdLabel> plain = {{"B0001-01", {}, "2026-07-14", "OST1:S:B0001-01"},
-                                     {"B0001-02", {}, "2026-07-14", "OST1:S:B0001-02"}};
-  const QVector<SherdLabel> labels = withCatalogue(plain, map, rows, "B0001");
+  const QString day = QStringLiteral("2026-07-14");
+  const QVector<SherdLabel> plain = labelsOf(sherdsOnPlate(map, nullptr, "B0001", day));
+  QCOMPARE(plain[0].code, QStringLiteral("OST1:S:B0001-01"));
+  const QVector<SherdLabel> labels = labelsOf(sherdsOnPlate(map, &rows, "B0001", day));
+  QCOMPARE(labels.size(), 2);
   QCOMPARE(labels[0].number, QStringLiteral("B0001-01"));
   QCOMPARE(labels[1].number, QStringLiteral("ARM1-T3-0012-0007"));
   const QString id = QString::fromStdString(rows.sherd(*sherd_row)->id).remove('-').toUpper();
@@ -245,7 +250,7 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   draft.front = *rows.save(scan, {});
   const auto draft_row = rows.addSherd(draft, {});
   QVERIFY(draft_row.has_value());
-  const SherdLabel before = withCatalogue(plain, map, rows, "B0001")[0];
+  const SherdLabel before = labelsOf(sherdsOnPlate(map, &rows, "B0001", day))[0];
   QCOMPARE(before.number, QStringLiteral("B0001-01"));
   QCOMPARE(leadsTo(before.code), std::vector<catalogue::SherdRow>{*draft_row});
   const catalogue::FieldChange number{*draft_row, "number", "ARM1-8"};
@@ -253,7 +258,22 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QCOMPARE(leadsTo(before.code), std::vector<catalogue::SherdRow>{*draft_row});
   QCOMPARE(leadsTo(plain[0].code), std::vector<catalogue::SherdRow>{*draft_row});
   QCOMPARE(labels[1].date, QStringLiteral("2026-07-14"));
-  QCOMPARE(withCatalogue(plain, map, rows, "B0009")[1].number, QStringLiteral("B0001-02"));
+  QCOMPARE(labelsOf(sherdsOnPlate(map, &rows, "B0009", day))[1].number, QStringLiteral("B0009-02"));
+
+  // A piece that is to be photographed again keeps its number and its label; what is void has none.
+  map.front.marks[0].state = map.front.marks[2].state = pipeline::CardState::Reshoot;
+  QCOMPARE(labelsOf(sherdsOnPlate(map, &rows, "B0001", day)).size(), 2);
+  QCOMPARE(labelsOf(sherdsOnPlate(map, nullptr, "B0001", day)).size(), 0);  // stones, perhaps
+  map.front.marks[2].state = pipeline::CardState::Sure;
+  QVERIFY(mapNumbers(sherdsOnPlate(map, &rows, "B0001", day)).voided.isEmpty());
+  QVERIFY(rows.voidSherd(*sherd_row, "a brick", {}).has_value());
+  const QVector<SherdLabel> left = labelsOf(sherdsOnPlate(map, &rows, "B0001", day));
+  QCOMPARE(left.size(), 1);
+  QCOMPARE(left[0].number, QStringLiteral("ARM1-8"));
+  const MapNumbers shown = mapNumbers(sherdsOnPlate(map, &rows, "B0001", day));
+  QCOMPARE(shown.voided, QSet<QString>{"02"});
+  QCOMPARE(wordsOf(map.front.marks[2], shown), QStringLiteral("T3-0012-0007, void"));
+  QCOMPARE(wordsOf(map.front.marks[0], shown), QStringLiteral("8, again"));
 }
 
 }  // namespace ostraka::ui

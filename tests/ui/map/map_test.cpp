@@ -29,6 +29,7 @@ class MapTest : public QObject {
   void whatWasDecidedIsSeenAtOnce();
   void theQrCodeIsAsSmallAsTheStandardSays();
   void mapAndLabelsAreWrittenAsPdf();
+  void whatWasTakenOutKeepsItsNumberOnBothSides();
   void whatNobodyLooksAtIsNotRead();
   void theLabelSaysTheDayOfTheShooting();
   void aMissingPhotographIsSaid();
@@ -127,6 +128,23 @@ void MapTest::whatWasDecidedIsSeenAtOnce() {
   QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
   session_->tellBatchChanged("B0007");
   QTRY_COMPARE(map().back.marks[0].number, std::string("01"));
+}
+
+void MapTest::whatWasTakenOutKeepsItsNumberOnBothSides() {
+  pipeline::PairDecision decision;
+  decision.kind = pipeline::DecisionKind::Reshoot;
+  decision.by = "AP";
+  decision.scans = {out_.table.fronts[2], out_.table.backs[2]};
+  QVERIFY(pipeline::appendDecision(out_.output, decision).has_value());
+  session_->tellBatchChanged("B0007");
+  QTRY_COMPARE(map().front.marks[2].state, pipeline::CardState::Reshoot);
+  QCOMPARE(map().front.marks[2].number, std::string("03"));
+  QCOMPARE(map().back.marks[2].number, std::string("03"));
+  MapNumbers numbers;
+  QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("again"));
+  numbers.endings = {{"03", "0007"}};
+  QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("0007, again"));
+  QCOMPARE(station_->labels().size(), 3);  // no number outside this batch
 }
 
 void MapTest::whatNobodyLooksAtIsNotRead() {

@@ -2153,7 +2153,7 @@
     <message>
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>context:0012</translation>
+      <translation>Befund:0012</translation>
     </message>
     <message>
       <source>Forms</source>
@@ -2319,12 +2319,12 @@
     <message>
       <source>rim T3 thickness&gt;6</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>T3 Dicke&gt;6</translation>
+      <translation>T3 Wandstärke&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wörter werden überall gesucht; auch ware:grey, thickness&gt;6, -burnt, note:* gehen.</translation>
+      <translation>Wörter werden überall gesucht; auch ware:grey, Wandstärke&gt;6, -burnt, Bemerkung:* gehen.</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
@@ -3665,6 +3665,16 @@
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modelle von %1</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gesichert. Wenn gerechnet ist, hat die verbundene Scherbe keine Nummer, und %1 bleibt ohne Stück. Rückgängig trennt sie wieder.</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gesichert. Wenn gerechnet ist, behält die verbundene Scherbe die Nummer %1, und %2 bleibt ohne Stück. Rückgängig trennt sie wieder.</translation>
     </message>
   </context>
   <context>
@@ -6491,11 +6501,6 @@
       <translation>Eine nummerierte Scherbe braucht ihren Befund.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einen Beutel %1 gibt es in diesem Befund nicht; ihn anlegen oder auch den Beutel ändern.</translation>
-    </message>
-    <message>
       <source>A sherd gets a number when its context is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Scherbe bekommt eine Nummer, wenn ihr Befund bekannt ist.</translation>
@@ -8404,6 +8409,21 @@
       <source>wall %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wandung %1 mm</translation>
+    </message>
+    <message>
+      <source>A bag lies in a context; enter the context first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Beutel liegt in einem Befund; zuerst den Befund eintragen.</translation>
+    </message>
+    <message>
+      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Befund %1 hat keinen Beutel %2; den Beutel zugleich ändern oder leeren.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Beutel %1 gibt es im Befund %2 noch nicht; ihn bei der Aufnahme eintippen oder eine Tabelle der Befunde mit ihm importieren.</translation>
     </message>
   </context>
 </TS>

@@ -2153,7 +2153,7 @@
     <message>
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>context:0012</translation>
+      <translation>πλαίσιο:0012</translation>
     </message>
     <message>
       <source>Forms</source>
@@ -2319,12 +2319,12 @@
     <message>
       <source>rim T3 thickness&gt;6</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
+      <translation>rim T3 πάχος&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις αναζητούνται παντού· ισχύουν και τα ware:grey, thickness&gt;6, -burnt, note:*.</translation>
+      <translation>Οι λέξεις αναζητούνται παντού· ισχύουν και τα ware:grey, πάχος&gt;6, -burnt, σημείωση:*.</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
@@ -3665,6 +3665,16 @@
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μοντέλα της %1</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο δεν θα έχει αριθμό και ο %1 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο κρατά τον αριθμό %1 και ο %2 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
     </message>
   </context>
   <context>
@@ -6491,11 +6501,6 @@
       <translation>Ένα αριθμημένο όστρακο χρειάζεται το πλαίσιό του.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπάρχει σακούλα %1 σε αυτό το πλαίσιο· προσθέστε την ή αλλάξτε και τη σακούλα.</translation>
-    </message>
-    <message>
       <source>A sherd gets a number when its context is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όστρακο παίρνει αριθμό όταν το πλαίσιό του είναι γνωστό.</translation>
@@ -8404,6 +8409,21 @@
       <source>wall %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>τοίχωμα %1 mm</translation>
+    </message>
+    <message>
+      <source>A bag lies in a context; enter the context first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια σακούλα ανήκει σε πλαίσιο· καταχωρίστε πρώτα το πλαίσιο.</translation>
+    </message>
+    <message>
+      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλαίσιο %1 δεν έχει σακούλα %2· αλλάξτε ή αδειάστε συγχρόνως τη σακούλα.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει ακόμη σακούλα %1 στο πλαίσιο %2· πληκτρολογήστε την στη λήψη ή εισαγάγετε έναν πίνακα πλαισίων που την περιέχει.</translation>
     </message>
   </context>
 </TS>

@@ -2153,7 +2153,7 @@
     <message>
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>context:0012</translation>
+      <translation>contexto:0012</translation>
     </message>
     <message>
       <source>Forms</source>
@@ -2319,12 +2319,12 @@
     <message>
       <source>rim T3 thickness&gt;6</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
+      <translation>rim T3 grosor&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras se buscan en todas partes; también sirven ware:grey, thickness&gt;6, -burnt, note:*.</translation>
+      <translation>Las palabras se buscan en todas partes; también sirven ware:grey, grosor&gt;6, -burnt, nota:*.</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
@@ -3665,6 +3665,16 @@
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modelos de %1</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Cuando se calcule, el fragmento unido no tendrá número y %1 queda sin pieza. Deshacer los separa de nuevo.</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Cuando se calcule, el fragmento unido conserva el número %1 y %2 queda sin pieza. Deshacer los separa de nuevo.</translation>
     </message>
   </context>
   <context>
@@ -6491,11 +6501,6 @@
       <translation>Un fragmento numerado necesita su contexto.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay ninguna bolsa %1 en este contexto; añádala o cambie también la bolsa.</translation>
-    </message>
-    <message>
       <source>A sherd gets a number when its context is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento recibe número cuando se conoce su contexto.</translation>
@@ -8404,6 +8409,21 @@
       <source>wall %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>pared %1 mm</translation>
+    </message>
+    <message>
+      <source>A bag lies in a context; enter the context first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una bolsa está en un contexto; escriba primero el contexto.</translation>
+    </message>
+    <message>
+      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El contexto %1 no tiene ninguna bolsa %2; cambie o vacíe la bolsa al mismo tiempo.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todavía no hay ninguna bolsa %1 en el contexto %2; escríbala en la toma o importe una tabla de contextos que la contenga.</translation>
     </message>
   </context>
 </TS>

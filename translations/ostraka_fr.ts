@@ -2153,7 +2153,7 @@
     <message>
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>context:0012</translation>
+      <translation>contexte:0012</translation>
     </message>
     <message>
       <source>Forms</source>
@@ -2319,12 +2319,12 @@
     <message>
       <source>rim T3 thickness&gt;6</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
+      <translation>rim T3 épaisseur&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots sont cherchés partout ; ware:grey, thickness&gt;6, -burnt, note:* fonctionnent aussi.</translation>
+      <translation>Les mots sont cherchés partout ; ware:grey, épaisseur&gt;6, -burnt, remarque:* fonctionnent aussi.</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
@@ -3665,6 +3665,16 @@
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modèles de %1</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Une fois le calcul fait, le tesson réuni n’aura pas de numéro, et %1 reste sans pièce. Annuler les sépare de nouveau.</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Une fois le calcul fait, le tesson réuni garde le numéro %1, et %2 reste sans pièce. Annuler les sépare de nouveau.</translation>
     </message>
   </context>
   <context>
@@ -6491,11 +6501,6 @@
       <translation>Un tesson numéroté a besoin de son contexte.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a pas de sac %1 dans ce contexte ; ajoutez-le, ou changez aussi le sac.</translation>
-    </message>
-    <message>
       <source>A sherd gets a number when its context is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson reçoit un numéro quand son contexte est connu.</translation>
@@ -8404,6 +8409,21 @@
       <source>wall %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>paroi %1 mm</translation>
+    </message>
+    <message>
+      <source>A bag lies in a context; enter the context first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un sac appartient à un contexte ; entrez d’abord le contexte.</translation>
+    </message>
+    <message>
+      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contexte %1 n’a pas de sac %2 ; changez ou videz le sac en même temps.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il n’y a pas encore de sac %1 dans le contexte %2 ; tapez-le à la prise de vue, ou importez une table de contextes qui le contient.</translation>
     </message>
   </context>
 </TS>

@@ -2153,7 +2153,7 @@
     <message>
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>context:0012</translation>
+      <translation>համատեքստ:0012</translation>
     </message>
     <message>
       <source>Forms</source>
@@ -2319,12 +2319,12 @@
     <message>
       <source>rim T3 thickness&gt;6</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
+      <translation>rim T3 հաստություն&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բառերը փնտրվում են ամենուր. գործում են նաև ware:grey, thickness&gt;6, -burnt, note:*։</translation>
+      <translation>Բառերը փնտրվում են ամենուր. գործում են նաև ware:grey, հաստություն&gt;6, -burnt, նշում:*։</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
@@ -3665,6 +3665,16 @@
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի մոդելները</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը համար չի ունենա, իսկ %1 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը կպահի %1 համարը, իսկ %2 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
     </message>
   </context>
   <context>
@@ -6491,11 +6501,6 @@
       <translation>Համարակալված բեկորին պետք է իր համատեքստը։</translation>
     </message>
     <message>
-      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս համատեքստում %1 տոպրակ չկա. ավելացրեք այն կամ փոխեք նաև տոպրակը։</translation>
-    </message>
-    <message>
       <source>A sherd gets a number when its context is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորը համար է ստանում, երբ համատեքստը հայտնի է։</translation>
@@ -8404,6 +8409,21 @@
       <source>wall %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>պատը %1 mm</translation>
+    </message>
+    <message>
+      <source>A bag lies in a context; enter the context first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակը համատեքստի մեջ է. նախ գրեք համատեքստը։</translation>
+    </message>
+    <message>
+      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համատեքստում %2 տոպրակ չկա. միաժամանակ փոխեք կամ դատարկեք տոպրակը։</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 համատեքստում %1 տոպրակ դեռ չկա. գրեք այն նկարահանման էջում կամ ներմուծեք համատեքստերի աղյուսակ, որտեղ այն կա։</translation>
     </message>
   </context>
 </TS>

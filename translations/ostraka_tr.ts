@@ -2125,7 +2125,7 @@
     <message>
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>context:0012</translation>
+      <translation>kontekst:0012</translation>
     </message>
     <message>
       <source>Forms</source>
@@ -2290,12 +2290,12 @@
     <message>
       <source>rim T3 thickness&gt;6</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rim T3 thickness&gt;6</translation>
+      <translation>rim T3 kalınlık&gt;6</translation>
     </message>
     <message>
       <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sözcükler her yerde aranır; ware:grey, thickness&gt;6, -burnt, note:* da olur.</translation>
+      <translation>Sözcükler her yerde aranır; ware:grey, kalınlık&gt;6, -burnt, not:* da olur.</translation>
     </message>
     <message>
       <source>Take away the condition %1</source>
@@ -3627,6 +3627,16 @@
       <source>Models of %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 modelleri</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd will have no number, and %1 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Hesaplanınca birleşen parçanın numarası olmayacak, %1 ise parçasız kalacak. Geri alma onları yeniden ayırır.</translation>
+    </message>
+    <message>
+      <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Hesaplanınca birleşen parça %1 numarasını korur, %2 ise parçasız kalır. Geri alma onları yeniden ayırır.</translation>
     </message>
   </context>
   <context>
@@ -6449,11 +6459,6 @@
       <translation>Numaralı bir parçanın konteksti olmalı.</translation>
     </message>
     <message>
-      <source>There is no bag %1 in this context; add it, or change the bag too.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu kontekstte %1 torbası yok; onu ekleyin ya da torbayı da değiştirin.</translation>
-    </message>
-    <message>
       <source>A sherd gets a number when its context is known.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça, konteksti bilinince numara alır.</translation>
@@ -8362,6 +8367,21 @@
       <source>wall %1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>cidar %1 mm</translation>
+    </message>
+    <message>
+      <source>A bag lies in a context; enter the context first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir torba bir kontekstte bulunur; önce konteksti girin.</translation>
+    </message>
+    <message>
+      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 konteksti %2 torbasını içermiyor; torbayı da aynı anda değiştirin ya da boşaltın.</translation>
+    </message>
+    <message>
+      <source>There is no bag %1 in context %2 yet; type it at the capture, or import a table of contexts with it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 kontekstinde henüz %1 torbası yok; onu çekimde yazın ya da onu içeren bir kontekst tablosu içe aktarın.</translation>
     </message>
   </context>
 </TS>

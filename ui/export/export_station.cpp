@@ -235,6 +235,7 @@ void ExportStation::showItem(const QString& what) {
 
 void ExportStation::takeChosen(const QString& what) {
   if (what.isEmpty() || model_.state() == ExportModel::State::Running) return;
+  if (what.startsWith(kPlate)) return;  // what one looks at is not what one gives away
   if (what.startsWith("row:"))
     model_.offerChosen({{what.mid(4).toLongLong()}});
   else

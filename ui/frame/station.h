@@ -31,7 +31,9 @@ class Station : public QWidget {
   /// The station comes to the front (true) or leaves it: a live picture may rest.
   virtual void setInFront(bool /*in_front*/) {}
 
-  /// What is chosen here, for the station that comes next, as its showItem takes it.
+  /// What is chosen here, for the station that comes next, as its showItem takes it; of a station
+  /// that shows one batch kPlate with its number.
+  static constexpr QLatin1String kPlate{"plate:", 6};
   virtual QString chosen() const { return {}; }
   /// What was chosen on the station that the person comes from.
   virtual void takeChosen(const QString& /*what*/) {}

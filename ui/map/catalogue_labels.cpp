@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "catalogue/catalogue.h"
-#include "pipeline/decisions.h"
+#include "catalogue/plate_sherds.h"
 
 namespace ostraka::ui {
 namespace {
@@ -52,42 +52,6 @@ bool isTakenOut(const pipeline::MapMark& mark) {
   return mark.state == pipeline::CardState::Aside || mark.state == pipeline::CardState::Reshoot;
 }
 
-// What the catalogue has of one batch's fronts, found by their places: the results that the map
-// shows may be newer than those in the catalogue, or older, and number the pieces otherwise.
-class KnownFronts {
- public:
-  KnownFronts(const catalogue::Catalogue& catalogue, const std::string& batch_number) {
-    const auto batch = catalogue.batchByNumber(batch_number);
-    if (!batch) return;
-    const auto scans = catalogue.scans(batch->row);
-    const auto rows = catalogue.sherdRows(batch->row);
-    if (!scans || !rows) return;
-    auto sherds = catalogue.sherds(*rows);
-    if (!sherds) return;
-    sherds_ = std::move(*sherds);
-    for (const catalogue::ScanRecord& scan : *scans) {
-      if (scan.side != batch::Side::Front || !scan.isThere()) continue;
-      if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
-      places_.push_back({scan.side, scan.name, {*scan.plate_x_mm, *scan.plate_y_mm}, {}});
-      fronts_.push_back(scan.row);
-    }
-  }
-
-  const catalogue::SherdRecord* at(const Eigen::Vector2d& place_mm) const {
-    const int at = pipeline::resolved({batch::Side::Front, {}, place_mm, {}}, places_);
-    if (at < 0) return nullptr;
-    const catalogue::ScanRow front = fronts_[static_cast<std::size_t>(at)];
-    const auto sherd = std::find_if(sherds_.begin(), sherds_.end(),
-                                    [&](const auto& s) { return s.front == front; });
-    return sherd == sherds_.end() ? nullptr : &*sherd;
-  }
-
- private:
-  std::vector<pipeline::ScanRef> places_;
-  std::vector<catalogue::ScanRow> fronts_;
-  std::vector<catalogue::SherdRecord> sherds_;
-};
-
 void fillIn(PlateSherd& sherd, const catalogue::SherdRecord& known, const pipeline::MapMark& mark) {
   SherdLabel& label = sherd.label;
   label.context = placeOf(known.site, known.trench, known.context_number, known.bag_number);
@@ -104,7 +68,7 @@ void fillIn(PlateSherd& sherd, const catalogue::SherdRecord& known, const pipeli
 QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
                                   const catalogue::Catalogue* catalogue,
                                   const QString& batch_number, const QString& date) {
-  std::optional<KnownFronts> known;
+  std::optional<catalogue::PlateSherds> known;
   if (catalogue != nullptr) known.emplace(*catalogue, batch_number.toStdString());
   QVector<PlateSherd> sherds;
   for (const pipeline::MapMark& mark : map.front.marks) {
@@ -128,6 +92,34 @@ QVector<SherdLabel> labelsOf(const QVector<PlateSherd>& sherds) {
   return labels;
 }
 
+namespace {
+
+// What most begin with, so that most are short; it ends with a mark between two parts: 0012-, never
+// 001. The others stand there whole. Empty where an end would be another's number.
+QString commonBeginning(const QStringList& numbers) {
+  QString best;
+  qsizetype most_saved = 0;
+  for (const QString& number : numbers)
+    for (qsizetype size = 1; size < number.size(); ++size) {
+      if (number[size - 1].isLetterOrNumber()) continue;
+      const QString beginning = number.left(size);
+      const auto sharing = std::count_if(numbers.begin(), numbers.end(), [&](const QString& other) {
+        return other.startsWith(beginning) && other.size() > size;
+      });
+      const bool clear = std::none_of(numbers.begin(), numbers.end(), [&](const QString& other) {
+        return other.startsWith(beginning) && numbers.contains(other.mid(size));
+      });
+      if (2 * sharing < numbers.size() || sharing < std::min<qsizetype>(2, numbers.size()))
+        continue;
+      if (!clear || sharing * size <= most_saved) continue;
+      most_saved = sharing * size;
+      best = beginning;
+    }
+  return best;
+}
+
+}  // namespace
+
 MapNumbers mapNumbers(const QVector<PlateSherd>& sherds) {
   MapNumbers numbers;
   for (const PlateSherd& sherd : sherds) {
@@ -135,15 +127,12 @@ MapNumbers mapNumbers(const QVector<PlateSherd>& sherds) {
     if (sherd.is_void) numbers.voided.insert(sherd.on_plate);
   }
   if (numbers.endings.isEmpty()) return numbers;
-  // What all begin with ends with a mark between two parts: 0012-, never 001.
-  QString common = *numbers.endings.cbegin();
-  for (const QString& number : std::as_const(numbers.endings))
-    while (!number.startsWith(common)) common.chop(1);
-  while (!common.isEmpty() &&
-         (common.back().isLetterOrNumber() || numbers.endings.values().contains(common)))
-    common.chop(1);
-  numbers.common = common;
-  for (QString& number : numbers.endings) number.remove(0, common.size());
+  numbers.common = commonBeginning(numbers.endings.values());
+  for (auto ending = numbers.endings.begin(); ending != numbers.endings.end(); ++ending) {
+    if (numbers.common.isEmpty() || !ending->startsWith(numbers.common)) continue;
+    ending->remove(0, numbers.common.size());
+    numbers.shortened.insert(ending.key());
+  }
   return numbers;
 }
 

@@ -25,6 +25,7 @@ constexpr double kLabelWide_mm = 85, kLabelHigh_mm = 32;
 // With its margin a code takes this much, and a short one has no larger modules than are needed.
 constexpr double kCode_mm = 25, kLargestModule_mm = 0.75;
 constexpr int kQuietModules = 4;
+constexpr double kOnNumber = 4;  // how much worse a number is covered than a sherd
 
 QFont numberFont(const QPainter& painter, double height) {
   QFont font = painter.font();
@@ -111,6 +112,10 @@ QString MapNumbers::shown(const QString& plate_number) const {
   return endings.value(plate_number, QStringLiteral("(%1)").arg(plate_number));
 }
 
+QString MapNumbers::whole(const QString& plate_number) const {
+  return (shortened.contains(plate_number) ? common : QString()) + shown(plate_number);
+}
+
 QRectF mapPlace(const QRectF& where, const pipeline::MapSide& side) {
   if (side.width <= 0 || side.height <= 0) return where;
   const QSizeF size = QSizeF(side.width, side.height).scaled(where.size(), Qt::KeepAspectRatio);
@@ -127,10 +132,11 @@ std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, cons
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return numbers[a].size.width() > numbers[b].size.width();
   });
-  std::vector<QRectF> placed;
+  std::vector<QRectF> placed, boxes;
+  for (const NumberToPlace& number : numbers) boxes.push_back(number.outline.boundingRect());
   for (const std::size_t i : order) {
     const auto& [size, at, outline] = numbers[i];
-    const QRectF sherd = outline.boundingRect();
+    const QRectF& sherd = boxes[i];
     // On the sherd where it covers less than half of it, else around it, above first.
     std::vector<QPointF> centres;
     const bool small = areaOf(QRectF({}, size)) > areaOf(sherd) / 2;
@@ -158,8 +164,11 @@ std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, cons
                                  std::max(within.left(), within.right() - size.width())));
       ground.moveTop(std::clamp(ground.top(), within.top(),
                                 std::max(within.top(), within.bottom() - size.height())));
+      // Another's number is the worst; a small sherd, its own or another's, is not to be hidden.
       double covered = 0;
-      for (const QRectF& other : placed) covered += areaOf(ground.intersected(other));
+      for (const QRectF& other : placed) covered += kOnNumber * areaOf(ground.intersected(other));
+      for (std::size_t j = 0; j < numbers.size(); ++j)
+        if (j != i || small) covered += areaOf(ground.intersected(boxes[j]));
       if (covered >= least) continue;
       least = covered;
       best = ground;

@@ -25,11 +25,13 @@ struct SherdLabel {
 
 /// Final numbers of the sherds on a plate, as short as they tell each other apart.
 struct MapNumbers {
-  QString common;                   ///< what all begin with: "ARM1-T3-0012-"; may be empty
+  QString common;                   ///< what most begin with: "ARM1-T3-0012-"; may be empty
   QHash<QString, QString> endings;  ///< by the plate's own number: "03" -> "0007"
+  QSet<QString> shortened;          ///< those whose ending stands for a number with `common`
   QSet<QString> voided;             ///< the plate's own numbers of sherds that are void
   /// On the picture: the ending; in brackets the plate's own where there is no final number yet.
   QString shown(const QString& plate_number) const;
+  QString whole(const QString& plate_number) const;
 };
 
 /// A plate with the photographs read, for screen and paper.
@@ -50,7 +52,7 @@ struct NumberToPlace {
   QPolygonF outline;
 };
 /// Where the numbers go: on their sherds or, where these are small or crowded, beside them. None
-/// covers another as long as there is room.
+/// covers another, or another's sherd, as long as there is room.
 std::vector<QRectF> placeNumbers(const std::vector<NumberToPlace>& numbers, const QRectF& within);
 
 /// Draws one side into a rectangle, marks and numbers on it; highlighted: the number in hand.

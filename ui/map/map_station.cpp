@@ -112,7 +112,7 @@ MapStation::MapStation(QWidget* parent) : Station(parent) {
           [this](int index) { openBatch(batches_->itemText(index)); });
   connect(view_, &MapView::highlightedChanged, this, [this](const QString& number) {
     const MapNumbers& numbers = view_->picture().numbers;
-    if (!number.isEmpty()) say(tr("Sherd %1").arg(numbers.common + numbers.shown(number)));
+    if (!number.isEmpty()) say(tr("Sherd %1").arg(numbers.whole(number)));
   });
   connect(view_, &MapView::activated, this,
           [this](const QString&) { emit wantsStation(QStringLiteral("review"), batch_); });
@@ -147,6 +147,17 @@ void MapStation::closeProject() {
 
 void MapStation::setInFront(bool in_front) {
   if (in_front) view_->setFocus();
+}
+
+QString MapStation::chosen() const {
+  return batch_.isEmpty() ? QString() : kPlate + batch_;
+}
+
+// The batch that was reviewed is the one whose map is wanted.
+void MapStation::takeChosen(const QString& what) {
+  if (what.startsWith(kPlate) && what != chosen() &&
+      batches_->findText(what.mid(kPlate.size())) >= 0)
+    showBatch(what.mid(kPlate.size()));
 }
 
 void MapStation::listBatches() {

@@ -28,6 +28,8 @@ class MapStation final : public Station {
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   void setInFront(bool in_front) override;
+  QString chosen() const override;
+  void takeChosen(const QString& what) override;
 
   /// As the catalogue has them; before it has, with the batch's and the sherd's number. None for
   /// what is void.

@@ -29,6 +29,10 @@ void drawPicture(QPainter& painter, const QRect& where, const QImage& picture, b
   painter.drawImage(target, shown);
 }
 
+QString numberOf(const QModelIndex& index) {
+  return index.data(CardRole::SherdNumber).toString();
+}
+
 // What does not fit ends in dots; the whole sentence stands above the pictures and in the tip.
 void drawReason(QPainter& painter, const QRect& where, const QFontMetrics& metrics, QString words) {
   const int flags = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
@@ -47,10 +51,11 @@ QRect CardDelegate::backPicture(const QRect& card, const QFontMetrics& metrics) 
   return QRect(card.left() + 2 * gap + size, card.top() + gap, size, size);
 }
 
-QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const QFontMetrics metrics(option.font);
-  return {metrics.height() * 13, pictureSize(metrics) + 2 * (metrics.height() / 3) +
-                                     kReasonLines * metrics.height() + kEdges};
+  return {metrics.height() * 13,
+          pictureSize(metrics) + 2 * (metrics.height() / 3) +
+              (kReasonLines + (numberOf(index).isEmpty() ? 0 : 1)) * metrics.height() + kEdges};
 }
 
 void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -113,6 +118,14 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   }
   painter->setFont(option.font);
   painter->setPen(option.palette.color(QPalette::Text));
+  if (const QString number = numberOf(index); !number.isEmpty()) {
+    // Its end tells it from the others.
+    const QRect line(reason.left(), reason.top(), reason.width(), metrics.height());
+    reason.setTop(line.bottom() + 1);
+    reason.setBottom(reason.bottom() + metrics.height());
+    painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                      metrics.elidedText(number, Qt::ElideLeft, line.width()));
+  }
   drawReason(*painter, reason, metrics, index.data(CardRole::Words).toString());
   painter->restore();
 }

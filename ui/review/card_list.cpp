@@ -16,7 +16,6 @@ CardList::CardList(QWidget* parent) : QListView(parent) {
   setMouseTracking(true);
   viewport()->setMouseTracking(true);
   setSelectionMode(SingleSelection);
-  setUniformItemSizes(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   ghost_ = new QLabel(viewport());
   ghost_->setAttribute(Qt::WA_TransparentForMouseEvents);

@@ -13,7 +13,8 @@ struct CardRole {
     FrontPicture,
     BackPicture,
     Words,
-    Waits  ///< its pieces were joined or cut, and are others once the batch is computed
+    SherdNumber,  ///< in the catalogue; may be empty
+    Waits         ///< its pieces were joined or cut, and are others once the batch is computed
   };
 };
 

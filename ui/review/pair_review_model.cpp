@@ -115,6 +115,8 @@ QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
       return words();
     case Qt::AccessibleTextRole:
       return tr("%1, %2. %3").arg(rowName(row, live_->table()), rowWord(row), words());
+    case CardRole::SherdNumber:
+      return numbers_.value(row.front);
     case CardRole::Front:
       return row.front;
     case CardRole::Back:
@@ -132,6 +134,13 @@ QVariant PairReviewModel::data(const QModelIndex& index, int role) const {
     default:
       return {};
   }
+}
+
+void PairReviewModel::setNumbers(const QHash<int, QString>& numbers) {
+  if (numbers == numbers_) return;
+  emit layoutAboutToBeChanged();  // a card with a number is higher
+  numbers_ = numbers;
+  emit layoutChanged();
 }
 
 int PairReviewModel::rowOf(int front) const {

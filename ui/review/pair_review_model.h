@@ -1,5 +1,6 @@
 #pragma once
 #include <QAbstractListModel>
+#include <QHash>
 #include <QPointer>
 #include <QString>
 #include <functional>
@@ -41,6 +42,7 @@ class PairReviewModel final : public QAbstractListModel {
   int rowOf(int front) const;
   int rowOfLoneBack(int back) const;  ///< -1: a front holds it
   int rowInHand() const;
+  void setNumbers(const QHash<int, QString>& numbers);  ///< of the sherds, by front
 
   // the card in hand
   int front() const { return trial_.front; }
@@ -132,6 +134,7 @@ class PairReviewModel final : public QAbstractListModel {
   pipeline::Decisions decisions_, followed_;  ///< all, and those that the results follow
   pipeline::Review review_, program_;         ///< as things stand, and without any decision
   std::vector<ReviewRow> rows_;
+  QHash<int, QString> numbers_;
   ScanPictures thumbnails_;
   std::map<int, std::vector<pipeline::ReviewCandidate>> more_;  ///< by front, compared on demand
   std::set<int> asked_;  ///< fronts for which there are no more

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "catalogue/enter_results.h"
+#include "catalogue/plate_sherds.h"
 #include "catalogue/project.h"
 #include "catalogue/review_decisions.h"
 #include "ui/frame/look.h"
@@ -134,6 +135,7 @@ void ReviewStation::openProject(ProjectSession& session) {
   connect(&session, &ProjectSession::initialsChanged, model_, &PairReviewModel::setPerson);
   connect(&session, &ProjectSession::initialsChanged, person_, &QLineEdit::setText);
   connect(&session, &ProjectSession::batchChanged, this, &ReviewStation::follow);
+  connect(&session, &ProjectSession::sherdsChanged, this, &ReviewStation::nameSherds);
   connect(model_, &PairReviewModel::waitingChanged, this, &Station::waitingChanged);
   connect(model_, &PairReviewModel::failed, this, &ReviewStation::say);
   connect(model_, &PairReviewModel::personWanted, this, [this] {
@@ -210,6 +212,7 @@ void ReviewStation::openOutput(const QString& batch) {
     const auto opened = outcomeAs<OpenedBatch>(outcome);
     if (!opened) return say(sentenceOf(opened.error()));
     model_->open(*opened);
+    nameSherds();
     compute_->setVisible(model_->wantsComputing());
     if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
     for (const std::string& warning : model_->review().warnings) say(wordsOf(warning));
@@ -233,7 +236,9 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
   if (!shown) openOutput(batch);  // so that one sees what was done there
   const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
                       decision.kind == pipeline::DecisionKind::Split;
-  say(pieces ? tr("Saved. The pairs of the new pieces come when it is computed.")
+  const QString joined = joinedWords(batch, decision);
+  say(!joined.isEmpty() ? joined
+      : pieces          ? tr("Saved. The pairs of the new pieces come when it is computed.")
       : decision.kind == pipeline::DecisionKind::Withdraw
           ? tr("Taken back. Both are kept in the history.")
           : tr("Saved, with your name."));
@@ -249,6 +254,34 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
     if (!entered) say(sentenceOf(entered.error()));
   }
   session_->tellBatchChanged(batch);
+}
+
+// A number that loses its piece is said when it is done, not found later in the table.
+QString ReviewStation::joinedWords(const QString& batch, const pipeline::PairDecision& join) const {
+  if (!session_->hasProject()) return {};
+  const catalogue::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
+  const catalogue::JoinedNumbers numbers = sherds.afterJoin(join);
+  if (numbers.left.empty()) return {};
+  const QString left = QString::fromStdString(numbers.left);
+  return numbers.kept.empty()
+             ? tr("Saved. When it is computed the joined sherd will have no number, and %1 stays "
+                  "without a piece. Undo parts them again.")
+                   .arg(left)
+             : tr("Saved. When it is computed the joined sherd keeps the number %1, and %2 stays "
+                  "without a piece. Undo parts them again.")
+                   .arg(QString::fromStdString(numbers.kept), left);
+}
+
+// What the catalogue calls the sherds on the cards.
+void ReviewStation::nameSherds() {
+  if (!session_ || !session_->hasProject() || model_ == nullptr || !model_->isOpen()) return;
+  const catalogue::PlateSherds sherds(session_->project().catalogue(), batch_.toStdString());
+  QHash<int, QString> numbers;
+  const std::vector<pipeline::ScanRef>& fronts = model_->live()->table().fronts;
+  for (std::size_t i = 0; i < fronts.size(); ++i)
+    if (const auto* sherd = sherds.at(fronts[i].place_mm); sherd && !sherd->number.empty())
+      numbers.insert(static_cast<int>(i), QString::fromStdString(sherd->number));
+  model_->setNumbers(numbers);
 }
 
 // The queue's row follows: its figures, and whether the batch still wants a person.
@@ -327,6 +360,16 @@ fs::file_time_type ReviewStation::stampOf(const QString& batch) const {
 
 void ReviewStation::setInFront(bool in_front) {
   if (in_front && pane_) pane_->setFocus();
+}
+
+QString ReviewStation::chosen() const {
+  return batch_.isEmpty() ? QString() : kPlate + batch_;
+}
+
+void ReviewStation::takeChosen(const QString& what) {
+  if (what.startsWith(kPlate) && what != chosen() &&
+      batches_->findText(what.mid(kPlate.size())) >= 0)
+    openOutput(what.mid(kPlate.size()));
 }
 
 // Of all batches: what is not opened yet waits as well.

@@ -37,6 +37,9 @@ class ReviewStation final : public Station {
   QString waitingText() const override;
   void setInFront(bool in_front) override;
 
+  QString chosen() const override;
+  void takeChosen(const QString& what) override;
+
   PairReviewModel* model() const { return model_; }
 
  public slots:
@@ -57,6 +60,8 @@ class ReviewStation final : public Station {
   void countElsewhere();
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
+  void nameSherds();
+  QString joinedWords(const QString& batch, const pipeline::PairDecision& join) const;
   QWidget* buildScale();
   void showScale();
   std::filesystem::path outputOf(const QString& batch) const;

@@ -32,10 +32,12 @@ class MapTest : public QObject {
   void whatWasTakenOutKeepsItsNumberOnBothSides();
   void whatNobodyLooksAtIsNotRead();
   void theLabelSaysTheDayOfTheShooting();
+  void itFollowsTheBatchOfTheStationBefore();
   void aMissingPhotographIsSaid();
   void aBatchOfScansSaysThatItHasNoPicture();
   void theFirstBatchTakesTheMessageAway();
   void noNumberCoversAnother();
+  void noNumberHidesASmallSherd();
 
  private:
   const pipeline::PlateMap& map() { return view()->picture().map; }
@@ -213,6 +215,20 @@ void MapTest::mapAndLabelsAreWrittenAsPdf() {
   QVERIFY(!station_->findChild<QLabel*>("message")->text().isEmpty());
 }
 
+void MapTest::itFollowsTheBatchOfTheStationBefore() {
+  const std::filesystem::path results = out_.output.parent_path();
+  std::filesystem::copy(out_.output, results / "B0006", std::filesystem::copy_options::recursive);
+  session_->tellBatchChanged("B0006");
+  QCOMPARE(station_->chosen(), QStringLiteral("plate:B0007"));
+  station_->takeChosen("plate:B0006");
+  QCOMPARE(station_->chosen(), QStringLiteral("plate:B0006"));
+  QTRY_VERIFY(!station_->labels().isEmpty() && station_->labels()[0].number.startsWith("B0006"));
+  station_->takeChosen("plate:B0099");  // is not computed
+  station_->takeChosen("context:0012");
+  QCOMPARE(station_->chosen(), QStringLiteral("plate:B0006"));
+  std::filesystem::remove_all(results / "B0006");
+}
+
 void MapTest::aMissingPhotographIsSaid() {
   const auto photograph = out_.output / "photographs" / "back.png";
   std::filesystem::rename(photograph, photograph.string() + ".away");
@@ -250,6 +266,19 @@ void MapTest::theFirstBatchTakesTheMessageAway() {
   QTRY_VERIFY(map().front.width > 0);
   QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
   station_->closeProject();
+}
+
+void MapTest::noNumberHidesASmallSherd() {
+  const QRectF within(0, 0, 400, 300);
+  std::vector<NumberToPlace> numbers;
+  for (const double y : {140., 175.}) {  // one above the other
+    const QRectF box(185, y, 30, 25);
+    numbers.push_back({{150, 20}, box.center(), QPolygonF(box)});
+  }
+  const std::vector<QRectF> grounds = placeNumbers(numbers, within);
+  for (const QRectF& ground : grounds)
+    for (const NumberToPlace& number : numbers)
+      QVERIFY(!ground.intersects(number.outline.boundingRect()));
 }
 
 void MapTest::noNumberCoversAnother() {

@@ -37,6 +37,7 @@ class ReviewWindowTest : public ReviewWindow {
   void theQueueFollowsWhatIsDecided();
   void whatIsOnlyConfirmedNeedsNoComputing();
   void aJoinThatWasComputedAndIsTakenBackWantsComputing();
+  void aJoinOfTwoNumberedSherdsNamesBothNumbers();
   void aBatchOfDoubtfulScaleSaysSoAboveItsPairs();
   void whatDecidesIsInSightHoweverLargeTheLetters();
   void everyControlHasAName();
@@ -233,6 +234,40 @@ void ReviewWindowTest::aLoneBackIsDraggedOntoItsFront() {
   QTRY_COMPARE(cardOf(2).state, CardState::Decided);
   QCOMPARE(cardOf(2).back, 2);
   QCOMPARE(model()->rowCount(), 4);
+}
+
+void ReviewWindowTest::aJoinOfTwoNumberedSherdsNamesBothNumbers() {
+  open(4, true);
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  catalogue::SiteRecord site;
+  site.code = site.name = "ARM1";
+  catalogue::ContextRecord context;
+  context.site = *rows.save(site, {});
+  context.number = "0012";
+  catalogue::SherdRecord sherd;
+  sherd.context = *rows.save(context, {});
+  sherd.batch = rows.batchByNumber("B0001")->row;
+  const auto scans = *rows.scans(sherd.batch);
+  for (const int i : {2, 3}) {
+    sherd.front = scans.at(static_cast<std::size_t>(i)).row;
+    sherd.number = "ARM1-0012-" + std::to_string(i);
+    QVERIFY(rows.addSherd(sherd, {}).has_value());
+  }
+  session_->tellSherdsChanged();
+  const auto numberOf = [this](int front) {
+    return model()->index(model()->rowOf(front)).data(CardRole::SherdNumber).toString();
+  };
+  QCOMPARE(numberOf(2), QStringLiteral("ARM1-0012-2"));
+  QVERIFY(numberOf(0).isEmpty());
+  model()->select(2);
+  model()->joinWith(batch::Side::Front, model()->rowOf(3));
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  const QString said = station_->findChild<QLabel*>("message")->text();
+  QVERIFY2(said.contains("keeps the number ARM1-0012-2, and ARM1-0012-3 stays without"),
+           qPrintable(said));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  QTRY_VERIFY(standingOnDisk().empty());
+  QVERIFY(station_->findChild<QLabel*>("message")->text().startsWith("Taken back"));
 }
 
 void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {

@@ -223,9 +223,12 @@ class Examination {
       Statement rows =
           catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?");
       if (!rows.with(context, uniqueKey(wanted["bag"])).next())
-        refuse("There is no bag " + wanted["bag"] +
-               " in this context; add it, or change the bag "
-               "too.");
+        refuse(!context ? "A bag lies in a context; enter the context first."
+               : wanted["bag"] == sherd.bag_number
+                   ? "Context " + wanted["context"] + " has no bag " + wanted["bag"] +
+                         "; change or empty the bag at the same time."
+                   : "There is no bag " + wanted["bag"] + " in context " + wanted["context"] +
+                         " yet; type it at the capture, or import a table of contexts with it.");
       rows >> bag;
     }
     for (Examined* change : changes)

@@ -128,8 +128,39 @@ Result<std::string> checkedMunsell(std::string_view typed) {
   return Error::unusable("A Munsell colour is written as 10YR 3/1 or N 4/.");
 }
 
+namespace {
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Without what languages write between groups of three digits, as in 1 234 567,5: blanks, those
+// that do not break, too, and apostrophes. Not the point and the comma: 1.234 is not 1234.
+std::string withoutGroups(const std::string& text) {
+  constexpr std::string_view kMarks[] = {" ", "\u00A0", "\u2009", "\u202F", "'", "\u2019"};
+  std::string out;
+  std::size_t i = 0;
+  for (; i < text.size() && text[i] != '.' && text[i] != ','; ++i) {
+    const auto mark = std::find_if(std::begin(kMarks), std::end(kMarks), [&](std::string_view m) {
+      return std::string_view(text).substr(i).starts_with(m);
+    });
+    if (mark != std::end(kMarks) && !out.empty() && isDigit(out.back())) {
+      const std::string_view rest = std::string_view(text).substr(i + mark->size());
+      const auto digits = static_cast<std::size_t>(
+          std::find_if_not(rest.begin(), rest.end(), isDigit) - rest.begin());
+      if (digits != 3) return text;
+      i += mark->size();
+    }
+    out += text[i];
+  }
+  return out + text.substr(i);
+}
+
+}  // namespace
+
 Result<double> parsedNumber(std::string_view typed) {
-  std::string text = trimmed(typed);
+  const std::string whole = trimmed(typed);
+  std::string text = withoutGroups(whole);
   if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
     text[text.find(',')] = '.';
   double value = 0;
@@ -137,7 +168,7 @@ Result<double> parsedNumber(std::string_view typed) {
   const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
   if (text.empty() || code != std::errc() || end != text.data() + text.size() ||
       !std::isfinite(value))
-    return Error::unusable("'" + text + "' is no number; write 12.5 or 12,5, without a unit.");
+    return Error::unusable("'" + whole + "' is no number; write 12.5 or 12,5, without a unit.");
   return value;
 }
 

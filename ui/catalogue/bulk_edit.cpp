@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <set>
 
 #include "catalogue/project.h"
 #include "ui/catalogue/field_words.h"
@@ -20,12 +21,33 @@
 namespace ostraka::ui {
 namespace {
 
+constexpr int kReasons = 3;          // of refusals, above that list
 constexpr std::size_t kShown = 200;  // the preview's list; all are counted
 
 struct Preview {
   std::vector<catalogue::ChangePreview> shown;
   std::vector<catalogue::SherdRecord> records;  ///< of the first kShown
 };
+
+QString shownValue(const catalogue::ChangePreview& change, const std::string& value,
+                   const TermWords& words) {
+  for (const catalogue::SherdField& field : catalogue::sherdFields())
+    if (change.change.field == field.name && field.kind == catalogue::FieldKind::Number)
+      return typedText(field, value);
+  return words.shown(change.change.field, value);
+}
+
+// Whole, since the table has no room for them; mostly it is one for all sherds.
+QStringList reasonsOf(const std::vector<catalogue::ChangePreview>& shown) {
+  QStringList reasons;
+  std::set<std::string> said;
+  for (const catalogue::ChangePreview& change : shown) {
+    if (change.refusal.empty() || !said.insert(change.refusal).second) continue;
+    if (reasons.size() == kReasons) return reasons << QStringLiteral("…");
+    reasons << wordsOf(change.refusal);
+  }
+  return reasons;
+}
 
 }  // namespace
 
@@ -178,21 +200,21 @@ void BulkEdit::showPreview(const std::vector<catalogue::ChangePreview>& shown,
     table_->insertRow(row);
     const QString number = QString::fromStdString(records[i].number);
     table_->setItem(row, 0, new QTableWidgetItem(number.isEmpty() ? tr("no number yet") : number));
-    table_->setItem(row, 1,
-                    new QTableWidgetItem(words_.shown(change.change.field, change.old_value)));
+    table_->setItem(row, 1, new QTableWidgetItem(shownValue(change, change.old_value, words_)));
     auto* then = new QTableWidgetItem(change.refusal.empty()
-                                          ? words_.shown(change.change.field, change.new_value)
+                                          ? shownValue(change, change.new_value, words_)
                                           : tr("refused: %1").arg(wordsOf(change.refusal)));
     then->setToolTip(then->text());
     if (!change.refusal.empty()) then->setIcon(icon("error"));
     table_->setItem(row, 2, then);
   }
   table_->resizeColumnsToContents();
-  table_->resizeRowsToContents();  // a refusal is a whole sentence
-  summary_->setText(tr("%1 change, %2 stay as they are, %3 are refused.")
-                        .arg(good_.size())
-                        .arg(same)
-                        .arg(refused));
+  table_->resizeRowsToContents();
+  const QString counts = tr("%1 change, %2 stay as they are, %3 are refused.")
+                             .arg(good_.size())
+                             .arg(same)
+                             .arg(refused);
+  summary_->setText((QStringList(counts) + reasonsOf(shown)).join(QLatin1Char('\n')));
   apply_->setEnabled(!good_.empty());
   apply_->setText(tr("Change %n sherd(s)", nullptr, static_cast<int>(good_.size())));
 }

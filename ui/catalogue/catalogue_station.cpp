@@ -24,6 +24,7 @@
 #include "ui/catalogue/import_dialog.h"
 #include "ui/catalogue/import_model.h"
 #include "ui/catalogue/model_pane.h"
+#include "ui/catalogue/number_delegate.h"
 #include "ui/catalogue/sherd_details.h"
 #include "ui/catalogue/sherd_edits.h"
 #include "ui/catalogue/sherd_table_model.h"
@@ -132,6 +133,7 @@ QWidget* CatalogueStation::buildLeft() {
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
+  table_->setItemDelegateForColumn(0, new NumberDelegate(table_));
   const int height = std::max(targetSize(*this), 44);
   table_->setIconSize({5 * height / 2, height - 6});  // front, back and side of the sherd
   table_->verticalHeader()->hide();
@@ -416,7 +418,7 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
       number = QString::fromStdString(other->number);
       picture = QString::fromStdString((session_->folder() / other->preview_path).string());
     }
-    details_->showRefusal(change.field, QString::fromStdString(refused.refusal), number, picture);
+    details_->showRefusal(change.field, wordsOf(refused.refusal), number, picture);
     return;
   }
   const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});

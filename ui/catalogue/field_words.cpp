@@ -5,6 +5,7 @@
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
+#include <cmath>
 
 #include "catalogue/values.h"
 #include "ui/frame/free_tr.h"
@@ -149,6 +150,26 @@ QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
     return words.shown(known, QString::fromStdString(text));
   }
   return QString::fromStdString(text);
+}
+
+QString typedText(const catalogue::SherdField& field, const std::string& text) {
+  const auto value = catalogue::parsedNumber(text);
+  if (field.kind != catalogue::FieldKind::Number || !value) return QString::fromStdString(text);
+  // A hundredth of a millimetre is more than is known.
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(std::round(*value * 100) / 100, 'f', QLocale::FloatingPointShortest);
+}
+
+QString conditionText(const catalogue::Condition& condition) {
+  const QString text = QString::fromStdString(condition.text);
+  const char* english = labelOf(QString::fromStdString(condition.field));
+  const qsizetype at = text.indexOf(QRegularExpression(QStringLiteral("[:<>=]")));
+  if (english == nullptr || at <= 0) return text;
+  const QString label = fieldLabel(condition.field);
+  if (label == QString::fromUtf8(english)) return text;  // as it was typed
+  return (condition.negated ? QStringLiteral("-") : QString()) +
+         label.section(QLatin1Char(','), 0, 0) + text.mid(at);
 }
 
 QString when(std::int64_t ms) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <QString>
 
+#include "catalogue/filter.h"
 #include "catalogue/sherd.h"
 
 namespace ostraka::ui {
@@ -16,6 +17,11 @@ QString withFieldNames(const QString& filter);
 /// A value as people read it: numbers in the language's form with a sensible number of digits.
 QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
                   const TermWords& words);
+/// A value as it stands in the line where it is typed: a number has the language's decimal mark, no
+/// blanks, and not a computed length's fifteen digits.
+QString typedText(const catalogue::SherdField& field, const std::string& text);
+/// A condition of the filter with its field's name as people call it.
+QString conditionText(const catalogue::Condition& condition);
 /// What people call a measure, with its unit, and its value in the language's form.
 QString measureLabel(const std::string& kind);
 QString measureText(double value);

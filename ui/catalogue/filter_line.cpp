@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 
 namespace ostraka::ui {
@@ -89,7 +90,7 @@ void FilterLine::showConditions(const catalogue::Filter& filter) {
     catalogue::Filter fewer = filter;
     fewer.conditions.erase(fewer.conditions.begin() + static_cast<std::ptrdiff_t>(i));
     auto* chip = new QToolButton(this);
-    const QString text = QString::fromStdString(filter.conditions[i].text);
+    const QString text = conditionText(filter.conditions[i]);
     chip->setText(text);
     chip->setIcon(icon("cancel"));
     chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -10,24 +10,15 @@
 #include <QStringListModel>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "catalogue/values.h"
 #include "ui/catalogue/field_words.h"
+#include "ui/frame/elided_button.h"
 #include "ui/frame/look.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
-
-// As it is typed, but for a computed length's fifteen digits: a hundredth of a millimetre is more
-// than is known.
-QString shownText(const catalogue::SherdRecord& sherd, const catalogue::SherdField& field) {
-  const std::string text = catalogue::textOf(sherd, field.name);
-  const auto value = catalogue::parsedNumber(text);
-  if (field.kind != catalogue::FieldKind::Number || !value) return QString::fromStdString(text);
-  return QString::fromStdString(catalogue::numberText(std::round(*value * 100) / 100));
-}
 
 constexpr int kSmallPicture = 64;
 
@@ -86,7 +77,7 @@ void SherdDetails::buildLayout() {
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   number_->setWordWrap(true);
   number_->setAccessibleName(tr("Number of the sherd"));
-  give_number_ = new QPushButton(icon("label"), tr("Give the number %1").arg(QString()), page);
+  give_number_ = new ElidedButton(icon("label"), tr("Give the number %1").arg(QString()), page);
   give_number_->setObjectName("giveNumber");
   give_number_->setMinimumHeight(targetSize(*this));
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
@@ -272,7 +263,9 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
       why_no_number_->setText(wordsOf(proposed.error().what));
   }
   for (const catalogue::SherdField& field : catalogue::sherdFields())
-    if (field.editable) setText(field.name, words_.shown(field, shownText(*sherd, field)));
+    if (field.editable)
+      setText(field.name,
+              words_.shown(field, typedText(field, catalogue::textOf(*sherd, field.name))));
   place_->clear();
   if (const auto contexts = catalogue.contexts())
     for (const catalogue::ContextRecord& context : *contexts) {

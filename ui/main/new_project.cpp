@@ -25,8 +25,16 @@ QString projectsFolder() {
       .filePath(QStringLiteral("Ostraka"));
 }
 
-NewProject::NewProject(QObject* parent)
-    : QObject(parent), numbering_(QString::fromStdString(catalogue::ProjectRecord().numbering)) {
+NewProject::NewProject(QObject* parent) : QObject(parent) {
+  clear();
+}
+
+void NewProject::clear() {
+  name_.clear();
+  site_.clear();
+  folder_.clear();
+  folder_typed_ = false;
+  numbering_ = QString::fromStdString(catalogue::ProjectRecord().numbering);
   follow();
 }
 

@@ -33,6 +33,7 @@ class NewProject final : public QObject {
   Result<std::shared_ptr<catalogue::Project>> make() const;
 
  public slots:
+  void clear();                       ///< as it was at first
   void setName(const QString& name);  ///< the folder follows until it was typed
   void setSiteCode(const QString& code);
   void setFolder(const QString& folder);

@@ -253,6 +253,11 @@ void StartScreen::findLost(const QString& folder) {
 void StartScreen::make() {
   auto project = fresh_->make();
   if (!project) return showError(project.error());
+  // The next one has another name.
+  name_->clear();
+  site_->clear();
+  fresh_->clear();
+  numbering_->setText(fresh_->numbering());
   emit made(*project);
 }
 

@@ -199,8 +199,12 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP("ostraka::Error", "A sherd does not join itself."),
       QT_TRANSLATE_NOOP("ostraka::Error", "There is no context %1 in %2; add it first."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A numbered sherd needs its context."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "A bag lies in a context; enter the context first."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "There is no bag %1 in this context; add it, or change the bag too."),
+                        "Context %1 has no bag %2; change or empty the bag at the same time."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "There is no bag %1 in context %2 yet; type it at the capture, or import a "
+                        "table of contexts with it."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A sherd gets a number when its context is known."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The table cannot be ordered by '%1'."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A sherd is not in the catalogue any more."),

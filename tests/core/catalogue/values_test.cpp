@@ -39,6 +39,11 @@ TEST(Values, NumbersAreReadWithPointOrCommaInEveryLocale) {
   EXPECT_DOUBLE_EQ(*parsedNumber(" 12,5 "), 12.5);
   EXPECT_DOUBLE_EQ(*parsedNumber("+3"), 3);
   EXPECT_DOUBLE_EQ(*parsedNumber("1e3"), 1000);
+  for (const char* text : {"1 234,5", "1\u00A0234.5", "1\u202F234,5", "1\u2019234,5"})
+    EXPECT_DOUBLE_EQ(*parsedNumber(text), 1234.5) << text;
+  EXPECT_DOUBLE_EQ(*parsedNumber("1 234 567"), 1234567);
+  for (const char* text : {"12 34", "1 2345", "1 23,5", "1  234", "1 234 mm"})
+    EXPECT_FALSE(parsedNumber(text)) << text;
   for (const char* text : {"", "12.5 mm", "1.234,5", "1,2,3", "nan", "inf", "0x10", "1e999", "--1"})
     EXPECT_FALSE(parsedNumber(text)) << text;
 }

@@ -278,6 +278,9 @@ class CatalogueStationTest : public QObject {
     field->setCurrentIndex(field->findData("condition"));
     QTest::keyClicks(value, "singed");
     QTRY_VERIFY(child<QLabel>("bulkSummary")->text().startsWith("0 change"));
+    const QStringList why = child<QLabel>("bulkSummary")->text().split('\n');
+    QCOMPARE(why.size(), 2);  // one reason for all of them, whole
+    QVERIFY2(why[1].startsWith("'singed' is "), qPrintable(why[1]));
     QVERIFY(!child<QPushButton>("bulkApply")->isEnabled());
     value->selectAll();
     QTest::keyClicks(value, "burnt");

@@ -38,8 +38,33 @@ class FieldWordsTest : public QObject {
              QString("\"Befund:0100\" note:\"Dicke>5\""));
     QCOMPARE(withFieldNames("thickness>5 context:0100 Dicke"),
              QString("thickness>5 context:0100 Dicke"));
+    const auto chips = [](const char* line) {
+      QStringList shown;
+      const auto filter = ostraka::catalogue::parseFilter(line);
+      if (!filter) return QString::fromStdString(filter.error().what);
+      for (const auto& condition : filter->conditions) shown << conditionText(condition);
+      return shown.join('|');
+    };
+    QCOMPARE(chips("context:0005 -thickness>6 red \"context:1\" fabric:x"),
+             QString("Befund:0005|-Dicke>6|red|\"context:1\"|fabric:x"));
     QCoreApplication::removeTranslator(&german);
+    QCOMPARE(chips("context:0005 -thickness>6"), QString("context:0005|-thickness>6"));
     QCOMPARE(withFieldNames("thickness>5 -ware:grey"), QString("thickness>5 -ware:grey"));
+  }
+
+  void aNumberIsTypedAsTheLanguageWritesIt() {
+    const auto typed = [](const char* field, const char* text) {
+      for (const ostraka::catalogue::SherdField& known : ostraka::catalogue::sherdFields())
+        if (std::string(known.name) == field) return typedText(known, text);
+      return QString();
+    };
+    QLocale::setDefault(QLocale("fr_FR"));
+    QCOMPARE(typed("length_mm", "79.84123456"), QString("79,84"));
+    QCOMPARE(typed("area_mm2", "15201.5"), QString("15201,5"));
+    QCOMPARE(typed("weight_g", "12"), QString("12"));
+    QCOMPARE(typed("note", "79.84"), QString("79.84"));
+    QLocale::setDefault(QLocale::c());
+    QCOMPARE(typed("length_mm", "79.84"), QString("79.84"));
   }
 };
 

@@ -30,6 +30,19 @@ class NewProjectTest : public QObject {
     QCOMPARE(fresh.folder(), QStringLiteral("elsewhere"));
   }
 
+  void isEmptyAgainForTheNextOne() {
+    NewProject fresh;
+    fresh.setName("Aragats");
+    fresh.setSiteCode("arm1");
+    fresh.setFolder("elsewhere");
+    fresh.setNumbering("{site}.{n:03}");
+    fresh.clear();
+    QVERIFY(fresh.name().isEmpty() && fresh.siteCode().isEmpty() && fresh.folder().isEmpty());
+    QCOMPARE(fresh.numbering(), NewProject().numbering());
+    fresh.setName("Other");
+    QVERIFY(fresh.folder().endsWith("Ostraka/Other"));  // follows the name again
+  }
+
   void aFolderWithASpaceIsTyped() {
     const QTemporaryDir folder;
     NewProject fresh;

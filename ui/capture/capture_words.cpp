@@ -80,13 +80,14 @@ QString CaptureWizard::buttonText() const {
 
 std::vector<CaptureFact> CaptureWizard::facts() const {
   std::vector<CaptureFact> facts;
-  if (phase_ == CapturePhase::Place && !wanted_again_.isEmpty()) {
+  const auto remind = [&] {
+    if (phase_ != CapturePhase::Place || wanted_again_.isEmpty()) return;
     QStringList shown = wanted_again_.mid(0, kMostNamed);
     if (shown.size() < wanted_again_.size()) shown << QStringLiteral("…");
     facts.push_back({true, tr("To be photographed again: %1. Lay them down with others, and type "
                               "their numbers (N) when the fronts are shot.")
                                .arg(shown.join(QStringLiteral(", ")))});
-  }
+  };
   if (phase_ == CapturePhase::Flip && (summary_[0] || front_picture_)) {
     // After a start the fronts are known by their picture only.
     const int front = summary_[0] ? summary_[0]->check.sherds
@@ -110,6 +111,7 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
   }
   if (!live_ || (phase_ != CapturePhase::Place && phase_ != CapturePhase::Flip)) {
     if (live_missing_) facts.push_back({true, tr("This camera shows no live picture.")});
+    remind();
     return facts;
   }
   const capture::PlateLook& look = live_->look;
@@ -146,6 +148,7 @@ std::vector<CaptureFact> CaptureWizard::facts() const {
         {false, tr("%1 % of the sherds is too bright").arg(qRound(100 * look.bright_share))});
   if (look.dark_share <= 0.02 && look.bright_share <= 0.02 && !look.sherds.empty())
     facts.push_back({true, tr("Light is right")});
+  remind();
   return facts;
 }
 

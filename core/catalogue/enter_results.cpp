@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
@@ -195,6 +196,9 @@ class Entering {
 Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
                                     const fs::path& out, const Act& act, Progress& progress,
                                     std::stop_token stop) {
+  // Models that one entering has kept and not entered yet are in use by nobody for another one.
+  static std::mutex one_by_one;
+  const std::scoped_lock alone(one_by_one);
   const Result<BatchRecord> record = catalogue.batch(batch);
   if (!record) return record.error();
   if (const Result<void> dropped = dropUnusedModels(catalogue, project, record->number); !dropped)

@@ -29,6 +29,19 @@ Result<void> secondName(const fs::path& from, const fs::path& to) {
   return bytes ? writeFileAtomically(to, *bytes) : Result<void>(bytes.error());
 }
 
+// By the contents of its files.
+Result<std::string> nameOf(const fs::path& folder) {
+  std::string sums;
+  std::error_code failed;
+  for (const char* name : kModelFiles) {
+    if (!fs::is_regular_file(folder / name, failed)) continue;
+    const Result<std::string> bytes = readFile(folder / name);
+    if (!bytes) return bytes.error();
+    sums += name + sha256(*bytes);
+  }
+  return sha256(sums).substr(0, kNameLength);
+}
+
 Error cannotWrite(const fs::path& folder, const std::error_code& failed) {
   return {ErrorCode::CannotWrite, "The model cannot be kept here (" + failed.message() + ").",
           folder.string()};
@@ -46,26 +59,23 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
   fs::remove_all(partial, failed);
   fs::create_directories(partial, failed);
   if (failed) return cannotWrite(partial, failed);
-  // The names are of what was kept, not of what may lie in `from` by now.
-  std::string sums;
-  for (const char* name : kModelFiles) {
-    if (!fs::is_regular_file(from / name, failed)) continue;
-    if (const Result<void> named = secondName(from / name, partial / name); !named)
-      return named.error();
-    const Result<std::string> bytes = readFile(partial / name);
-    if (!bytes) return bytes.error();
-    sums += name + sha256(*bytes);
-  }
-  const std::string name = sha256(sums).substr(0, kNameLength);
-  if (fs::exists(all / name, failed)) {
+  for (const char* name : kModelFiles)
+    if (fs::is_regular_file(from / name, failed))
+      if (const Result<void> named = secondName(from / name, partial / name); !named)
+        return named.error();
+  // Of what was kept, not of what may lie in `from` by now.
+  const Result<std::string> name = nameOf(partial);
+  if (!name) return name.error();
+  if (const Result<std::string> there = nameOf(all / *name); there && *there == *name) {
     fs::remove_all(partial, failed);
   } else {
-    fs::rename(partial, all / name, failed);
-    if (failed) return cannotWrite(all / name, failed);
-    syncFolder(all / name);
+    fs::remove_all(all / *name, failed);  // damaged since
+    fs::rename(partial, all / *name, failed);
+    if (failed) return cannotWrite(all / *name, failed);
+    syncFolder(all / *name);
     syncFolder(all);
   }
-  return (folderOf(batch) / name).generic_string();
+  return (folderOf(batch) / *name).generic_string();
 }
 
 Result<void> dropUnusedModels(Catalogue& catalogue, const fs::path& project,
@@ -101,7 +111,8 @@ void forgetModel(Catalogue& catalogue, SherdRow sherd, const Act& act) {
   std::vector<std::string> kinds;
   {
     Statement rows = database.sql(
-        "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL");
+        "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL AND "
+        "method = 'program'");
     rows.with(sherd);
     while (rows.next()) {
       kinds.emplace_back();

@@ -5,13 +5,22 @@
 #include "catalogue/database.h"
 #include "catalogue/history.h"
 #include "catalogue/kept_models.h"
+#include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
 
-bool waitsForPhotographs(const SherdRecord& sherd) {
-  return !sherd.number.empty() && sherd.state != SherdState::Void && !sherd.back &&
-         sherd.model_path.empty();
+bool waitsForPhotographs(const Catalogue& catalogue, const SherdRecord& sherd) {
+  if (sherd.number.empty() || sherd.state == SherdState::Void || sherd.back ||
+      !sherd.model_path.empty())
+    return false;
+  if (!sherd.front) return true;
+  // The last word counts, not that it was once asked for.
+  const auto now = orRefuse(catalogue.currentDecisions(sherd.batch));
+  return std::any_of(now.begin(), now.end(), [&](const PairDecision& d) {
+    return d.verdict == Verdict::Reshoot && d.front == sherd.front;
+  });
 }
 
 Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
@@ -28,13 +37,10 @@ Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
       }
     }
     std::vector<SherdRecord> waiting = orRefuse(catalogue.sherds(rows));
-    // The last word counts, not that it was once asked for.
     std::erase_if(waiting, [&](const SherdRecord& sherd) {
-      if (!waitsForPhotographs(sherd)) return true;
-      const auto now = orRefuse(catalogue.currentDecisions(sherd.batch));
-      return std::none_of(now.begin(), now.end(), [&](const PairDecision& d) {
-        return d.verdict == Verdict::Reshoot && d.front == sherd.front;
-      });
+      return !waitsForPhotographs(catalogue, sherd) ||
+             typedEverywhere(catalogue, kTypedNumbers + sherd.batch_number)
+                 .contains(uniqueKey(sherd.number));
     });
     return waiting;
   });

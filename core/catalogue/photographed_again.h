@@ -7,11 +7,12 @@
 
 namespace ostraka::catalogue {
 
-/// A sherd that has a number and neither a pair of scans nor a model: a person asked for new
-/// photographs of it, or it was entered from a list. Its number may be typed on another plate.
-bool waitsForPhotographs(const SherdRecord& sherd);
+/// A sherd that has a number and no model, of which a person asked for new photographs, or which
+/// was entered from a list. Its number may be typed on another plate. Throws Refused.
+bool waitsForPhotographs(const Catalogue& catalogue, const SherdRecord& sherd);
 
-/// Those of which a person asked for new photographs, by number.
+/// Those of which a person asked for new photographs, by number; not those that lie on a plate
+/// which is not computed yet.
 Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue);
 
 /// What lies on the plate as `made`, a draft, is `known`: this one takes its batch and its scans,

@@ -324,15 +324,16 @@ Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_numbe
 
 Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do) {
-  const auto batch = catalogue.batchByNumber(batch_number);
-  if (!batch) return batch.error();
-  if (batch->state != BatchState::Review && batch->state != BatchState::Done) return {};
-  const BatchState state =
-      nothing_to_do && batch->scale_doubts.empty() ? BatchState::Done : BatchState::Review;
-  if (state == batch->state) return {};
-  const auto row = catalogue.personByInitials(person, {});
-  if (!row) return row.error();
-  return catalogue.setBatchState(batch->row, state, {*row, "window", {}});
+  // In one step: the queue may take the batch meanwhile.
+  return catalogue.database().inTransaction([&] {
+    const BatchRecord batch = orRefuse(catalogue.batchByNumber(batch_number));
+    if (batch.state != BatchState::Review && batch.state != BatchState::Done) return;
+    const BatchState state =
+        nothing_to_do && batch.scale_doubts.empty() ? BatchState::Done : BatchState::Review;
+    if (state == batch.state) return;
+    const PersonRow row = orRefuse(catalogue.personByInitials(person, {}));
+    orRefuse(catalogue.setBatchState(batch.row, state, {row, "window", {}}));
+  });
 }
 
 Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,

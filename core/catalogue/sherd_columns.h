@@ -54,7 +54,8 @@ std::map<std::string, std::string> numberTokens(const Catalogue& catalogue,
 /// Settings with the numbers typed on plates: this and the batch's number.
 inline constexpr const char* kTypedNumbers = "typed_numbers.";
 /// Unique keys of all numbers that were typed on plates, but those of one setting.
-std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key);
+std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key,
+                                      const std::string& nor_key = {});
 
 enum class MeasureRank {
   PersonFirst,  ///< what a person measured stays above what the program computes

@@ -65,11 +65,13 @@ bool namesNoNumber(const Catalogue& catalogue, const LabelCode& label) {
 
 }  // namespace
 
-std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key) {
+std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key,
+                                      const std::string& nor_key) {
   std::set<std::string> keys;
   Statement rows = catalogue.database().sql(
-      "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111) AND key <> ?2");
-  rows.with(std::string(kTypedNumbers), but_key);
+      "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111) AND key <> ?2 AND "
+      "key <> ?3");
+  rows.with(std::string(kTypedNumbers), but_key, nor_key);
   while (rows.next()) {
     std::string text;
     rows >> text;
@@ -98,9 +100,15 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
       const Taken taken = takenBy(database, typed.number);
       const SherdRecord holder =
           taken.sherd ? orRefuse(catalogue.sherd(taken.sherd)) : SherdRecord();
-      const bool waits = waitsForPhotographs(holder) && uniqueKey(holder.number) == number;
+      const bool waits =
+          waitsForPhotographs(catalogue, holder) && uniqueKey(holder.number) == number;
       const bool may = !taken.sherd || holder.batch == batch || waits;
-      if (!may || elsewhere.contains(number))
+      // On the plate where it lay before it was typed, too.
+      const bool typed_elsewhere =
+          waits && holder.batch
+              ? typedEverywhere(catalogue, key, keyOf(catalogue, holder.batch)).contains(number)
+              : elsewhere.contains(number);
+      if (!may || typed_elsewhere)
         refuse("The number " + typed.number + " belongs to another sherd already.", typed.number);
       list.push_back(
           {{"x_mm", typed.at_mm.x()}, {"y_mm", typed.at_mm.y()}, {"number", typed.number}});
@@ -199,7 +207,8 @@ Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow
       if (sherd != sherds.end() && sherd->number.empty() && sherd->state == SherdState::Draft) {
         const SherdRow holder = takenBy(catalogue.database(), typed[i].number).sherd;
         const SherdRecord known = holder ? orRefuse(catalogue.sherd(holder)) : SherdRecord();
-        if (waitsForPhotographs(known) && uniqueKey(known.number) == uniqueKey(typed[i].number)) {
+        if (waitsForPhotographs(catalogue, known) &&
+            uniqueKey(known.number) == uniqueKey(typed[i].number)) {
           takeOver(catalogue, known, *sherd, act);
           continue;
         }

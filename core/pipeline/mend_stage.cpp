@@ -64,7 +64,8 @@ Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<P
   };
   const std::string name = std::string("mended_") + batch::name(side);
   const Result<StageRecord> record = runStage(
-      run.work, name, {{"masks", found.record.outputs_hash}, {"strokes", toJson(*strokes)}}, work,
+      run.work, name,
+      {{"masks", found.record.outputs_hash}, {"strokes", toJson(*strokes)}, {"notes", "2"}}, work,
       run.progress);
   if (!record) return record.error();
   for (std::size_t i = 0; i < images.size(); ++i) {

@@ -32,9 +32,19 @@ void BatchInHand::resume() {
     return batch.state <= catalogue::BatchState::Back;
   });
   if (last == batches->end()) return;
-  number_ = QString::fromStdString(last->number);
-  row_ = last->row.value;
-  counted_ = last->counted;
+  take(*last);
+}
+
+void BatchInHand::resume(const QString& number) {
+  if (session_ == nullptr) return;
+  const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
+  if (batch && batch->state <= catalogue::BatchState::Back) take(*batch);
+}
+
+void BatchInHand::take(const catalogue::BatchRecord& batch) {
+  number_ = QString::fromStdString(batch.number);
+  row_ = batch.row.value;
+  counted_ = batch.counted;
 }
 
 int BatchInHand::index() const {

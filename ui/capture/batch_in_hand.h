@@ -25,6 +25,8 @@ class BatchInHand {
   /// The newest whose photographs are not whole, or queued, yet; newer ones may have come from
   /// elsewhere since.
   void resume();
+  /// This one, if its photographs are not whole yet.
+  void resume(const QString& number);
 
   bool isThere() const { return row_ != 0; }
   const QString& number() const { return number_; }  ///< empty: it has not begun
@@ -51,6 +53,8 @@ class BatchInHand {
   Result<void> queue(int seen);
 
  private:
+  void take(const catalogue::BatchRecord& batch);
+
   QPointer<ProjectSession> session_;
   QString number_;
   std::int64_t row_ = 0;

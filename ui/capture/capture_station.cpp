@@ -243,6 +243,7 @@ QWidget* CaptureStation::buildFoot() {
   place_ = foot_->place();
   connect(foot_, &CaptureFoot::entered, this, qOverload<>(&QWidget::setFocus));
   connect(place_, &PlaceEdit::edited, this, &CaptureStation::placeTyped);
+  connect(place_, &PlaceEdit::settled, wizard_, &CaptureWizard::keepDescribed);
   connect(wizard_, &CaptureWizard::placeRead, this, [this] {
     place_->setText(wizard_->place().typed());
     placeTyped();

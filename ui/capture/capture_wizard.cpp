@@ -39,8 +39,9 @@ void CaptureWizard::setSession(ProjectSession* session) {
     connect(session_, &ProjectSession::batchChanged, this, [this](const QString& number) {
       if (phase_ == CapturePhase::Done && number == batch_.number()) emit changed();
       if (phase_ != CapturePhase::Place || batch_.isThere() || isBusy()) return;
-      resumeBatch();  // one that was set aside is wanted again
+      batch_.resume(number);  // one that was set aside is wanted again
       if (!batch_.isThere()) return;
+      takePlace();
       devices_.reset();
       openRig();
     });
@@ -71,7 +72,8 @@ void CaptureWizard::changeRig(RigSource source) {
   source_ = std::move(source);
   devices_.reset();
   if (source_.open) {
-    resumeBatch();
+    batch_.resume();
+    takePlace();
     return openRig();
   }
   batch_.forget();
@@ -79,8 +81,7 @@ void CaptureWizard::changeRig(RigSource source) {
 }
 
 // What was typed last may be the bag of another batch.
-void CaptureWizard::resumeBatch() {
-  batch_.resume();
+void CaptureWizard::takePlace() {
   if (!batch_.isThere() || batch_.place() == place_) return;
   setPlace(batch_.place());
   emit placeRead();
@@ -263,10 +264,16 @@ void CaptureWizard::setAside() {
   if (!canSetAside()) return;
   const QString number = batch_.number();
   batch_.forget();
-  emit batchSetAside(number);
   forgetPlate();
   devices_.reset();
   openRig();
+  emit batchSetAside(number);
+}
+
+// Numbers that are typed are of the bag's context.
+void CaptureWizard::keepDescribed() {
+  if (session_ == nullptr || !batch_.isThere() || !canDescribe()) return;
+  if (const Result<void> kept = batch_.begin(place_); !kept) emit said(sentenceOf(kept.error()));
 }
 
 void CaptureWizard::setState(catalogue::BatchState state) {

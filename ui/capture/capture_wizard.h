@@ -84,10 +84,11 @@ class CaptureWizard final : public QObject {
  public slots:
   void setPlace(const ostraka::ui::PlaceText& place);
   void setCounted(int sherds);
-  void next();      ///< Space
-  void stop();      ///< Esc: the table stands still at once
-  void again();     ///< R: the photographs with problems
-  void setAside();  ///< nobody wants the batch in hand: another begins, its photographs stay
+  void next();           ///< Space
+  void stop();           ///< Esc: the table stands still at once
+  void again();          ///< R: the photographs with problems
+  void keepDescribed();  ///< the bag was mended: the batch in hand has it at once
+  void setAside();       ///< nobody wants the batch in hand: another begins, its photographs stay
   void setCamera(int camera);
 
  signals:
@@ -114,7 +115,7 @@ class CaptureWizard final : public QObject {
   QString countDoubt(const capture::SideCheck& check) const;
   void doubtCount(const capture::SideCheck& check);
   void goOnWithin(batch::Side side);
-  void resumeBatch();
+  void takePlace();
   void setState(catalogue::BatchState state);
   void queueBatch();
   void lookLive();

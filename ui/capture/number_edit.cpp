@@ -43,7 +43,9 @@ void NumberEdit::choose(int sherd) {
     // Whoever points at another sherd types that one's number next.
     const int before = sherd_;
     const QString refused = give() ? QString() : note_->text();
+    const QString doubt = numbers_->doubtOf(before);
     showSherd(sherd);
+    if (!doubt.isEmpty()) note_->setText(doubt);
     if (!refused.isEmpty())
       note_->setText(tr("Sherd %1 got no number. %2").arg(before + 1).arg(refused));
   }
@@ -57,8 +59,11 @@ void NumberEdit::showSherd(int sherd) {
   label_->setText(words);
   edit_->setAccessibleName(QString(words).remove(QLatin1Char('&')));
   edit_->setText(numbers_->of(sherd));
+  const QString doubt = numbers_->doubtOf(sherd);
   note_->setText(
-      tr("If they have numbers already: each follows its sherd through the flip. Key N."));
+      doubt.isEmpty()
+          ? tr("If they have numbers already: each follows its sherd through the flip. Key N.")
+          : doubt);
   emit chosen(sherd);
 }
 
@@ -78,14 +83,9 @@ bool NumberEdit::keepTyped() {
 
 void NumberEdit::keep() {
   if (!keepTyped()) return;
-  const QString doubt = numbers_->doubtOf(sherd_);
-  const bool more = sherd_ + 1 < numbers_->count();
-  if (more)
-    choose(sherd_ + 1);
-  else
-    showSherd(sherd_);
-  if (!doubt.isEmpty()) note_->setText(doubt);
-  if (!more) emit finished();
+  if (sherd_ + 1 < numbers_->count()) return choose(sherd_ + 1);
+  showSherd(sherd_);
+  emit finished();
 }
 
 bool NumberEdit::eventFilter(QObject* watched, QEvent* event) {

@@ -25,6 +25,9 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(label);
   row->addWidget(edit_, 1);
+  connect(edit_, &QLineEdit::editingFinished, this, [this] {
+    if (isUsable()) emit settled();
+  });
   connect(edit_, &QLineEdit::returnPressed, this, &PlaceEdit::entered);
   connect(edit_, &QLineEdit::textEdited, this, [this] {
     follow();

@@ -33,6 +33,7 @@ class PlaceEdit final : public QWidget {
  signals:
   void edited();
   void entered();  ///< Return: the person is done
+  void settled();  ///< Return, or the cursor is elsewhere
 
  private:
   QString noteWords();

@@ -17,7 +17,13 @@ using catalogue::Catalogue;
 QStringList partsOf(const QString& text) {
   static const QRegularExpression between(QStringLiteral("\\s*[-/]\\s*|\\s+bag\\s+|\\s+"),
                                           QRegularExpression::CaseInsensitiveOption);
-  return text.trimmed().split(between);
+  return text.trimmed().split(between, Qt::SkipEmptyParts);
+}
+
+// Two marks with nothing between them: "VIRT-T1--3".
+bool lacksAPart(const QString& text) {
+  static const QRegularExpression gap(QStringLiteral("[-/]\\s*[-/]|^\\s*[-/]|[-/]\\s*$"));
+  return gap.match(text).hasMatch();
 }
 
 QStringList partsOf(const std::string& text) {
@@ -82,7 +88,7 @@ std::optional<PlaceText> inKnownSite(const Catalogue& rows, const QStringList& t
 }
 
 bool isSiteCode(const QString& text) {
-  static const QRegularExpression form(QStringLiteral("^[\\p{Lu}0-9]{2,8}$"));
+  static const QRegularExpression form(QStringLiteral("^(?=.*[\\p{Lu}0-9])[\\p{L}0-9]{2,8}$"));
   return form.match(text).hasMatch();
 }
 
@@ -117,8 +123,8 @@ std::optional<PlaceText> readPlaceText(const QString& text) {
     if (!label || label->of != catalogue::LabelCode::Of::Bag) return {};
     plain = QString::fromStdString(label->number);
   }
+  if (lacksAPart(plain)) return {};
   const QStringList parts = partsOf(plain);
-  if (parts.contains(QString())) return {};
   if (parts.size() == 4) return PlaceText{parts[0], parts[1], parts[2], parts[3]};
   if (parts.size() == 3) return PlaceText{parts[0], {}, parts[1], parts[2]};
   return {};
@@ -134,6 +140,7 @@ std::optional<PlaceText> findPlaceText(const Catalogue& rows, const QString& tex
           QString::fromStdString((*known)->context), QString::fromStdString((*known)->bag)};
     plain = QString::fromStdString(label->number);
   }
+  if (lacksAPart(plain)) return {};
   const QStringList typed = partsOf(plain);
   if (auto known = inKnownContext(rows, typed)) return known;
   if (auto known = inKnownSite(rows, typed)) return known;

@@ -286,6 +286,7 @@ void CatalogueStation::forgetImports() {
 }
 
 void CatalogueStation::closeProject() {
+  details_->forgetUnsaved();
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_ = nullptr;
   delete import_dialog_.data();
@@ -421,9 +422,10 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
     details_->showRefusal(change.field, wordsOf(refused.refusal), number, picture);
     return;
   }
+  details_->forgetUnsaved(field);
   const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
   complain(why);
-  details_->keepUnsaved(field, value, why);
+  if (!why.isEmpty()) details_->keepUnsaved(field, value);
 }
 
 void CatalogueStation::move(const QStringList& place) {

@@ -158,8 +158,10 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
   const QString name = QString::fromLatin1(field.name);
   QWidget* editor = nullptr;
   const auto told = [this, name](const QString& value) {
-    if (!sherd_ || value == shown_.value(name)) return;
-    emit edited(name, value);
+    if (!sherd_) return;
+    // What could not be saved is tried again, or given up by what was there before.
+    if (value != shown_.value(name) || unsaved_.value(sherd_.value).contains(name))
+      emit edited(name, value);
   };
   if (field.kind == catalogue::FieldKind::Term) {
     auto* box = new QComboBox(this);
@@ -212,14 +214,20 @@ void SherdDetails::setText(const std::string& field, const QString& text) {
   }
 }
 
-void SherdDetails::keepUnsaved(const QString& field, const QString& value, const QString& why) {
-  auto& typed = unsaved_[sherd_.value];
-  if (why.isEmpty())
-    typed.remove(field);
-  else
-    typed.insert(field, value);
-  if (typed.isEmpty()) unsaved_.remove(sherd_.value);
+void SherdDetails::keepUnsaved(const QString& field, const QString& value) {
+  unsaved_[sherd_.value].insert(field, value);
   showUnsaved();
+}
+
+void SherdDetails::forgetUnsaved(const QString& field) {
+  const auto typed = unsaved_.find(sherd_.value);
+  if (typed == unsaved_.end() || !typed->remove(field)) return;
+  if (typed->isEmpty()) unsaved_.erase(typed);
+  refusal_->hide();
+}
+
+void SherdDetails::forgetUnsaved() {
+  unsaved_.clear();
 }
 
 void SherdDetails::showUnsaved() {

@@ -31,8 +31,10 @@ class SherdDetails final : public QScrollArea {
   /// The cursor into the first field that is empty, or into this one.
   void edit(const std::string& field = {});
   /// What was typed stays at its sherd until it is saved, whatever is shown meanwhile: the disk was
-  /// full, or the catalogue busy. Empty why: it is saved.
-  void keepUnsaved(const QString& field, const QString& value, const QString& why);
+  /// full, or the catalogue busy.
+  void keepUnsaved(const QString& field, const QString& value);
+  void forgetUnsaved(const QString& field);  ///< it is being saved
+  void forgetUnsaved();                      ///< of all sherds: another project
   /// In place, beside the field: what was wrong; with the picture of the sherd in the way.
   void showRefusal(const std::string& field, const QString& sentence, const QString& other,
                    const QString& picture);

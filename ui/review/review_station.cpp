@@ -15,6 +15,7 @@
 #include "catalogue/plate_sherds.h"
 #include "catalogue/project.h"
 #include "catalogue/review_decisions.h"
+#include "pipeline/mask_strokes.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/state_colours.h"
@@ -296,8 +297,11 @@ void ReviewStation::settle(const QString& batch, const std::string& person,
   figures.ask = standing.figures.ask;
   figures.reshoot = standing.figures.reshoot;
   const Result<void> kept = keepFigures(rows, batch, figures);
-  const Result<void> done = catalogue::settleBatch(
-      rows, batch.toStdString(), person, standing.figures.ask == 0 && !standing.wants_computing);
+  const bool masks =
+      pipeline::masksWantComputing(session_->project().resultsFolder(batch.toStdString()));
+  const Result<void> done =
+      catalogue::settleBatch(rows, batch.toStdString(), person,
+                             standing.figures.ask == 0 && !standing.wants_computing && !masks);
   for (const Result<void>* told : {&kept, &done})
     if (!*told) say(sentenceOf(told->error()));
   if (!standing.wants_computing) restoreModels(batch);

@@ -131,6 +131,15 @@ TEST_F(Entering, DropsModelsThatNobodyShowsAtTheNextEntering) {
     EXPECT_EQ(sha256(*readFile(project_->folder() / file.path)), file.sha256);
 }
 
+TEST_F(Entering, MendsAModelThatWasDamagedSince) {
+  enter();
+  const fs::path model = project_->folder() / sherds().front().model_path;
+  ASSERT_TRUE(writeFileAtomically(model, "damaged"));
+  enter();
+  EXPECT_EQ(*readFile(project_->folder() / sherds().front().model_path),
+            "model of f001b001model.ply");
+}
+
 TEST_F(Entering, RefusesResultsWhoseModelIsGone) {
   fs::remove(project_->resultsFolder("B0001") / "sherds/02/model.ply");
   const auto entered = enterResults(catalogue(), project_->folder(), batch,

@@ -104,6 +104,7 @@ TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
 
 // Sherd 1 of B0001 is set for new photographs and lies on the plate of B0002.
 TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
+  ASSERT_TRUE(type({{{50, 10}, "ARM1-T3-0012-0031"}}));
   results();
   enter();
   const std::vector<SherdRow> rows = valueIn(catalogue().sherdRows(batch));

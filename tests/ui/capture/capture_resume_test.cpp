@@ -6,6 +6,7 @@
 #include "bench.h"
 #include "catalogue/database.h"
 #include "catalogue/label_codes.h"
+#include "catalogue/typed_numbers.h"
 #include "ui/queue/batch_queue.h"
 
 using namespace ostraka;
@@ -115,6 +116,44 @@ class CaptureResumeTest : public QObject {
     queue.retry(QStringLiteral("B0001"));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     QCOMPARE(bench.wizard.batchNumber(), QStringLiteral("B0001"));
+  }
+
+  void ofTwoUnfinishedBatchesTheOtherOneWaits() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    catalogue::BatchRecord other;
+    other.state = BatchState::Front;
+    QVERIFY(bench.session.project().catalogue().addBatch(other, {}).has_value());
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);  // B0001 goes on
+    BatchQueue queue;
+    queue.setSession(&bench.session);
+    connect(&bench.wizard, &CaptureWizard::batchSetAside, &queue, &BatchQueue::setAside);
+    QVERIFY(bench.session.project().catalogue().addBatch(other, {}).has_value());
+    const int opened = bench.rig.opened;
+    bench.wizard.setAside();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.wizard.batchNumber(), QString());
+    QCOMPARE(bench.rig.opened, opened + 1);
+    bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
+    bench.session.tellBatchChanged("B0001");  // any batch: what lies here is nobody else's
+    QCOMPARE(bench.wizard.batchNumber(), QString());
+    QCOMPARE(bench.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+  }
+
+  void aMendedBagIsTheBatchsAtOnce() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.wizard.setPlace({"ARM1", "T3", "0013", "1"});
+    bench.wizard.keepDescribed();
+    const auto number =
+        catalogue::wholeNumber(bench.session.project().catalogue(), bench.batch().row, "7");
+    QCOMPARE(QString::fromStdString(*number), QStringLiteral("ARM1-T3-0013-0007"));
   }
 
   void oneThatWasClosedInMidShootTellsWhatIsSafeAndGoesOnAtItsStop() {

@@ -61,7 +61,9 @@ class PlaceTextTest : public QObject {
              std::optional(PlaceText{"AR-TS", "T3", "0012", "4"}));
     QCOMPARE(read("ARM1-T3-0012-4"), std::optional(PlaceText{"ARM1", "T3", "0012", "4"}));
     QVERIFY(!read("hello new world"));  // a sentence, not a new site
-    QVERIFY(!read("arm1-T3-0012-4"));
+    QCOMPARE(read("Tell5-T3-0012-4"), std::optional(PlaceText{"Tell5", "T3", "0012", "4"}));
+    QVERIFY(bagRowOf(project->catalogue(), {"ARM2", "", "12", "a-4"}, {}).has_value());
+    QCOMPARE(read("ARM2-12-a-4"), std::optional(PlaceText{"ARM2", "", "12", "a-4"}));
     QCOMPARE(read("AR-TS-4"), std::optional(PlaceText{"AR", "", "TS", "4"}));
   }
 

@@ -134,6 +134,12 @@ class CatalogueStationTest : public QObject {
     ware->setFocus();
     QTest::keyClick(ware, Qt::Key_Return);
     QCOMPARE(sample_->value(0, "ware"), QString("coarse"));
+    QVERIFY(!child<QWidget>("refusal")->isVisible());
+    sample_->session().undo().undo();  // and it does not come back over what follows
+    QCOMPARE(ware->text(), before);
+    table()->setFocus();
+    QCOMPARE(sample_->value(0, "ware"), before);
+    sample_->session().undo().redo();
     choose(1);
     choose(0);
     QCOMPARE(ware->text(), QString("coarse"));

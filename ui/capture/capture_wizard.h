@@ -74,8 +74,7 @@ class CaptureWizard final : public QObject {
   const std::vector<TakenShot>& shots() const { return shots_; }
   QString batchNumber() const { return batch_.number(); }
   const PlaceText& place() const { return place_; }
-  /// Sherds that the person has counted onto the plate; 0: not counted. The photographs of each
-  /// side are compared with it.
+  /// Sherds that the person counted onto the plate, 0: none; each side is compared with it.
   int counted() const { return batch_.counted(); }
   bool canDescribe() const;  ///< its bag and its count: until the batch is in the queue
   bool canSetAside() const;  ///< a batch has begun, is in no queue, and nothing is being shot

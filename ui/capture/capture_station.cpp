@@ -111,6 +111,10 @@ void CaptureStation::buildTwice() {
                 tr("All right"));
           });
   connect(importer_, &BatchImporter::started, twice_, &QWidget::hide);
+  for (QAction* import : {import_photographs_, import_scans_}) {  // one at a time
+    connect(importer_, &BatchImporter::started, import, [import] { import->setEnabled(false); });
+    connect(importer_, &BatchImporter::ended, import, [import] { import->setEnabled(true); });
+  }
   connect(twice_, &MessagePanel::actedSecond, importer_, &BatchImporter::startAllTheSame);
   connect(twice_, &MessagePanel::acted, this, [this] {
     twice_->hide();

@@ -284,6 +284,7 @@ class CaptureStationTest : public QObject {
     BatchImporter* importer = station_->importer();
     importer->start(folder_->filePath("scans"), ImportKind::Scans, {});
     QVERIFY(stop->isVisible());
+    QVERIFY(!child<QAction>("importScans")->isEnabled());
     emit importer->progressed(0.25);
     QCOMPARE(bar->value(), 25);
     QTest::mouseClick(stop, Qt::LeftButton);
@@ -298,6 +299,7 @@ class CaptureStationTest : public QObject {
     QCOMPARE(bar->value(), 0);
     QTRY_COMPARE(session_->project().catalogue().batches()->size(), std::size_t{1});
     QTRY_VERIFY(!stop->isVisible());
+    QVERIFY(child<QAction>("importScans")->isEnabled());
   }
 
   void anImportAsksForItsBag() {

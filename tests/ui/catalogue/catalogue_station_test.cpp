@@ -19,7 +19,7 @@
 #include <QTreeWidget>
 
 #include "catalogue/database.h"
-#include "sample_project.h"
+#include "catalogue_window.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
 #include "ui/catalogue/sherd_edits.h"
@@ -29,47 +29,12 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class CatalogueStationTest : public QObject {
+class CatalogueStationTest : public CatalogueWindow {
   Q_OBJECT
 
- private:
-  std::unique_ptr<SampleProject> sample_;
-  std::unique_ptr<CatalogueStation> station_;
-
-  template <class T>
-  T* child(const char* name) {
-    T* found = station_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return found;
-  }
-  QTableView* table() { return child<QTableView>("sherds"); }
-  void filter(const QString& line) {
-    auto* edit = child<QLineEdit>("filter");
-    edit->setFocus();
-    edit->selectAll();
-    QTest::keyClicks(edit, line);
-    QTest::keyClick(edit, Qt::Key_Return);
-  }
-  void choose(int row) {
-    QTest::mouseClick(table()->viewport(), Qt::LeftButton, {},
-                      table()->visualRect(table()->model()->index(row, 0)).center());
-  }
-
  private slots:
-  void init() {
-    sample_ = std::make_unique<SampleProject>(40);
-    station_ = std::make_unique<CatalogueStation>();
-    reserveOpenGl(*station_);
-    station_->resize(1280, 720);
-    station_->openProject(sample_->session());
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
-  }
-  void cleanup() {
-    station_.reset();
-    sample_.reset();
-  }
+  void init() { open(); }
+  void cleanup() { close(); }
 
   void theFilterLineFindsAndItsChipsTakeAway() {
     QCOMPARE(child<QLabel>("count")->text(), QString("40 sherd(s)"));

@@ -8,56 +8,20 @@
 #include <QTest>
 #include <QTranslator>
 
-#include "sample_project.h"
+#include "catalogue_window.h"
 #include "ui/catalogue/catalogue_station.h"
 #include "ui/catalogue/number_delegate.h"
 #include "ui/frame/elided_button.h"
-#include "ui/viewport/sherd_view.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class DetailsTest : public QObject {
+class DetailsTest : public CatalogueWindow {
   Q_OBJECT
 
- private:
-  std::unique_ptr<SampleProject> sample_;
-  std::unique_ptr<CatalogueStation> station_;
-
-  template <class T>
-  T* child(const char* name) {
-    T* found = station_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return found;
-  }
-  QTableView* table() { return child<QTableView>("sherds"); }
-  void filter(const QString& line) {
-    auto* edit = child<QLineEdit>("filter");
-    edit->setFocus();
-    edit->selectAll();
-    QTest::keyClicks(edit, line);
-    QTest::keyClick(edit, Qt::Key_Return);
-  }
-  void choose(int row) {
-    QTest::mouseClick(table()->viewport(), Qt::LeftButton, {},
-                      table()->visualRect(table()->model()->index(row, 0)).center());
-  }
-
  private slots:
-  void init() {
-    sample_ = std::make_unique<SampleProject>(40);
-    station_ = std::make_unique<CatalogueStation>();
-    reserveOpenGl(*station_);
-    station_->resize(1280, 720);
-    station_->openProject(sample_->session());
-    station_->show();
-    station_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
-  }
-  void cleanup() {
-    station_.reset();
-    sample_.reset();
-  }
+  void init() { open(); }
+  void cleanup() { close(); }
 
   void withLargeLettersANumberKeepsItsEndAndTheDetailsTheirWidth() {
     sample_->addDraft();

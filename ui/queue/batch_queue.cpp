@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "catalogue/project.h"
+#include "catalogue/words.h"
 #include "pipeline/mask_strokes.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
@@ -381,7 +382,8 @@ void BatchQueue::setAside(const QString& number) {
   QJsonObject how{{kCancelled, true}, {kAside, true}};
   const auto batch = session_->project().catalogue().batch({row->batch_row});
   if (!batch) return;
-  if (row->state == QueueState::Shooting) how[kWas] = static_cast<int>(batch->state);
+  if (row->state == QueueState::Shooting)
+    how[kWas] = QString::fromLatin1(catalogue::wordOf(batch->state));
   keepFailure(number, tr("You set it aside. Its photographs are kept; R takes it up again."), how);
   row->state = QueueState::Waiting;  // so that its details are read anew
   session_->tellBatchChanged(number);
@@ -393,10 +395,8 @@ void BatchQueue::retry(const QString& number) {
       row->state == QueueState::Shooting)
     return;
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const QJsonValue was = jsonSetting(rows, failureKey(number))[kWas];
-  const BatchState next = was.isDouble() ? std::clamp(static_cast<BatchState>(was.toInt()),
-                                                      BatchState::Placed, BatchState::Back)
-                                         : BatchState::Queued;
+  const std::string was = jsonSetting(rows, failureKey(number))[kWas].toString().toStdString();
+  const BatchState next = was.empty() ? BatchState::Queued : catalogue::fromWord<BatchState>(was);
   (void)rows.setSetting(failureKey(number), "");
   (void)rows.setBatchState({row->batch_row}, next, session_->act(tr("again")));
   session_->tellBatchChanged(number);

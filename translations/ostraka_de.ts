@@ -458,11 +458,6 @@
       <translation>beiseite</translation>
     </message>
     <message>
-      <source>again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>noch einmal</translation>
-    </message>
-    <message>
       <source>%1 or %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 oder %2</translation>
@@ -824,9 +819,9 @@
       <translation>%1, beiseite</translation>
     </message>
     <message>
-      <source>%1, again</source>
+      <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, noch einmal</translation>
+      <translation>%1, neu aufnehmen</translation>
     </message>
     <message>
       <source>%1, void</source>

@@ -458,11 +458,6 @@
       <translation>στην άκρη</translation>
     </message>
     <message>
-      <source>again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ξανά</translation>
-    </message>
-    <message>
       <source>%1 or %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ή %2</translation>
@@ -824,9 +819,9 @@
       <translation>%1, στην άκρη</translation>
     </message>
     <message>
-      <source>%1, again</source>
+      <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, ξανά</translation>
+      <translation>%1, νέα λήψη</translation>
     </message>
     <message>
       <source>%1, void</source>

@@ -458,11 +458,6 @@
       <translation>aparte</translation>
     </message>
     <message>
-      <source>again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>otra vez</translation>
-    </message>
-    <message>
       <source>%1 or %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 o %2</translation>
@@ -824,9 +819,9 @@
       <translation>%1, aparte</translation>
     </message>
     <message>
-      <source>%1, again</source>
+      <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, otra vez</translation>
+      <translation>%1, fotografiar otra vez</translation>
     </message>
     <message>
       <source>%1, void</source>

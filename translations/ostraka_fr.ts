@@ -458,11 +458,6 @@
       <translation>de côté</translation>
     </message>
     <message>
-      <source>again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>de nouveau</translation>
-    </message>
-    <message>
       <source>%1 or %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ou %2</translation>
@@ -824,9 +819,9 @@
       <translation>%1, de côté</translation>
     </message>
     <message>
-      <source>%1, again</source>
+      <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, de nouveau</translation>
+      <translation>%1, à refaire</translation>
     </message>
     <message>
       <source>%1, void</source>

@@ -458,11 +458,6 @@
       <translation>մի կողմ</translation>
     </message>
     <message>
-      <source>again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կրկին</translation>
-    </message>
-    <message>
       <source>%1 or %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 կամ %2</translation>
@@ -824,9 +819,9 @@
       <translation>%1, մի կողմ</translation>
     </message>
     <message>
-      <source>%1, again</source>
+      <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, կրկին</translation>
+      <translation>%1, կրկին նկարել</translation>
     </message>
     <message>
       <source>%1, void</source>

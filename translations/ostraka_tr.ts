@@ -454,11 +454,6 @@
       <translation>kenara</translation>
     </message>
     <message>
-      <source>again</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>yeniden</translation>
-    </message>
-    <message>
       <source>%1 or %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ya da %2</translation>
@@ -818,9 +813,9 @@
       <translation>%1, kenarda</translation>
     </message>
     <message>
-      <source>%1, again</source>
+      <source>%1, shoot again</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, yeniden</translation>
+      <translation>%1, yeniden çekin</translation>
     </message>
     <message>
       <source>%1, void</source>

@@ -56,7 +56,8 @@ QString wordsOf(const MapMark& mark, const MapNumbers& numbers) {
   const QString number = numbers.shown(plate);
   const bool is_final = numbers.endings.contains(plate);
   if (mark.state == CardState::Aside) return is_final ? tr("%1, aside").arg(number) : tr("aside");
-  if (mark.state == CardState::Reshoot) return is_final ? tr("%1, again").arg(number) : tr("again");
+  if (mark.state == CardState::Reshoot)
+    return is_final ? tr("%1, shoot again").arg(number) : tr("shoot again");
   if (numbers.voided.contains(plate)) return tr("%1, void").arg(number);
   if (number.isEmpty()) return QStringLiteral("?");
   if (!mark.other_number.empty())

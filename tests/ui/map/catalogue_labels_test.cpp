@@ -288,7 +288,7 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   const MapNumbers shown = mapNumbers(sherdsOnPlate(map, &rows, "B0001", day));
   QCOMPARE(shown.voided, QSet<QString>{"02"});
   QCOMPARE(wordsOf(map.front.marks[2], shown), QStringLiteral("T3-0012-0007, void"));
-  QCOMPARE(wordsOf(map.front.marks[0], shown), QStringLiteral("8, again"));
+  QCOMPARE(wordsOf(map.front.marks[0], shown), QStringLiteral("8, shoot again"));
 }
 
 }  // namespace ostraka::ui

@@ -143,9 +143,9 @@ void MapTest::whatWasTakenOutKeepsItsNumberOnBothSides() {
   QCOMPARE(map().front.marks[2].number, std::string("03"));
   QCOMPARE(map().back.marks[2].number, std::string("03"));
   MapNumbers numbers;
-  QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("again"));
+  QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("shoot again"));
   numbers.endings = {{"03", "0007"}};
-  QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("0007, again"));
+  QCOMPARE(wordsOf(map().back.marks[2], numbers), QStringLiteral("0007, shoot again"));
   QCOMPARE(station_->labels().size(), 3);  // no number outside this batch
 }
 

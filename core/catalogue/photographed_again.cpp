@@ -1,6 +1,7 @@
 #include "catalogue/photographed_again.h"
 
 #include <algorithm>
+#include <set>
 
 #include "catalogue/database.h"
 #include "catalogue/history.h"
@@ -10,6 +11,41 @@
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
+namespace {
+
+// What was described or measured on the draft before its number was known. What both say is
+// kept as the known one has it, and stays to be read on the void draft.
+void carryOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
+               const Act& act) {
+  for (const SherdColumn& column : sherdColumns()) {
+    const std::string field = column.field.name;
+    if (!column.field.editable || column.field.kind == FieldKind::Place || column.measure) continue;
+    if (field == "number" || field == "void_reason") continue;
+    const std::string has = textOf(known, field), comes = textOf(made, field);
+    if (comes.empty() || comes == has) continue;
+    const bool both = field == "note" || field == "joins";
+    if (!has.empty() && !both) continue;
+    const FieldChange said{known.row, field, has.empty() ? comes : has + "; " + comes};
+    // What is refused, say a join to itself, stays there too.
+    (void)catalogue.change(std::span(&said, 1), act);
+  }
+
+  const SherdRow rows[] = {known.row, made.row};
+  std::set<std::string> has;
+  std::vector<Measurement> comes;
+  for (const Measurement& m : orRefuse(catalogue.measuredByHand(rows))) {
+    if (m.sherd == known.row)
+      has.insert(m.kind);
+    else
+      comes.push_back(m);
+  }
+  for (Measurement& m : comes) {
+    m.sherd = known.row;
+    if (!has.contains(m.kind)) setMeasure(catalogue, m, act, MeasureRank::Always);
+  }
+}
+
+}  // namespace
 
 bool waitsForPhotographs(const Catalogue& catalogue, const SherdRecord& sherd) {
   if (sherd.number.empty() || sherd.state == SherdState::Void || sherd.back ||
@@ -49,6 +85,7 @@ Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
 void takeOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
               const Act& act) {
   Database& database = catalogue.database();
+  carryOver(catalogue, known, made, act);
   for (const SherdRecord* sherd : {&known, &made}) forgetModel(catalogue, sherd->row, act);
   database.sql("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?").with(made.row).run();
   orRefuse(catalogue.voidSherd(made.row, "photographed again: " + known.number, act));

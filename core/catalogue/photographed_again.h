@@ -16,7 +16,8 @@ bool waitsForPhotographs(const Catalogue& catalogue, const SherdRecord& sherd);
 Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue);
 
 /// What lies on the plate as `made`, a draft, is `known`: this one takes its batch and its scans,
-/// and the draft is void. Within a transaction; the model comes with the results.
+/// and what was described and measured on the draft where it says nothing itself; the draft is
+/// void. Within a transaction; the model comes with the results.
 void takeOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord& made,
               const Act& act);
 

@@ -161,6 +161,35 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
   EXPECT_EQ(catalogue().sherd(before.row)->model_path, after.model_path);
 }
 
+TEST_F(TypedNumbers, ThatCameAfterADescriptionTakeItAlong) {
+  results();
+  enter();
+  const SherdRow draft = valueIn(catalogue().sherdRows(batch))[0];
+  ASSERT_TRUE(set(draft, "note", "burnt on one side"));
+  ASSERT_TRUE(set(draft, "ware", "red slip"));
+  ASSERT_TRUE(set(draft, "fabric", "coarse"));
+  ASSERT_TRUE(set(draft, "weight_g", "41.5"));
+  ASSERT_TRUE(set(draft, "length_mm", "72"));
+  const SherdRow listed = numbered(context12);
+  ASSERT_TRUE(set(listed, "note", "from the list"));
+  ASSERT_TRUE(set(listed, "fabric", "fine"));
+  ASSERT_TRUE(set(listed, "weight_g", "40"));
+  const std::string number = catalogue().sherd(listed)->number;
+  ASSERT_TRUE(type({{{50, 10}, number}}));
+  ASSERT_THAT(*giveTypedNumbers(catalogue(), batch, anna), testing::IsEmpty());
+
+  const SherdRecord after = *catalogue().sherd(listed);
+  EXPECT_TRUE(after.front);
+  EXPECT_EQ(after.note, "from the list; burnt on one side");
+  EXPECT_EQ(after.ware, "red slip");
+  EXPECT_EQ(after.fabric, "fine") << "what it says itself holds";
+  EXPECT_EQ(after.measures.at("weight"), 40);
+  EXPECT_EQ(after.measures.at("length"), 72) << "by a person";
+  const SherdRecord left = *catalogue().sherd(draft);
+  EXPECT_EQ(left.state, SherdState::Void);
+  EXPECT_EQ(left.fabric, "coarse") << "still to be read";
+}
+
 TEST_F(TypedNumbers, AreNotProposedToOthers) {
   ASSERT_TRUE(type({{{0, 0}, "ARM1-T3-0012-0001"}}));
   const std::vector<SherdRow> rows = {draft(context12)};

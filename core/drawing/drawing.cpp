@@ -95,8 +95,14 @@ class Composer {
             "What was taken for the lip hardly looks like one (%.0f %%), so no diameter is stated; "
             "check how the sherd stands.",
             100 * p));
-      else
+      else {
         sayWhyNoDiameter();
+        if (p < kLikely && out_.rim->saysDiameter() && !byHand("rim_diameter"))
+          out_.remarks.push_back(
+              words("What was taken for the lip may be a break (%.0f %% that it is the lip), and "
+                    "the diameter wrong; check how the sherd stands.",
+                    100 * p));
+      }
       return;
     }
     if (out_.drawn_as_rim && p < 0.99)

@@ -15,6 +15,9 @@ Sentences sentencesOfDrawing() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "What was taken for the lip hardly looks like one (%1 %); check how the "
                         "sherd stands."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "What was taken for the lip may be a break (%1 % that it is the lip), and "
+                        "the diameter wrong; check how the sherd stands."),
       // What drawings say beside numbers.
       QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm (95 %: %2 to %3)"),

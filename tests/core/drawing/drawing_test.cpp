@@ -95,6 +95,18 @@ TEST(Drawing, OfARimWithoutAKnownDiameterSaysWhyAndPrintsNone) {
   }
 }
 
+// Its true diameter is 201 mm, and 78 is found on a stretch that may as well be a break.
+TEST(Drawing, OfARimWithAWeakLipDoubtsItsDiameter) {
+  const TrueSherdOfVessel rim = trueSherd(SherdPart::Rim, 521, 0.05);
+  DrawingOptions options;
+  options.rim = RimChoice::Yes;
+  const auto drawing = drawSherd(rim.sherd.mesh, "R", options);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  EXPECT_THAT(drawing->remarks, testing::ElementsAre(HasSubstr("may be a break")));
+  options.by_hand["rim_diameter"] = {200, {}};
+  EXPECT_TRUE(drawSherd(rim.sherd.mesh, "R", options)->remarks.empty());
+}
+
 // Measured with a rim chart: the mouth is drawn that wide, whatever the short arc says.
 TEST(Drawing, OfARimWithADiameterByHandIsDrawnThatWide) {
   const TrueSherdOfVessel rim = trueSherd(SherdPart::Rim, 558, 0.05);

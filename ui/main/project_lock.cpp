@@ -8,8 +8,10 @@
 namespace ostraka::ui {
 namespace {
 
+// One folder has one lock, by whatever link it was opened.
 QString fileOf(const QString& folder) {
-  return QDir(folder).absoluteFilePath(QStringLiteral(".ostraka.lock"));
+  const QString real = QDir(folder).canonicalPath();
+  return QDir(real.isEmpty() ? folder : real).absoluteFilePath(QStringLiteral(".ostraka.lock"));
 }
 
 // By the windows of this process, where they took them.

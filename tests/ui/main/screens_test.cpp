@@ -173,6 +173,15 @@ class ScreensTest : public QObject {
       QVERIFY(window_->session() == nullptr);
       QVERIFY2(words->words().contains("another window"), qPrintable(words->words()));
     }
+    {  // by another name of the folder
+      const QString link = project_ + ".link";
+      QVERIFY(QFile::link(project_, link));
+      const auto elsewhere = ProjectLock::take(link);
+      QVERIFY(elsewhere != nullptr);
+      window_->openProject(project_);
+      QVERIFY2(words->words().contains("another window"), qPrintable(words->words()));
+      QVERIFY(QFile::remove(link));
+    }
     window_->openProject(project_);
     QVERIFY(window_->session() == nullptr);
     QVERIFY(!words->words().contains("another window"));

@@ -313,9 +313,7 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     log(tr("%1 is computed: %n sherd(s).", nullptr, figures->sherds).arg(number));
   } else if (figures.error().code == ErrorCode::CannotWrite) {
     // A full disk is a pause: the batch stays in the queue and goes on from its last whole stage.
-    paused_ = true;
-    trouble_ = sentenceOf(figures.error());
-    log(sentenceOf(figures.error()));
+    stopFor(figures.error());
     emit batchFailed(number, sentenceOf(figures.error()));
   } else if (figures.error().code != ErrorCode::Cancelled || cancel_asked_) {
     const bool cancelled = figures.error().code == ErrorCode::Cancelled;
@@ -334,9 +332,18 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
 void BatchQueue::keepFailure(const QString& number, const QString& sentence, QJsonObject failure) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   failure[QStringLiteral("sentence")] = sentence;
-  (void)rows.setSetting(failureKey(number), jsonText(failure).toStdString());
-  if (const QueueRow* row = find(number))
-    (void)rows.setBatchState({row->batch_row}, BatchState::Failed, session_->act(sentence));
+  Result<void> kept = rows.setSetting(failureKey(number), jsonText(failure).toStdString());
+  if (const QueueRow* row = find(number); kept && row != nullptr)
+    kept = rows.setBatchState({row->batch_row}, BatchState::Failed, session_->act(sentence));
+  // What still counts as queued would be computed again and again.
+  if (!kept) stopFor(kept.error());
+}
+
+void BatchQueue::stopFor(const Error& error) {
+  paused_ = true;
+  trouble_ = sentenceOf(error);
+  log(trouble_);
+  emit workChanged();
 }
 
 void BatchQueue::setPaused(bool paused) {
@@ -397,8 +404,9 @@ void BatchQueue::retry(const QString& number) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   const std::string was = jsonSetting(rows, failureKey(number))[kWas].toString().toStdString();
   const BatchState next = was.empty() ? BatchState::Queued : catalogue::fromWord<BatchState>(was);
-  (void)rows.setSetting(failureKey(number), "");
-  (void)rows.setBatchState({row->batch_row}, next, session_->act(tr("again")));
+  Result<void> asked = rows.setBatchState({row->batch_row}, next, session_->act(tr("again")));
+  if (asked) asked = rows.setSetting(failureKey(number), "");
+  if (!asked) stopFor(asked.error());
   session_->tellBatchChanged(number);
 }
 

@@ -77,7 +77,7 @@ class BatchQueue final : public QAbstractListModel {
   bool isBusy() const { return !busy_number_.isEmpty(); }
   /// The computation of a session that was closed has not ended yet; `left` follows.
   bool isLeaving() const { return leaving_ != nullptr; }
-  /// Why the queue stopped by itself (the disk is full); empty otherwise.
+  /// Why the queue stopped by itself (the disk is full, a write was refused); empty otherwise.
   const QString& trouble() const { return trouble_; }
   /// What the computer does now, for the line at the foot.
   QString workWords() const;
@@ -119,6 +119,7 @@ class BatchQueue final : public QAbstractListModel {
   QueueRow* nextToCompute();
   void finish(QString number, const JobOutcome& outcome);
   void keepFailure(const QString& number, const QString& sentence, QJsonObject how);
+  void stopFor(const Error& error);
   void touch(const QString& number);
   QueueRow* find(const QString& number);
   void log(const QString& line);

@@ -168,7 +168,8 @@ double bytesPerBatch(const fs::path& project) {
   std::error_code error;
   for (fs::directory_iterator at(project / "batches", error), end; !error && at != end;
        at.increment(error))
-    if (fs::exists(at->path() / "back")) batches.push_back(at->path());  // whole
+    if (fs::exists(at->path() / "back") && !pipeline::holdsScans(at->path()))
+      batches.push_back(at->path());  // whole, and photographed
   std::sort(batches.begin(), batches.end(), std::greater<>());
   batches.resize(std::min(batches.size(), kNewestBatches));
   // The largest, so that the room does not grow while batches are made.

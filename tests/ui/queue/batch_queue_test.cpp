@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "catalogue/database.h"
 #include "catalogue/project.h"
 #include "ui/frame/project_session.h"
 
@@ -447,6 +448,33 @@ class BatchQueueTest : public QObject {
     bench.queue.setPaused(false);
     QVERIFY(bench.queue.trouble().isEmpty());
     QTRY_COMPARE(bench.computed, QStringList{number});
+  }
+
+  // It would count as queued still, and be computed for ever.
+  void aFailureThatCannotBeWrittenDownStopsTheQueue() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    catalogue::Database& database = bench.session.project().catalogue().database();
+    database
+        .sql(
+            "CREATE TEMP TRIGGER refuses BEFORE UPDATE OF state ON main.batch BEGIN "
+            "SELECT RAISE(ABORT, 'no'); END")
+        .run();
+    int begun = 0;
+    bench.queue.setWork(
+        [&begun](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
+          ++begun;
+          return Error{ErrorCode::NotEnough, "There are no photographs.", "B0001"};
+        });
+    bench.queue.setSession(&bench.session);
+    QTRY_VERIFY(!bench.queue.trouble().isEmpty());
+    QCOMPARE(begun, 1);
+    QVERIFY(bench.queue.isPaused());
+    database.sql("DROP TRIGGER refuses").run();
+    bench.queue.setPaused(false);
+    QTRY_COMPARE(stateOf(bench.session, number), BatchState::Failed);
+    QCOMPARE(begun, 2);
   }
 
   void aCancelledBatchWaitsForThePersonToTryAgain() {

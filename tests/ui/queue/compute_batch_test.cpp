@@ -78,6 +78,13 @@ class ComputeBatchTest : public QObject {
     QCOMPARE(bytesPerBatch(place), three);
     photograph("B0005", 30'000'000);
     QCOMPARE(bytesPerBatch(place), 3 * 60e6);
+    // Scans that were imported, however many, say nothing of what is photographed.
+    for (int i = 100; i < 120; ++i)
+      for (const char* side : {"front", "back"})
+        QVERIFY(writeFileAtomically(
+                    place / "batches" / ("B0" + std::to_string(i)) / side / "f001.ply", "ply")
+                    .has_value());
+    QCOMPARE(bytesPerBatch(place), 3 * 60e6);
   }
 };
 

@@ -10,61 +10,13 @@
 #include <thread>
 
 #include "catalogue/database.h"
-#include "catalogue/project.h"
-#include "ui/frame/project_session.h"
+#include "queue_bench.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
-using catalogue::BatchState;
-
-namespace {
-
-std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
-  catalogue::ProjectRecord record;
-  record.code = "TEST";
-  record.title = "Test";
-  auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
-                                                    : catalogue::Project::create(folder, record);
-  if (!made) qFatal("%s", made.error().sentence().c_str());
-  return std::make_shared<catalogue::Project>(std::move(*made));
-}
-
-QString addBatch(ProjectSession& session, BatchState state) {
-  catalogue::BatchRecord record;
-  record.state = state;
-  catalogue::Catalogue& rows = session.project().catalogue();
-  const auto row = rows.addBatch(record, {});
-  if (!row) qFatal("%s", row.error().sentence().c_str());
-  return QString::fromStdString(rows.batch(*row)->number);
-}
-
-BatchState stateOf(ProjectSession& session, const QString& number) {
-  return session.project().catalogue().batchByNumber(number.toStdString())->state;
-}
-
-}  // namespace
 
 class BatchQueueTest : public QObject {
   Q_OBJECT
-
- private:
-  // A queue with work that notes its batches, sets the state that computeBatch sets, and ends.
-  struct Bench {
-    explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
-        : session(projectIn(folder), folder, jobs) {
-      queue.setWork([this](const ComputeOptions& options, Progress&,
-                           std::stop_token) -> Result<BatchFigures> {
-        computed << QString::fromStdString(options.number);
-        auto project = catalogue::Project::open(options.project);
-        const auto batch = project->catalogue().batchByNumber(options.number);
-        (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
-        return BatchFigures{3, 2, 1, 0.07, 5};
-      });
-    }
-    ProjectSession session;
-    BatchQueue queue;
-    QStringList computed;
-  };
 
  private slots:
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }

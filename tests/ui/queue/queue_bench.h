@@ -1,0 +1,54 @@
+// For the tests of the queue: a project without photographs, and a queue whose work does nothing.
+#pragma once
+#include <QStringList>
+
+#include "catalogue/project.h"
+#include "ui/frame/project_session.h"
+#include "ui/queue/batch_queue.h"
+
+namespace ostraka::ui {
+
+using catalogue::BatchState;
+
+inline std::shared_ptr<catalogue::Project> projectIn(const std::filesystem::path& folder) {
+  catalogue::ProjectRecord record;
+  record.code = "TEST";
+  record.title = "Test";
+  auto made = catalogue::Project::isProject(folder) ? catalogue::Project::open(folder)
+                                                    : catalogue::Project::create(folder, record);
+  if (!made) qFatal("%s", made.error().sentence().c_str());
+  return std::make_shared<catalogue::Project>(std::move(*made));
+}
+
+inline QString addBatch(ProjectSession& session, BatchState state) {
+  catalogue::BatchRecord record;
+  record.state = state;
+  catalogue::Catalogue& rows = session.project().catalogue();
+  const auto row = rows.addBatch(record, {});
+  if (!row) qFatal("%s", row.error().sentence().c_str());
+  return QString::fromStdString(rows.batch(*row)->number);
+}
+
+inline BatchState stateOf(ProjectSession& session, const QString& number) {
+  return session.project().catalogue().batchByNumber(number.toStdString())->state;
+}
+
+// A queue with work that notes its batches, sets the state that computeBatch sets, and ends.
+struct Bench {
+  explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
+      : session(projectIn(folder), folder, jobs) {
+    queue.setWork(
+        [this](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
+          computed << QString::fromStdString(options.number);
+          auto project = catalogue::Project::open(options.project);
+          const auto batch = project->catalogue().batchByNumber(options.number);
+          (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
+          return BatchFigures{3, 2, 1, 0.07, 5};
+        });
+  }
+  ProjectSession session;
+  BatchQueue queue;
+  QStringList computed;
+};
+
+}  // namespace ostraka::ui

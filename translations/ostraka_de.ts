@@ -1694,6 +1694,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Noch einmal aufzunehmen: %1. Mit anderen auflegen und ihre Nummern eingeben (N), wenn die Vorderseiten aufgenommen sind.</translation>
     </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>An den Fotos dieser Seite ist nichts auszusetzen. Noch einmal „Noch einmal aufnehmen“, um alle beiseitezulegen und neue zu machen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -8424,6 +8429,11 @@
       <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was für die Lippe gehalten wurde, kann ein Bruch sein (%1 %, dass es die Lippe ist) und der Durchmesser falsch; bitte prüfen, wie die Scherbe steht.</translation>
+    </message>
+    <message>
+      <source>This batch is being photographed; it is computed when that is done.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ladung wird gerade fotografiert; sie wird berechnet, wenn das fertig ist.</translation>
     </message>
   </context>
 </TS>

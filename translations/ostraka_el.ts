@@ -1694,6 +1694,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Για νέα φωτογράφιση: %1. Τοποθετήστε τα με άλλα και γράψτε τους αριθμούς τους (N) αφού φωτογραφηθούν οι μπροστινές όψεις.</translation>
     </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες αυτής της πλευράς δεν έχουν κανένα πρόβλημα. Πατήστε ξανά «Φωτογράφιση ξανά» για να μπουν όλες στην άκρη και να ληφθούν νέες.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -8424,6 +8429,11 @@
       <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό που θεωρήθηκε χείλος μπορεί να είναι θραύση (%1 % ότι είναι το χείλος) και η διάμετρος λάθος· ελέγξτε πώς στέκεται το όστρακο.</translation>
+    </message>
+    <message>
+      <source>This batch is being photographed; it is computed when that is done.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η παρτίδα φωτογραφίζεται τώρα· θα υπολογιστεί όταν τελειώσει η φωτογράφιση.</translation>
     </message>
   </context>
 </TS>

@@ -1694,6 +1694,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Por fotografiar de nuevo: %1. Colóquelos con otros y escriba sus números (N) cuando estén tomados los anversos.</translation>
     </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotos de esta cara no tienen ningún problema. Pulse otra vez «Fotografiar otra vez» para apartarlas todas y hacer otras.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -8424,6 +8429,11 @@
       <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que se tomó por labio puede ser una fractura (%1 % de que sea el labio) y el diámetro erróneo; compruebe cómo está orientado el fragmento.</translation>
+    </message>
+    <message>
+      <source>This batch is being photographed; it is computed when that is done.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda se está fotografiando; se calculará cuando termine.</translation>
     </message>
   </context>
 </TS>

@@ -1694,6 +1694,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>À rephotographier : %1. Posez-les avec d'autres et tapez leurs numéros (N) une fois les faces prises.</translation>
     </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos de cette face n'ont aucun défaut. Demandez encore une fois « Photographier de nouveau » pour les mettre toutes de côté et en prendre d'autres.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -8424,6 +8429,11 @@
       <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui a été pris pour la lèvre peut être une cassure (%1 % que ce soit la lèvre), et le diamètre faux ; vérifiez l'orientation du tesson.</translation>
+    </message>
+    <message>
+      <source>This batch is being photographed; it is computed when that is done.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot est en train d'être photographié ; il sera calculé quand ce sera fini.</translation>
     </message>
   </context>
 </TS>

@@ -1694,6 +1694,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նորից լուսանկարելու՝ %1։ Դրեք դրանք մյուսների հետ և մուտքագրեք նրանց համարները (N), երբ դիմային կողմերը լուսանկարված են։</translation>
     </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս կողմի լուսանկարներում սխալ չկա։ Եվս մեկ անգամ ընտրեք «Լուսանկարել կրկին», որպեսզի բոլորը մի կողմ դրվեն և նորերն արվեն։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -8424,6 +8429,11 @@
       <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն, ինչ ընդունվել է որպես շուրթ, կարող է կոտրվածք լինել (%1 %, որ շուրթն է), և տրամագիծը՝ սխալ. ստուգեք, թե ինչպես է բեկորը կանգնած։</translation>
+    </message>
+    <message>
+      <source>This batch is being photographed; it is computed when that is done.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակը լուսանկարվում է. կհաշվարկվի, երբ դա ավարտվի։</translation>
     </message>
   </context>
 </TS>

@@ -1674,6 +1674,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeniden fotoğraflanacak: %1. Onları diğerleriyle birlikte koyun ve ön yüzler çekilince numaralarını yazın (N).</translation>
     </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu yüzün fotoğraflarında bir sorun yok. Hepsini bir kenara koyup yenilerini çekmek için bir kez daha «Yeniden çek» deyin.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>
@@ -8382,6 +8387,11 @@
       <source>What was taken for the lip may be a break (%1 % that it is the lip), and the diameter wrong; check how the sherd stands.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dudak sanılan yer bir kırık olabilir (dudak olma olasılığı %1 %) ve çap yanlış olabilir; parçanın nasıl durduğunu denetleyin.</translation>
+    </message>
+    <message>
+      <source>This batch is being photographed; it is computed when that is done.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parti şu anda fotoğraflanıyor; bitince hesaplanır.</translation>
     </message>
   </context>
 </TS>

@@ -80,6 +80,8 @@ struct SideOptions {
 struct SideSummary {
   int kept = 0;                   ///< photographs of the side on disk, all takes before included
   std::vector<ShotName> flagged;  ///< kept, but with problems
+  /// One of these wants sherds or a camera moved: then the whole side is another.
+  bool lies_wrongly = false;
   SideCheck check;
   double overhead_s = 0;  ///< beyond turning, settling, exposure and transfer, all stops
 };

@@ -313,6 +313,11 @@ Result<SideSummary> Series::summary() {
       const auto look = looks_.find({s, static_cast<int>(c)});
       files[c].push_back({store_->fileOf(*entry), look == looks_.end() ? nullptr : look->second});
       if (!entry->problems.empty()) done.flagged.push_back({s, static_cast<int>(c)});
+      done.lies_wrongly =
+          done.lies_wrongly || std::any_of(entry->problems.begin(), entry->problems.end(),
+                                           [](const std::string& problem) {
+                                             return problem == words(ShotProblem::CutOff);
+                                           });
     }
   done.check = checkSide(files, devices_.plate, {}, stop_);
   if (stop_.stop_requested()) return Error::cancelled();

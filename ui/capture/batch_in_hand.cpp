@@ -75,6 +75,15 @@ std::vector<TakenShot> BatchInHand::photographs(batch::Side side) const {
   return shots;
 }
 
+std::vector<std::vector<std::filesystem::path>> BatchInHand::files(batch::Side side,
+                                                                   int cameras) const {
+  std::vector<std::vector<std::filesystem::path>> by_camera(static_cast<std::size_t>(cameras));
+  for (const TakenShot& shot : photographs(side))
+    if (shot.camera < cameras)
+      by_camera[static_cast<std::size_t>(shot.camera)].emplace_back(shot.file.toStdString());
+  return by_camera;
+}
+
 catalogue::BatchState BatchInHand::state() const {
   if (session_ == nullptr || row_ == 0) return catalogue::BatchState::Placed;
   const auto batch = session_->project().catalogue().batch({row_});

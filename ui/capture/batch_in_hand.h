@@ -34,6 +34,8 @@ class BatchInHand {
   std::filesystem::path folder() const;
   /// Those of a side that its folder holds, by stop and camera.
   std::vector<TakenShot> photographs(batch::Side side) const;
+  /// The same as files, by camera.
+  std::vector<std::vector<std::filesystem::path>> files(batch::Side side, int cameras) const;
   catalogue::BatchState state() const;
   bool isComputed() const;  ///< and be it as a draft
   /// Sherds that a person has counted; 0: not counted.

@@ -7,6 +7,16 @@
 
 namespace ostraka::ui {
 
+enum class CapturePhase {
+  NoRig,    ///< no rig was chosen, or it does not answer
+  Opening,  ///< the devices are being opened
+  Place,    ///< sherds are laid on the plate
+  ShootFront,
+  Flip,  ///< a person turns the sherds over
+  ShootBack,
+  Done  ///< the plate may be cleared, unless there are doubts
+};
+
 /// A picture of the plate and what is seen on it.
 struct PlatePicture {
   QImage image;

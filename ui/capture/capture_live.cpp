@@ -6,6 +6,7 @@
 #include "capture/label_code.h"
 #include "catalogue/project.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/doubt_words.h"
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
@@ -42,6 +43,11 @@ Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate,
     seen.image = seen.image.scaled(kFrontPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   return seen;
 }
+
+struct FrontLook {
+  std::optional<PlatePicture> picture;
+  std::optional<capture::SideCheck> check;
+};
 
 }  // namespace
 
@@ -111,18 +117,39 @@ void CaptureWizard::lookAtFront() {
       file = found;
   if (file.empty()) return;
   if (front_job_ != nullptr) front_job_->drop();
-  front_job_ = start(
-      makeJob(tr("Front picture"),
-              [file, plate = devices_->plate](Progress&, std::stop_token) -> Result<PlatePicture> {
-                const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
-                if (!bytes) return bytes.error();
-                return lookAt(*bytes, plate, LookFor::Sherds);
-              }));
-  connect(front_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome))
-      front_picture_ = std::move(*picture);
-    emit liveChanged();
-  });
+  // What was counted is not known any more when the program was closed since.
+  std::vector<std::vector<std::filesystem::path>> uncounted;
+  if (!summary_[0]) uncounted = batch_.files(batch::Side::Front, cameras());
+  front_job_ =
+      start(makeJob(tr("Front picture"),
+                    [file, uncounted, plate = devices_->plate, check = source_.check](
+                        Progress&, std::stop_token stop) -> Result<FrontLook> {
+                      FrontLook look;
+                      const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
+                      if (bytes)
+                        if (Result<PlatePicture> seen = lookAt(*bytes, plate, LookFor::Sherds))
+                          look.picture = std::move(*seen);
+                      if (!uncounted.empty()) look.check = check(uncounted, plate, {}, stop);
+                      return look;
+                    }));
+  connect(front_job_, &JobHandle::finished, this,
+          [this, number = batch_.number()](const JobOutcome& outcome) {
+            Result<FrontLook> look = outcomeAs<FrontLook>(outcome);
+            if (!look || number != batch_.number()) return;
+            if (look->picture) front_picture_ = std::move(look->picture);
+            if (look->check) takeFrontCount(*look->check);
+            emit liveChanged();
+          });
+}
+
+void CaptureWizard::takeFrontCount(const capture::SideCheck& check) {
+  if (summary_[0]) return;
+  summary_[0].emplace().check = check;
+  summary_[0]->kept = static_cast<int>(batch_.photographs(batch::Side::Front).size());
+  if (phase_ != CapturePhase::Flip) return;
+  doubts_ << doubtsOf(check);
+  doubtCount(check);
+  emit changed();
 }
 
 }  // namespace ostraka::ui

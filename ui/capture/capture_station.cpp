@@ -135,10 +135,12 @@ QAction* CaptureStation::addAct(const QString& name, const QString& icon_name, c
 void CaptureStation::buildActions() {
   next_ = addAct(QStringLiteral("captureNext"), QStringLiteral("next"), tr("The next thing"),
                  QKeySequence(Qt::Key_Space));
+  next_->setAutoRepeat(false);  // a key that is held does one thing
   stop_ = addAct(QStringLiteral("captureStop"), QStringLiteral("stop"), tr("Stop the table"),
                  QKeySequence(Qt::Key_Escape));
   again_ = addAct(QStringLiteral("captureAgain"), QStringLiteral("again"), tr("Photograph again"),
                   QKeySequence(Qt::Key_R));
+  again_->setAutoRepeat(false);
   number_ = addAct(QStringLiteral("numberSherds"), QStringLiteral("label"),
                    tr("Type the sherds' numbers"), QKeySequence(Qt::Key_N));
   count_sherds_ = addAct(QStringLiteral("countSherds"), QStringLiteral("sherd"),

@@ -14,6 +14,11 @@ namespace {
 
 using catalogue::BatchState;
 
+struct SideTaken {
+  capture::SideSummary summary;
+  std::optional<capture::SideCheck> front;  ///< when nobody knew it any more
+};
+
 }  // namespace
 
 CaptureWizard::CaptureWizard(QObject* parent) : QObject(parent) {
@@ -40,7 +45,7 @@ void CaptureWizard::setSession(ProjectSession* session) {
       if (phase_ == CapturePhase::Done && number == batch_.number()) emit changed();
       if (phase_ != CapturePhase::Place || batch_.isThere() || isBusy()) return;
       batch_.resume(number);  // one that was set aside is wanted again
-      if (!batch_.isThere()) return;
+      if (!batch_.isThere() && devicesAreForThis()) return;
       takePlace();
       devices_.reset();
       openRig();
@@ -72,12 +77,19 @@ void CaptureWizard::changeRig(RigSource source) {
   source_ = std::move(source);
   devices_.reset();
   if (source_.open) {
+    const QString before = batch_.number();
     batch_.resume();
+    if (batch_.number() != before) forgetPlate();  // what was seen is another batch's
     takePlace();
     return openRig();
   }
   batch_.forget();
   enter(CapturePhase::NoRig);
+}
+
+// Batches that were imported since took the number that the next one was going to have.
+bool CaptureWizard::devicesAreForThis() const {
+  return !source_.anew_for_each_batch || opened_for_ == batch_.index();
 }
 
 // What was typed last may be the bag of another batch.
@@ -103,9 +115,10 @@ void CaptureWizard::openRig() {
   if (session_ == nullptr || !source_.open) return;
   if (devices_ != nullptr && !source_.anew_for_each_batch) return enter(CapturePhase::Place);
   enter(CapturePhase::Opening);
+  opened_for_ = batch_.index();
   whenCameraIsFree([this] {
     work_ = start(makeJob(tr("Opening the rig"),
-                          [open = source_.open, ask = question_.asker(), batch = batch_.index()](
+                          [open = source_.open, ask = question_.asker(), batch = opened_for_](
                               Progress&, std::stop_token stop) { return open(batch, ask, stop); }));
     connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
       work_ = nullptr;
@@ -184,11 +197,14 @@ void CaptureWizard::forgetPlate() {
   summary_[0].reset();
   summary_[1].reset();
   front_picture_.reset();
+  live_.reset();  // of the plate before
+  retaking_.clear();
   queued_ = false;
   stop_ = -1;
   stops_done_ = 0;
   wanted_again_ = batch_.toPhotographAgain();
   emit shotsChanged();
+  emit liveChanged();
 }
 
 void CaptureWizard::enter(CapturePhase phase) {
@@ -249,7 +265,16 @@ void CaptureWizard::again() {
   if ((!back && phase_ != CapturePhase::Flip) || isBusy()) return;
   const auto& summary = summary_[back ? 1 : 0];
   std::vector<capture::ShotName> retake;
-  if (summary) retake = summary->flagged;
+  // Light, focus and settings are of single photographs; what is moved lies elsewhere at all stops.
+  if (summary && !summary->lies_wrongly &&
+      doubts_.size() <= static_cast<qsizetype>(summary->flagged.size()))
+    retake = summary->flagged;
+  if (retake.empty() && doubts_.isEmpty()) {
+    doubts_ << tr(
+        "Nothing is wrong with the photographs of this side. Photograph again once more "
+        "to put all of them aside and take new ones.");
+    return emit changed();
+  }
   if (retake.empty())  // the whole side: something was moved or lost
     for (int stop = 0; stop < stops(); ++stop)
       for (int camera = 0; camera < cameras(); ++camera) retake.push_back({stop, camera});
@@ -283,9 +308,14 @@ void CaptureWizard::setState(catalogue::BatchState state) {
 void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retake) {
   if (!session_->isThere()) return fail(session_->goneError(), {});  // or a ghost of it is made
   if (const Result<void> begun = batch_.begin(place_); !begun) return fail(begun.error(), {});
+  if (!devicesAreForThis()) return openRig();
   const CapturePhase phase =
       side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
   const bool goes_on = phase_ == phase && retake.empty();
+  if (goes_on)
+    retake = retaking_;  // some of them may not be put aside yet
+  else
+    retaking_ = retake;
   phase_ = phase;
   fault_.reset();
   holders_.clear();
@@ -298,7 +328,10 @@ void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retak
     shots_.clear();
     stops_done_ = 0;
   }
-  if (side == batch::Side::Back) setState(BatchState::Flipped);
+  // Whoever opens the project next knows that this side is not whole.
+  const BatchState begun_state =
+      side == batch::Side::Back ? BatchState::Flipped : BatchState::Placed;
+  if (batch_.state() != begun_state) setState(begun_state);
   emit changed();
   emit shotsChanged();
   whenCameraIsFree([this, side, retake = std::move(retake)] { startShooting(side, retake); });
@@ -310,16 +343,23 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
   options.side = side;
   options.stops = source_.stops;
   options.retake = std::move(retake);
-  const auto work = [devices = devices_, prepare = source_.prepare, shoot = source_.shoot,
-                     batch = batch_.index(), options](
-                        Progress& progress, std::stop_token stop) -> Result<capture::SideSummary> {
+  // What the back is compared with, when the program was closed since.
+  std::vector<std::vector<std::filesystem::path>> uncounted;
+  if (side == batch::Side::Back && !summary_[0])
+    uncounted = batch_.files(batch::Side::Front, cameras());
+  const auto work = [devices = devices_, source = source_, batch = batch_.index(), options,
+                     uncounted](Progress& progress, std::stop_token stop) -> Result<SideTaken> {
     if (options.side == batch::Side::Front)
-      if (const Result<void> done = prepare(options.batch, batch, progress, stop); !done)
+      if (const Result<void> done = source.prepare(options.batch, batch, progress, stop); !done)
         return done.error();
     if (devices->side_placed) devices->side_placed(options.side);
-    return shoot(
+    Result<capture::SideSummary> summary = source.shoot(
         *devices, options,
         [&progress](const capture::CaptureEvent& event) { tell(progress, event); }, progress, stop);
+    if (!summary) return summary.error();
+    SideTaken taken{std::move(*summary), {}};
+    if (!uncounted.empty()) taken.front = source.check(uncounted, devices->plate, {}, stop);
+    return taken;
   };
   work_ = start(makeJob(tr("Photographs of %1").arg(batch_.number()), work));
   connect(work_, &JobHandle::told, this, [this](const std::any& event) {
@@ -327,7 +367,9 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
   });
   connect(work_, &JobHandle::finished, this, [this, side](const JobOutcome& outcome) {
     work_ = nullptr;
-    finishSide(side, outcomeAs<capture::SideSummary>(outcome));
+    const Result<SideTaken> taken = outcomeAs<SideTaken>(outcome);
+    if (taken && taken->front) takeFrontCount(*taken->front);
+    finishSide(side, taken ? Result<capture::SideSummary>(taken->summary) : taken.error());
     takeWaitingRig();
   });
   emit changed();
@@ -349,6 +391,8 @@ void CaptureWizard::hear(const capture::CaptureEvent& event) {
       return old.stop == shot.stop && old.camera == shot.camera;
     });
     shots_.push_back(std::move(shot));
+    if (event.kind == Kind::ShotKept)
+      std::erase(retaking_, capture::ShotName{event.stop, event.camera});
   }
   if (event.kind == Kind::Trouble) emit said(wordsOf(event.trouble));
   if (event.kind == Kind::PressShutter)
@@ -361,6 +405,7 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
   const bool back = side == batch::Side::Back;
   if (!summary) return fail(summary.error(), safeWords());
   summary_[back ? 1 : 0] = *summary;
+  retaking_.clear();
   setState(back ? BatchState::Back : BatchState::Front);
   enter(back ? CapturePhase::Done : CapturePhase::Flip);
   for (const capture::ShotName& shot : summary->flagged) {

@@ -20,16 +20,6 @@ namespace ostraka::ui {
 
 class ProjectSession;
 
-enum class CapturePhase {
-  NoRig,    ///< no rig was chosen, or it does not answer
-  Opening,  ///< the devices are being opened
-  Place,    ///< sherds are laid on the plate
-  ShootFront,
-  Flip,  ///< a person turns the sherds over
-  ShootBack,
-  Done  ///< the plate may be cleared, unless there are doubts
-};
-
 /// Place - Shoot - Flip - Shoot - Done, as a person goes through it; no widget. What was done
 /// stands in the catalogue (the batch's state) and in the batch's folder, so that a capture that
 /// was interrupted goes on where it was.
@@ -102,6 +92,7 @@ class CaptureWizard final : public QObject {
  private:
   void changeRig(RigSource source);
   bool takeWaitingRig();
+  bool devicesAreForThis() const;
   void openRig();
   void takeDevices(const Result<std::shared_ptr<capture::RigDevices>>& opened);
   void whenCameraIsFree(std::function<void()> act);
@@ -119,6 +110,7 @@ class CaptureWizard final : public QObject {
   void queueBatch();
   void lookLive();
   void lookAtFront();
+  void takeFrontCount(const capture::SideCheck& check);
   void readLabels(const QStringList& codes);
   void fail(const Error& error, const QString& safe);
   QString safeWords() const;
@@ -130,6 +122,8 @@ class CaptureWizard final : public QObject {
   RigSource source_;
   std::optional<RigSource> waiting_;  ///< the next one, until the present work has ended
   std::shared_ptr<capture::RigDevices> devices_;
+  int opened_for_ = 0;  ///< the index of the batch that devices_ were opened for
+  std::vector<capture::ShotName> retaking_;  ///< asked for again and not kept yet
   CapturePhase phase_ = CapturePhase::NoRig;
   QPointer<JobHandle> work_, live_job_, front_job_;
   QTimer live_timer_;

@@ -42,6 +42,11 @@ struct RigSource {
                                              const capture::OnCaptureEvent&, Progress&,
                                              std::stop_token)>
       shoot = capture::shootSide;
+  /// Counts the sherds of a side that was photographed in an earlier run.
+  std::function<capture::SideCheck(const std::vector<std::vector<std::filesystem::path>>&,
+                                   const batch::Plate&, const capture::LookOptions&,
+                                   std::stop_token)>
+      check = capture::checkSide;
   /// Programs of the desktop that hold a camera, and how they are made to let go (wish W4); absent
   /// where there is no such camera.
   std::function<std::vector<std::string>()> holders{};

@@ -39,6 +39,66 @@ class CaptureResumeTest : public QObject {
     QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
   }
 
+  // Nothing of what was seen of the fronts is remembered; their photographs are.
+  void theFrontsAreCountedAgainAfterAStart() {
+    InlineJobRunner jobs;
+    {
+      Bench bench(folder(), jobs);
+      bench.wizard.setRig(sourceOf(bench.rig));
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.wizard.setCounted(8);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      QCOMPARE(bench.wizard.doubts().size(), 1);
+    }
+    for (const char* camera : {"cam0", "cam1", "cam2"})
+      QVERIFY(
+          writeFileAtomically(
+              folder() / "batches" / "B0001" / "front" / (std::string(camera) + "_pos00.jpg"), "x")
+              .has_value());
+    {
+      Bench again(folder(), jobs);
+      again.wizard.setRig(sourceOf(again.rig));
+      QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+      QTRY_COMPARE(again.wizard.doubts().size(), 1);
+      QVERIFY(again.wizard.doubts()[0].contains("You counted 8"));
+    }
+    Bench again(folder(), jobs);
+    again.rig.back = 7;
+    again.wizard.setRig(sourceOf(again.rig));
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    again.wizard.next();  // at once
+    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Done);
+    QVERIFY2(again.wizard.doubts().join(' ').contains("front showed 9 sherds, the back 7"),
+             qPrintable(again.wizard.doubts().join('\n')));
+  }
+
+  // The number that the next batch was going to have was taken by others.
+  void theVirtualRigIsThatOfTheBatchAfterImports() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    RigSource source = sourceOf(bench.rig);
+    source.anew_for_each_batch = true;
+    bench.wizard.setRig(source);
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.rig.opened_for, 1);
+    catalogue::BatchRecord imported;
+    imported.state = BatchState::Queued;
+    QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
+    bench.session.tellBatchChanged("B0001");
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.rig.opened_for, 2);
+    // And when nobody told of it.
+    QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    QCOMPARE(bench.rig.opened_for, 3);
+    bench.wizard.next();
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    QCOMPARE(bench.wizard.batchNumber(), QStringLiteral("B0003"));
+    QCOMPARE(bench.rig.opened_for, 3);
+  }
+
   void aProjectThatWasMovedGetsNoPhotographsAtItsOldPlace() {
     InlineJobRunner jobs;
     const std::filesystem::path place = folder() / "open", moved = folder() / "moved";

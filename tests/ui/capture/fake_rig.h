@@ -10,13 +10,14 @@
 namespace ostraka::ui {
 
 struct FakeRig {
-  int opened = 0, prepared = 0;
+  int opened = 0, prepared = 0, opened_for = 0;
   std::vector<batch::Side> placed, shot;
   std::vector<capture::SideOptions> asked;
   std::atomic<int> stopped = 0;
   std::optional<Error> refuse_open, refuse_shoot;
   int front = 9, back = 9;                  ///< sherds counted
   std::vector<capture::ShotName> flagged;   ///< of the next side
+  bool lies_wrongly = false;                ///< what is flagged
   bool ask = false;                         ///< opening asks a person to do something
   std::atomic<bool> wait_for_stop = false;  ///< the next side runs until it is stopped
   int released = 0;                         ///< how often the desktop was asked to let go
@@ -70,9 +71,10 @@ class FakeCamera final : public capture::Camera {
 inline RigSource sourceOf(FakeRig& rig) {
   RigSource source;
   source.words = QStringLiteral("ready");
-  source.open = [&rig](int, const capture::AskPerson& ask,
+  source.open = [&rig](int batch, const capture::AskPerson& ask,
                        std::stop_token stop) -> Result<std::shared_ptr<capture::RigDevices>> {
     ++rig.opened;
+    rig.opened_for = batch;
     if (rig.refuse_open) return *rig.refuse_open;
     if (rig.ask && !ask("Switch the table on.", stop)) return Error::cancelled();
     auto devices = std::make_shared<capture::RigDevices>();
@@ -108,9 +110,16 @@ inline RigSource sourceOf(FakeRig& rig) {
     capture::SideSummary summary;
     summary.kept = options.stops * 3;
     summary.flagged = std::exchange(rig.flagged, {});
+    summary.lies_wrongly = std::exchange(rig.lies_wrongly, false);
     summary.check.counted = true;
     summary.check.sherds = options.side == batch::Side::Front ? rig.front : rig.back;
     return summary;
+  };
+  source.check = [&rig](const auto&, const auto&, const auto&, std::stop_token) {
+    capture::SideCheck check;
+    check.counted = true;
+    check.sherds = rig.front;
+    return check;
   };
   source.holders = [&rig] { return rig.holders; };
   source.release = [&rig](std::stop_token) -> Result<void> {

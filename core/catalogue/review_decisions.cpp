@@ -351,6 +351,10 @@ Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
                         const std::string& person) {
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
+  if (batch->state <= BatchState::Back)
+    return Error{ErrorCode::UnusableInput,
+                 "This batch is being photographed; it is computed when that is done.",
+                 batch_number};
   Act act;
   if (!person.empty()) {
     const auto row = catalogue.personByInitials(person, {});

@@ -192,6 +192,9 @@ void BatchQueue::refreshBatch(const QString& number) {
   if (session_ == nullptr || row == nullptr) return refresh();
   const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
   if (!batch) return refresh();
+  // One of its sides is photographed again: what is computed is of photographs that are put aside.
+  if (number == busy_number_ && job_ != nullptr && stateOf(batch->state) == QueueState::Shooting)
+    job_->cancel();
   *row = rowFrom(*batch, row);
   touch(number);
   startNext();
@@ -315,6 +318,8 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     // A full disk is a pause: the batch stays in the queue and goes on from its last whole stage.
     stopFor(figures.error());
     emit batchFailed(number, sentenceOf(figures.error()));
+  } else if (isPhotographed(number)) {
+    log(sentenceOf(Error::cancelled()));
   } else if (figures.error().code != ErrorCode::Cancelled || cancel_asked_) {
     const bool cancelled = figures.error().code == ErrorCode::Cancelled;
     const QString sentence = cancelled ? tr("You stopped it. What was computed so far is kept.")
@@ -327,6 +332,11 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   if (figures) emit batchComputed(number);
   session_->tellBatchChanged(number);  // refreshes, and the next one starts
   if (figures) session_->tellSherdsChanged();
+}
+
+bool BatchQueue::isPhotographed(const QString& number) const {
+  const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
+  return batch && stateOf(batch->state) == QueueState::Shooting;
 }
 
 void BatchQueue::keepFailure(const QString& number, const QString& sentence, QJsonObject failure) {

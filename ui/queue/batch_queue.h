@@ -120,6 +120,7 @@ class BatchQueue final : public QAbstractListModel {
   void finish(QString number, const JobOutcome& outcome);
   void keepFailure(const QString& number, const QString& sentence, QJsonObject how);
   void stopFor(const Error& error);
+  bool isPhotographed(const QString& number) const;  ///< or again
   void touch(const QString& number);
   QueueRow* find(const QString& number);
   void log(const QString& line);

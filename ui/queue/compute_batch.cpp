@@ -122,6 +122,11 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
     if (!prepared && prepared.error().code == ErrorCode::Cancelled) return prepared.error();
     if (!prepared) progress.note(NoteLevel::Warning, prepared.error().sentence());
   }
+  // Since it began a side may be photographed again.
+  const Result<catalogue::BatchRecord> now = rows.batch(record->row);
+  if (!now) return now.error();
+  if (now->state <= catalogue::BatchState::Back && now->state != record->state)
+    return Error::cancelled();
   const catalogue::Act act{{}, "process", {}};
   progress.begin("catalogue", 0.01);
   if (const auto set = rows.setBatchState(record->row, BatchState::Computed, act); !set)

@@ -6,6 +6,8 @@ namespace ostraka::ui {
 
 Sentences sentencesOfCatalogue() {
   static constexpr const char* kAll[] = {
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This batch is being photographed; it is computed when that is done."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This model is gone; compute its batch again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The model cannot be kept here (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error",

@@ -333,6 +333,9 @@ TEST_F(ResultsOfDecisions, JoinsThatWereTakenBackAreTakenBack) {
 }
 
 TEST_F(ReviewDecisions, TheBatchIsQueuedAgain) {
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
+  EXPECT_FALSE(queueAgain(catalogue(), "B0001", "AP")) << "its back is being photographed again";
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
   ASSERT_TRUE(queueAgain(catalogue(), "B0001", "AP"));
   EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Queued);
 }

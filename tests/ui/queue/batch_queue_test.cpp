@@ -402,6 +402,30 @@ class BatchQueueTest : public QObject {
     QTRY_COMPARE(bench.computed, QStringList{number});
   }
 
+  // What is computed is of photographs that are put aside.
+  void aBatchThatIsPhotographedAgainIsComputedNoFurther() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    std::atomic<int> begun = 0;
+    bench.queue.setWork(
+        [&begun](const ComputeOptions&, Progress&, std::stop_token stop) -> Result<BatchFigures> {
+          ++begun;
+          while (!stop.stop_requested()) std::this_thread::yield();
+          return Error{ErrorCode::UnusableInput, "A photograph is gone.", {}};
+        });
+    const QString number = addBatch(bench.session, BatchState::Queued);
+    bench.queue.setSession(&bench.session);
+    QTRY_COMPARE(begun.load(), 1);
+    catalogue::Catalogue& rows = bench.session.project().catalogue();
+    QVERIFY(
+        rows.setBatchState(rows.batchByNumber(number.toStdString())->row, BatchState::Flipped, {})
+            .has_value());
+    bench.session.tellBatchChanged(number);
+    QTRY_VERIFY(!bench.queue.isBusy());
+    QCOMPARE(stateOf(bench.session, number), BatchState::Flipped);
+    QCOMPARE(bench.queue.row(0).state, QueueState::Shooting);
+  }
+
   // It would count as queued still, and be computed for ever.
   void aFailureThatCannotBeWrittenDownStopsTheQueue() {
     InlineJobRunner jobs;

@@ -6,6 +6,8 @@
 namespace ostraka::catalogue {
 namespace {
 
+constexpr const char* kProgram = "program";
+
 struct Current {
   std::int64_t row = 0;
   double value = 0;
@@ -62,8 +64,9 @@ void setMeasure(Catalogue& catalogue, const Measurement& m, const Act& act, Meas
   if (old.row && old.value == m.value && old.by == m.by && old.method == m.method &&
       old.model_sha256 == m.model_sha256 && old.uncertainty == m.uncertainty)
     return;
-  // What a person measured stays above what the program computes.
-  const bool counts = rank == MeasureRank::Always || !(old.row && old.by && !m.by);
+  // What a person measured, named or not, stays above what the program computes.
+  const bool by_hand = old.row && (old.by || old.method != kProgram);
+  const bool counts = rank == MeasureRank::Always || !(by_hand && !m.by && m.method == kProgram);
   if (counts && old.row)
     database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
   if (!counts) {
@@ -107,6 +110,12 @@ void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act)
       "LIMIT 1");
   if (rows.with(m.sherd, m.kind, m.value, typed.uncertainty).next())
     rows >> m.by >> m.method >> m.model_sha256 >> m.uncertainty;
+  if (!m.by && m.method == kProgram) {  // what it says of the model that is there now
+    Statement latest = catalogue.database().sql(
+        "SELECT value, model_sha256, uncertainty FROM measurement WHERE sherd = ? AND kind = ? AND "
+        "person IS NULL AND method = 'program' ORDER BY row DESC LIMIT 1");
+    if (latest.with(m.sherd, m.kind).next()) latest >> m.value >> m.model_sha256 >> m.uncertainty;
+  }
   setMeasure(catalogue, m, act, MeasureRank::Always);
 }
 
@@ -127,10 +136,9 @@ Result<std::vector<Measurement>> Catalogue::measurements(SherdRow sherd) const {
 
 Result<std::vector<Measurement>> Catalogue::measuredByHand(std::span<const SherdRow> sherds) const {
   return database_->door([&] {
-    Statement rows = database_->sql(
-        std::string(kCurrent) +
-        "AND person IS NOT NULL AND method <> 'program' AND sherd IN (SELECT value FROM "
-        "json_each(?)) ORDER BY sherd, row");
+    Statement rows = database_->sql(std::string(kCurrent) +
+                                    "AND method <> 'program' AND sherd IN (SELECT value FROM "
+                                    "json_each(?)) ORDER BY sherd, row");
     return readAll(rows.with(rowsJson(sherds)));
   });
 }

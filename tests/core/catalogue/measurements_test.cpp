@@ -61,6 +61,28 @@ TEST_F(Measurements, UndoingAPersonsBringsTheProgramsBackWithItsMethod) {
   EXPECT_FALSE(now.by);
 }
 
+TEST_F(Measurements, OfAPersonWithoutANameStayAboveTheProgramsToo) {
+  program(61.42, "m1");
+  const FieldChange typed{sherd, "length_mm", "62"};
+  ASSERT_TRUE(catalogue().change(std::span(&typed, 1), {}));
+  program(61.44, "m2");
+  EXPECT_EQ(valueOf(sherd, "length_mm"), "62");
+  const std::vector<Measurement> by_hand = *catalogue().measuredByHand(std::span(&sherd, 1));
+  ASSERT_EQ(by_hand.size(), 1u);
+  EXPECT_EQ(by_hand[0].value, 62);
+}
+
+TEST_F(Measurements, UndoingAPersonsBringsWhatTheProgramSaysOfTheModelThatIsThereNow) {
+  program(60.2, "m1");
+  const Result<std::vector<FieldChange>> undo = set(sherd, "length_mm", "62");
+  ASSERT_TRUE(undo);
+  program(60.9, "m2");
+  ASSERT_TRUE(catalogue().change(*undo, anna));
+  const Measurement now = catalogue().measurements(sherd)->front();
+  EXPECT_EQ(now.value, 60.9);
+  EXPECT_EQ(now.model_sha256, "m2");
+}
+
 TEST_F(Measurements, AWeightIsTypedAndTakenAway) {
   ASSERT_TRUE(set(sherd, "weight_g", "23,4"));
   EXPECT_EQ(catalogue().measurements(sherd)->front().method, "scale");

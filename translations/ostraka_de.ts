@@ -4056,6 +4056,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Noch nicht gespeichert: %1. Die Eingabetaste im Feld speichert es.</translation>
     </message>
+    <message>
+      <source>Yes, it is void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ja, sie ist ungültig</translation>
+    </message>
+    <message>
+      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine ungültige Scherbe bekommt weder Etikett noch Zeichnung noch einen Platz auf einer Tafel, und ihre Nummer wird nie wieder vergeben. Ist %1 ungültig: „%2“?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -4056,6 +4056,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν αποθηκεύτηκε ακόμη: %1. Το Enter στο πεδίο το αποθηκεύει.</translation>
     </message>
+    <message>
+      <source>Yes, it is void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ναι, είναι άκυρο</translation>
+    </message>
+    <message>
+      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άκυρο όστρακο δεν παίρνει ετικέτα, σχέδιο ή θέση σε πίνακα, και ο αριθμός του δεν δίνεται ποτέ ξανά. Είναι το %1 άκυρο: «%2»;</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -4056,6 +4056,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aún no guardado: %1. Intro en el campo lo guarda.</translation>
     </message>
+    <message>
+      <source>Yes, it is void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sí, está anulado</translation>
+    </message>
+    <message>
+      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento anulado no recibe etiqueta, dibujo ni sitio en una lámina, y su número no se vuelve a dar. ¿Está anulado %1: «%2»?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

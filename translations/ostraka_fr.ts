@@ -4056,6 +4056,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pas encore enregistré : %1. Entrée dans le champ l'enregistre.</translation>
     </message>
+    <message>
+      <source>Yes, it is void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oui, il est annulé</translation>
+    </message>
+    <message>
+      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson annulé ne reçoit ni étiquette, ni dessin, ni place sur une planche, et son numéro n'est plus jamais donné. %1 est-il annulé : « %2 » ?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

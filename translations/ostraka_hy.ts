@@ -4056,6 +4056,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է։</translation>
     </message>
+    <message>
+      <source>Yes, it is void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այո, անվավեր է</translation>
+    </message>
+    <message>
+      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անվավեր բեկորը պիտակ, գծանկար կամ աղյուսակում տեղ չի ստանում, և նրա համարն այլևս չի տրվում։ %1 անվավե՞ր է՝ «%2»։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -4018,6 +4018,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder.</translation>
     </message>
+    <message>
+      <source>Yes, it is void</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Evet, geçersiz</translation>
+    </message>
+    <message>
+      <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geçersiz bir parça etiket, çizim ya da levhada yer almaz ve numarası bir daha verilmez. %1 geçersiz mi: “%2”?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::SherdEdits</name>

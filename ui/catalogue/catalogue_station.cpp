@@ -50,6 +50,8 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { showSelection(); });
   connect(details_, &SherdDetails::edited, this, &CatalogueStation::saveField);
+  connect(details_, &SherdDetails::voided, this,
+          [this](const QString& reason) { keepField(QStringLiteral("void_reason"), reason); });
   connect(details_, &SherdDetails::numberWanted, this, &CatalogueStation::giveNumbers);
   connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueStation::giveNumbers);
   connect(import_, &ImportModel::entered, this,
@@ -419,9 +421,18 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
       number = QString::fromStdString(other->number);
       picture = QString::fromStdString((session_->folder() / other->preview_path).string());
     }
+    details_->keepUnsaved(field, value);
     details_->showRefusal(change.field, wordsOf(refused.refusal), number, picture);
     return;
   }
+  const bool voids = field == QLatin1String("void_reason") && shown &&
+                     !shown->front().new_value.empty() && shown->front().old_value.empty();
+  voids ? details_->askToVoid(value) : keepField(field, value);
+}
+
+void CatalogueStation::keepField(const QString& field, const QString& value) {
+  if (!edits_) return;
+  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
   details_->forgetUnsaved(field);
   const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
   complain(why);

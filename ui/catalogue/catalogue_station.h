@@ -56,6 +56,7 @@ class CatalogueStation final : public Station {
   QWidget* buildRight();
   std::vector<catalogue::SherdRow> selected() const;
   void saveField(const QString& field, const QString& value);
+  void keepField(const QString& field, const QString& value);
   void move(const QStringList& place);
   void giveNumbers();
   void openImport();

@@ -64,10 +64,10 @@ void ImportDialog::buildLayout() {
     made->setAutoDefault(false);
     return made;
   };
-  auto* table = button("importTable", "table", tr("A table (CSV) …"));
-  auto* folder = button("importExport", "folder", tr("An export folder …"));
-  connect(table, &QPushButton::clicked, this, &ImportDialog::chooseTable);
-  connect(folder, &QPushButton::clicked, this, &ImportDialog::chooseExport);
+  choose_table_ = button("importTable", "table", tr("A table (CSV) …"));
+  choose_export_ = button("importExport", "folder", tr("An export folder …"));
+  connect(choose_table_, &QPushButton::clicked, this, &ImportDialog::chooseTable);
+  connect(choose_export_, &QPushButton::clicked, this, &ImportDialog::chooseExport);
   source_ = new QLabel(this);
   source_->setObjectName("importSource");
   source_->setWordWrap(true);
@@ -100,8 +100,8 @@ void ImportDialog::buildLayout() {
   enter_->setDefault(true);
   connect(enter_, &QPushButton::clicked, &model_, &ImportModel::enter);
   auto* first = new QHBoxLayout;
-  first->addWidget(table);
-  first->addWidget(folder);
+  first->addWidget(choose_table_);
+  first->addWidget(choose_export_);
   first->addWidget(source_, 1);
   auto* last = new QHBoxLayout;
   last->addWidget(refusals_);
@@ -179,6 +179,8 @@ void ImportDialog::refresh() {
     places_->setChecked(model_.makesPlaces());
   }
   places_->setEnabled(!works && state != State::Done);
+  choose_table_->setEnabled(state != State::Entering);
+  choose_export_->setEnabled(state != State::Entering);
   places_->setVisible(!model_.isOfContexts());  // such a table is there to make them
   summary_->setText(state == State::Looking ? tr("Looking at it …")
                     : state == State::Done  ? tr("Entered: %1").arg(model_.summary())

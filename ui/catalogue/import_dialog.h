@@ -28,6 +28,7 @@ class ImportDialog final : public QDialog {
   void saveRefusals();
 
   ImportModel& model_;
+  QPushButton *choose_table_ = nullptr, *choose_export_ = nullptr;
   QLabel* source_ = nullptr;
   QCheckBox* places_ = nullptr;
   QLabel* summary_ = nullptr;

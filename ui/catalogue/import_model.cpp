@@ -73,6 +73,8 @@ struct ImportModel::Look {
 ImportModel::ImportModel(QObject* parent) : QObject(parent) {}
 
 void ImportModel::openProject(ProjectSession* session) {
+  // What is being entered goes on: its report and its undo would be lost.
+  if (state_ == State::Entering && session == session_) return emit changed();
   delete job_.data();
   session_ = session;
   state_ = State::Choosing;
@@ -84,12 +86,13 @@ void ImportModel::openProject(ProjectSession* session) {
 }
 
 void ImportModel::setSource(const QString& path) {
+  if (state_ == State::Entering) return;
   source_ = path;
   look();
 }
 
 void ImportModel::setMakesPlaces(bool make) {
-  if (make == make_places_) return;
+  if (make == make_places_ || state_ == State::Entering) return;
   make_places_ = make;
   if (!source_.isEmpty()) look();
 }

@@ -4,6 +4,7 @@
 #include <QCompleter>
 #include <QFormLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -139,6 +140,12 @@ void SherdDetails::buildRefusal(QWidget* page) {
   refusal_text_->setObjectName("refusalText");
   row->addWidget(refusal_picture_);
   row->addWidget(refusal_text_, 1);
+  void_it_ = new QPushButton(tr("Yes, it is void"), refusal_);
+  void_it_->setObjectName("voidIt");
+  row->addWidget(void_it_);
+  connect(void_it_, &QPushButton::clicked, this, [this] {
+    if (sherd_) emit voided(unsaved_.value(sherd_.value).value("void_reason"));
+  });
 }
 
 void SherdDetails::addPlace() {
@@ -147,7 +154,8 @@ void SherdDetails::addPlace() {
   place_->setAccessibleName(tr("Context"));
   place_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(place_, &QComboBox::activated, this, [this](int index) {
-    if (sherd_ && index >= 0) emit edited("place", place_->itemData(index).toString());
+    const QString place = place_->itemData(index).toString();
+    if (sherd_ && index >= 0 && place != shown_.value("place")) emit edited("place", place);
   });
   auto* label = new QLabel(tr("context"), this);
   label->setBuddy(place_);
@@ -176,6 +184,7 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
       line->setCompleter(completer);
     }
     connect(line, &QLineEdit::editingFinished, this, [line, told] { told(line->text()); });
+    line->installEventFilter(this);
     editor = line;
   }
   editor->setObjectName("field_" + name);
@@ -204,6 +213,7 @@ void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
 void SherdDetails::setText(const std::string& field, const QString& text) {
   const QString name = QString::fromStdString(field);
   shown_.insert(name, text);
+  saved_.insert(name, text);
   QWidget* editor = editors_.value(name);
   if (auto* box = qobject_cast<QComboBox*>(editor)) {
     if (box->findText(text) < 0) box->addItem(text);
@@ -217,6 +227,30 @@ void SherdDetails::setText(const std::string& field, const QString& text) {
 void SherdDetails::keepUnsaved(const QString& field, const QString& value) {
   unsaved_[sherd_.value].insert(field, value);
   showUnsaved();
+}
+
+// Esc gives up what was typed.
+bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
+  auto* line = qobject_cast<QLineEdit*>(watched);
+  if (line == nullptr || event->type() != QEvent::KeyPress ||
+      static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    return QScrollArea::eventFilter(watched, event);
+  const QString name = editors_.key(line), saved = saved_.value(name);
+  if (line->text() == saved && !unsaved_.value(sherd_.value).contains(name)) return false;
+  forgetUnsaved(name);
+  shown_.insert(name, saved);
+  line->setText(saved);
+  return true;
+}
+
+void SherdDetails::askToVoid(const QString& reason) {
+  keepUnsaved("void_reason", reason);
+  showRefusal("void_reason",
+              tr("A void sherd gets no label, drawing or place on a plate, and its number is never "
+                 "given again. Is %1 void: \u201c%2\u201d?")
+                  .arg(number_->text(), reason),
+              {}, {});
+  void_it_->show();
 }
 
 void SherdDetails::forgetUnsaved(const QString& field) {
@@ -284,6 +318,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
       if (context.row == sherd->context) place_->setCurrentIndex(place_->count() - 1);
     }
   if (!sherd->context) place_->setCurrentIndex(-1);
+  shown_.insert("place", place_->currentData().toString());
   showUnsaved();
   showMeasures(catalogue, *sherd);
   showHistory(catalogue);
@@ -382,6 +417,7 @@ void SherdDetails::showRefusal(const std::string& field, const QString& sentence
   const QString name = QString::fromStdString(field);
   refusal_text_->setText(other.isEmpty() ? sentence : tr("%1 It is %2.").arg(sentence, other));
   refusal_picture_->setVisible(!other.isEmpty());
+  void_it_->hide();
   if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);
   // Under the field that it is about.
   int row = 0;

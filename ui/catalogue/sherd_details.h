@@ -30,11 +30,13 @@ class SherdDetails final : public QScrollArea {
   catalogue::SherdRow sherd() const { return sherd_; }
   /// The cursor into the first field that is empty, or into this one.
   void edit(const std::string& field = {});
-  /// What was typed stays at its sherd until it is saved, whatever is shown meanwhile: the disk was
-  /// full, or the catalogue busy.
+  /// What was typed stays at its sherd until it is saved, whatever is shown meanwhile: it was
+  /// refused, the disk was full, or the catalogue busy.
   void keepUnsaved(const QString& field, const QString& value);
   void forgetUnsaved(const QString& field);  ///< it is being saved
   void forgetUnsaved();                      ///< of all sherds: another project
+  /// Voids nothing before a person says so: voided().
+  void askToVoid(const QString& reason);
   /// In place, beside the field: what was wrong; with the picture of the sherd in the way.
   void showRefusal(const std::string& field, const QString& sentence, const QString& other,
                    const QString& picture);
@@ -43,6 +45,10 @@ class SherdDetails final : public QScrollArea {
   /// field "place": site, trench and context, a line each.
   void edited(const QString& field, const QString& value);
   void numberWanted();
+  void voided(const QString& reason);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void buildLayout();
@@ -64,10 +70,12 @@ class SherdDetails final : public QScrollArea {
   QHash<QString, QWidget*> editors_;
   TermWords words_;
   QHash<QString, QString> shown_;                   ///< what a field showed before it was edited
+  QHash<QString, QString> saved_;                   ///< what the catalogue says
   QHash<qint64, QHash<QString, QString>> unsaved_;  ///< sherd -> field -> what was typed
   QWidget* refusal_ = nullptr;
   QLabel* refusal_text_ = nullptr;
   QLabel* refusal_picture_ = nullptr;
+  QPushButton* void_it_ = nullptr;
   QTreeWidget* measures_ = nullptr;
   QTreeWidget* history_ = nullptr;
   QTreeWidget* files_ = nullptr;

@@ -1,8 +1,10 @@
 // The details of a sherd: what is refused, and what has little room.
 #include "ui/catalogue/sherd_details.h"
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScrollBar>
 #include <QTableView>
 #include <QTest>
@@ -41,6 +43,64 @@ class DetailsTest : public CatalogueWindow {
     NumberDelegate().initStyleOption(&option, table()->model()->index(0, 0));
     QCOMPARE(option.text, QString("ARM1-T3-0012-0001"));
     QCOMPARE(option.textElideMode, Qt::ElideLeft);
+  }
+
+  void whatIsRefusedStaysUntilItIsMendedOrGivenUp() {
+    choose(0);
+    const auto type = [&](const char* field, const QString& value) {
+      auto* line = child<QLineEdit>(field);
+      line->setFocus();
+      line->selectAll();
+      QTest::keyClicks(line, value);
+      QTest::keyClick(line, Qt::Key_Tab);
+    };
+    auto* date = child<QLineEdit>("field_date_edtf");
+    const QString before = date->text();
+    type("field_date_edtf", "27-30 AD");
+    type("field_weight_g", "12,75");
+    QCOMPARE(sample_->value(0, "weight_g"), QString("12.75"));
+    QCOMPARE(date->text(), QString("27-30 AD"));
+    QVERIFY(child<QLabel>("refusalText")->isVisible());
+    choose(3);
+    QVERIFY(date->text() != QString("27-30 AD"));
+    choose(0);
+    QCOMPARE(date->text(), QString("27-30 AD"));
+    date->setFocus();
+    QTest::keyClick(date, Qt::Key_Escape);
+    QCOMPARE(date->text(), before);
+    QVERIFY(!child<QLabel>("refusalText")->isVisible());
+    type("field_date_edtf", "0027/0030");
+    QCOMPARE(sample_->value(0, "date_edtf"), QString("0027/0030"));
+  }
+
+  void aSherdIsVoidOnlyWhenAPersonSaysSoOnceMore() {
+    choose(0);
+    auto* line = child<QLineEdit>("field_void_reason");
+    line->setFocus();
+    QTest::keyClicks(line, "x");
+    QTest::keyClick(line, Qt::Key_Tab);  // meant for the note above
+    auto* yes = child<QPushButton>("voidIt");
+    QVERIFY(yes->isVisible());
+    QCOMPARE(sample_->value(0, "state"), QString("numbered"));
+    line->setFocus();
+    QTest::keyClick(line, Qt::Key_Escape);
+    QVERIFY(!yes->isVisible());
+    QTest::keyClicks(line, "a stone");
+    QTest::keyClick(line, Qt::Key_Return);
+    QTest::mouseClick(yes, Qt::LeftButton);
+    QCOMPARE(sample_->value(0, "state"), QString("void"));
+    QCOMPARE(sample_->value(0, "void_reason"), QString("a stone"));
+    QVERIFY(!yes->isVisible());
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "state"), QString("numbered"));
+  }
+
+  void theSameContextChosenAgainKeepsTheBag() {
+    choose(0);
+    auto* place = child<QComboBox>("field_place");
+    const int before = sample_->session().undo().count();
+    emit place->activated(place->currentIndex());
+    QCOMPARE(sample_->session().undo().count(), before);
   }
 
   void aRefusalIsInThePersonsLanguage() {

@@ -162,6 +162,20 @@ class ImportTest : public QObject {
     QVERIFY(*sample_->catalogue().contextByPlace("ARM2", "", "7"));
   }
 
+  void noOtherTableIsChosenWhileOneIsEntered() {
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(model_->canEnter());
+    QSignalSpy entered(model_, &ImportModel::entered);
+    model_->enter();
+    QVERIFY(!child<QPushButton>("importTable")->isEnabled());
+    model_->setSource(table("number\r\n"));
+    model_->openProject(&sample_->session());  // the dialog was closed and opened again
+    QTRY_COMPARE(entered.count(), 1);
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QVERIFY(child<QPushButton>("importTable")->isEnabled());
+  }
+
   void aTableThatIsNoneIsRefusedInWords() {
     open();
     model_->setSource(table("colour,size\r\nred,3\r\n"));

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QTimer>
@@ -266,6 +267,8 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
 
 void MainWindow::closeProject() {
   if (session_ == nullptr) return;
+  // What stands in a field without Return or Tab after it is saved too.
+  if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
   for (Station* station : stations_) {
     station->setInFront(false);
     station->closeProject();

@@ -25,7 +25,8 @@ constexpr int kKeptLogLines = 2000;
 constexpr const char* kPausedKey = "queue.paused";
 constexpr const char* kDraftsKey = "queue.drafts";
 
-constexpr QLatin1String kCancelled("cancelled"), kAside("aside"), kWas("was");
+constexpr QLatin1String kCancelled("cancelled"), kAside("aside"), kWas("was"), kRemoved("removed"),
+    kWhat("what"), kWhere("where");
 
 std::string failureKey(const QString& number) {
   return "queue.failure." + number.toStdString();
@@ -70,14 +71,25 @@ QString pictureOf(const std::filesystem::path& batch) {
 }
 
 // What stands in the catalogue and on the disk beside the state.
+// Kept as what happened, worded in the language of who reads it.
+QString failureWords(const QJsonObject& failure) {
+  if (failure[kAside].toBool())
+    return BatchQueue::tr("You set it aside. Its photographs are kept; R takes it up again.");
+  if (failure[kRemoved].toBool()) return BatchQueue::tr("You took it out of the queue.");
+  if (failure[kCancelled].toBool())
+    return BatchQueue::tr("You stopped it. What was computed so far is kept.");
+  if (failure[kWhat].toString().isEmpty())
+    return BatchQueue::tr("It did not come to its end; compute it again.");
+  return sentenceOf({ErrorCode::Failed, failure[kWhat].toString().toStdString(),
+                     failure[kWhere].toString().toStdString()});
+}
+
 void readDetails(const catalogue::Project& project, QueueRow& row) {
   if (row.state == QueueState::Failed) {
     const QJsonObject failure = jsonSetting(project.catalogue(), failureKey(row.number));
-    row.failure = failure[QStringLiteral("sentence")].toString();
+    row.failure = failureWords(failure);
     row.cancelled = failure[kCancelled].toBool();
     row.aside = failure[kAside].toBool();
-    if (row.failure.isEmpty())
-      row.failure = BatchQueue::tr("It did not come to its end; compute it again.");
   }
   row.figures = keptFigures(project.catalogue(), row.number);
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
@@ -322,9 +334,13 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     log(sentenceOf(Error::cancelled()));
   } else if (figures.error().code != ErrorCode::Cancelled || cancel_asked_) {
     const bool cancelled = figures.error().code == ErrorCode::Cancelled;
-    const QString sentence = cancelled ? tr("You stopped it. What was computed so far is kept.")
-                                       : sentenceOf(figures.error());
-    keepFailure(number, sentence, {{kCancelled, cancelled}});
+    QJsonObject failure{{kCancelled, cancelled}};
+    if (!cancelled) {
+      failure[kWhat] = QString::fromStdString(figures.error().what);
+      failure[kWhere] = QString::fromStdString(figures.error().where);
+    }
+    const QString sentence = failureWords(failure);
+    keepFailure(number, failure);
     log(sentence);
     if (!cancelled) emit batchFailed(number, sentence);
   }
@@ -339,12 +355,12 @@ bool BatchQueue::isPhotographed(const QString& number) const {
   return batch && stateOf(batch->state) == QueueState::Shooting;
 }
 
-void BatchQueue::keepFailure(const QString& number, const QString& sentence, QJsonObject failure) {
+void BatchQueue::keepFailure(const QString& number, const QJsonObject& failure) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  failure[QStringLiteral("sentence")] = sentence;
   Result<void> kept = rows.setSetting(failureKey(number), jsonText(failure).toStdString());
   if (const QueueRow* row = find(number); kept && row != nullptr)
-    kept = rows.setBatchState({row->batch_row}, BatchState::Failed, session_->act(sentence));
+    kept = rows.setBatchState({row->batch_row}, BatchState::Failed,
+                              session_->act(failureWords(failure)));
   // What still counts as queued would be computed again and again.
   if (!kept) stopFor(kept.error());
 }
@@ -388,7 +404,7 @@ void BatchQueue::cancel(const QString& number) {
   }
   const QueueRow* row = find(number);
   if (row == nullptr || row->state != QueueState::Waiting) return;
-  keepFailure(number, tr("You took it out of the queue."), {{kCancelled, true}});
+  keepFailure(number, {{kCancelled, true}, {kRemoved, true}});
   session_->tellBatchChanged(number);
 }
 
@@ -401,7 +417,7 @@ void BatchQueue::setAside(const QString& number) {
   if (!batch) return;
   if (row->state == QueueState::Shooting)
     how[kWas] = QString::fromLatin1(catalogue::wordOf(batch->state));
-  keepFailure(number, tr("You set it aside. Its photographs are kept; R takes it up again."), how);
+  keepFailure(number, how);
   row->state = QueueState::Waiting;  // so that its details are read anew
   session_->tellBatchChanged(number);
 }

@@ -118,7 +118,7 @@ class BatchQueue final : public QAbstractListModel {
   void makeWayForADraft();
   QueueRow* nextToCompute();
   void finish(QString number, const JobOutcome& outcome);
-  void keepFailure(const QString& number, const QString& sentence, QJsonObject how);
+  void keepFailure(const QString& number, const QJsonObject& failure);
   void stopFor(const Error& error);
   bool isPhotographed(const QString& number) const;  ///< or again
   void touch(const QString& number);

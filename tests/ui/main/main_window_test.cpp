@@ -1,10 +1,13 @@
 // What the frame around the stations does, without a rig and without computing.
 #include <QAction>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
+#include <QTableView>
 #include <QUndoStack>
 
 #include "catalogue/project.h"
+#include "catalogue/sherd.h"
 #include "person.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/station.h"
@@ -66,6 +69,32 @@ class MainWindowTest : public QObject {
     window.openProject(folder_);
     QVERIFY(window.session() != nullptr);
     QTRY_VERIFY(!window.session()->project().backups().empty());
+  }
+
+  void whatStandsInAFieldIsSavedWhenTheWindowCloses() {
+    catalogue::SherdRow row;
+    {
+      auto project = catalogue::Project::open(folder_.toStdString());
+      row = *project->catalogue().addSherd({}, {});
+    }
+    {
+      MainWindow window(jobs_);
+      activate(window);
+      window.openProject(folder_);
+      for (int i = 0; i < 9 && !named<QTableView>(window, "sherds")->isVisible(); ++i)
+        window.showStation(i);
+      auto* table = named<QTableView>(window, "sherds");
+      QTRY_COMPARE(table->model()->rowCount(), 1);
+      QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                        table->visualRect(table->model()->index(0, 0)).center());
+      auto* ware = named<QLineEdit>(window, "field_ware");
+      QTRY_VERIFY(ware->isEnabled());
+      ware->setFocus();
+      QTest::keyClicks(ware, "red slip");
+      window.close();  // no Return, no Tab
+    }
+    const auto project = catalogue::Project::open(folder_.toStdString());
+    QCOMPARE(project->catalogue().sherd(row)->ware, std::string("red slip"));
   }
 
   void theLogIsShownFromEveryPage() {

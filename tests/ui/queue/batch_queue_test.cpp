@@ -35,6 +35,9 @@ class BatchQueueTest : public QObject {
     QCOMPARE(bench.queue.failed(), 0);
     QCOMPARE(stateWords(bench.queue.row(0)), QStringLiteral("set aside"));
     QVERIFY(bench.queue.row(0).failure.contains("photographs are kept"));
+    const auto kept = bench.session.project().catalogue().setting("queue.failure.B0001");
+    QVERIFY2(!kept->empty() && !QString::fromStdString(*kept).contains("photographs"),
+             "kept in the language of one day");
     BatchQueue after_a_start;
     after_a_start.setSession(&bench.session);
     QVERIFY(after_a_start.row(0).aside);

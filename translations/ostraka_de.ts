@@ -8445,5 +8445,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Ladung wird gerade fotografiert; sie wird berechnet, wenn das fertig ist.</translation>
     </message>
+    <message>
+      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anpassungen an Scherben, die in der Ausgabe fehlen oder nicht aufgenommen wurden, sind weggelassen: %1; von Hand eintragen.</translation>
+    </message>
   </context>
 </TS>

@@ -8445,5 +8445,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η παρτίδα φωτογραφίζεται τώρα· θα υπολογιστεί όταν τελειώσει η φωτογράφιση.</translation>
     </message>
+    <message>
+      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι συγκολλήσεις με όστρακα που δεν υπάρχουν στην εξαγωγή ή δεν καταχωρίστηκαν παραλείπονται: %1· καταχωρίστε τις με το χέρι.</translation>
+    </message>
   </context>
 </TS>

@@ -8445,5 +8445,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta tanda se está fotografiando; se calculará cuando termine.</translation>
     </message>
+    <message>
+      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se omiten las uniones con fragmentos que la exportación no contiene o que no entraron: %1; anótelas a mano.</translation>
+    </message>
   </context>
 </TS>

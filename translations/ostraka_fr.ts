@@ -8445,5 +8445,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce lot est en train d'être photographié ; il sera calculé quand ce sera fini.</translation>
     </message>
+    <message>
+      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les remontages avec des tessons que l’exportation ne contient pas ou qui ne sont pas entrés sont omis : %1 ; saisissez-les à la main.</translation>
+    </message>
   </context>
 </TS>

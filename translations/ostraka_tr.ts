@@ -8403,5 +8403,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu parti şu anda fotoğraflanıyor; bitince hesaplanır.</translation>
     </message>
+    <message>
+      <source>Joins with sherds that the export does not hold, or that did not enter, are left out: %1; enter them by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarmada bulunmayan ya da girilmeyen parçalarla birleşmeler dışarıda bırakıldı: %1; bunları elle girin.</translation>
+    </message>
   </context>
 </TS>

@@ -218,6 +218,7 @@ class Entering {
     batch.settings_sha256 = text(b, "settings_sha256");
     const Result<BatchRow> added = catalogue_.addBatch(batch, act_);
     if (!added) return added.error();
+    read.fresh.insert(*added);
     for (const json& p : listOf(b, "photographs"))
       if (const Result<void> done = photograph(p, *added); !done) return done;
     for (const json& s : listOf(b, "scans"))

@@ -24,6 +24,7 @@ struct FileCopy {
 struct ReadBatches {
   std::vector<FileCopy> copies;                ///< the files that belong to what entered
   std::map<std::string, std::string> numbers;  ///< of the export -> in the project
+  std::set<catalogue::BatchRow> fresh;         ///< that were not there before
 };
 /// Batches that are not there yet enter whole, with their ids; the others stay as they are. Where
 /// the project has another batch of the same number (two laptops begin with B0001 each), the

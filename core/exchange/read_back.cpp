@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/files.h"
+#include "base/text.h"
 #include "catalogue/names.h"
 #include "catalogue/restore.h"
 #include "catalogue/values.h"
@@ -96,6 +97,9 @@ class ReadingBack {
       Result<ReadSherdJson> read = parseSherdJson(*text, path.filename().string());
       if (!read) return read.error();
       read->row.line = static_cast<int>(records_.size()) + 1;
+      const auto& values = read->row.values;
+      if (values.contains("uuid") && values.contains("number"))
+        uuids_[uniqueKey(values.at("number"))] = values.at("uuid");
       records_.push_back(std::move(*read));
     }
     return {};
@@ -107,15 +111,18 @@ class ReadingBack {
     Result<ReadBatches> beside = readMetadata(catalogue, folder_ / "data" / "metadata", act_);
     if (!beside) return beside.error();
     copies_ = std::move(beside->copies);
+    fresh_batches_ = std::move(beside->fresh);
+    lost_joins_.clear();
     ImportReport kept;
     std::vector<ImportRow> fresh;
-    std::vector<std::pair<SherdRow, std::string>> joins;
+    std::vector<const ReadSherdJson*> fresh_records;
     for (const ReadSherdJson& record : records_) {
       const std::string uuid =
           record.row.values.contains("uuid") ? record.row.values.at("uuid") : "";
       const Result<SherdRow> there = catalogue.sherdById(uuid);
       if (!there) return there.error();
       if (!*there) {
+        fresh_records.push_back(&record);
         fresh.push_back(record.row);
         fresh.back().values.erase("joins");  // when all sherds are there
         if (const auto batch = fresh.back().values.find("batch");
@@ -143,8 +150,12 @@ class ReadingBack {
     Result<ImportReport> report = importSherds(catalogue, fresh, options, act_, progress, stop);
     if (!report) return report;
     if (report->not_reached > 0) return Error::cancelled();
-    for (const ReadSherdJson& record : records_)
-      if (Result<void> done = afterwards(record); !done) return done.error();
+    for (const ReadSherdJson* record : fresh_records)
+      if (Result<void> done = afterwards(*record); !done) return done.error();
+    if (!lost_joins_.empty())
+      report->warnings.push_back(
+          "Joins with sherds that the export does not hold, or that did not enter, are left out: " +
+          joined(lost_joins_, ", ") + "; enter them by hand.");
     report->same += kept.same;
     report->undo.insert(report->undo.begin(), kept.undo.rbegin(), kept.undo.rend());
     report->refused += kept.refused;
@@ -208,27 +219,14 @@ class ReadingBack {
       made_.insert(folder);
   }
 
-  // Joins and files, once the sherds are there.
+  // Joins, scans and files of a sherd that was not there before, once all sherds are there.
   Result<void> afterwards(const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     if (!record.row.values.contains("uuid")) return {};
     const Result<SherdRow> sherd = catalogue.sherdById(record.row.values.at("uuid"));
     if (!sherd) return sherd.error();
     if (!*sherd) return {};  // refused
-    if (const auto joins = record.row.values.find("joins"); joins != record.row.values.end()) {
-      // A partner that was not exported cannot be joined.
-      std::string there;
-      for (const std::string& number : splitTerms(joins->second)) {
-        const auto partner = catalogue.sherdByNumber(number);
-        const auto by_id = catalogue.sherdById(number);
-        if ((partner && *partner) || (by_id && *by_id))
-          there += (there.empty() ? "" : "; ") + number;
-      }
-      const FieldChange change{*sherd, "joins", there};
-      if (!there.empty())
-        if (const auto done = catalogue.change(std::span(&change, 1), act_); !done)
-          return done.error();
-    }
+    if (const Result<void> done = join(*sherd, record); !done) return done;
     if (const Result<void> done = scansOf(*sherd, record); !done) return done;
     const Result<std::vector<FileRecord>> had = catalogue.files(*sherd);
     if (!had) return had.error();
@@ -251,12 +249,39 @@ class ReadingBack {
     return catalogue.setModel(*sherd, model, preview);
   }
 
-  // From which scans of its batch it was made, unless that is known already.
+  // With whom the export means: a number may be another sherd's here, or nobody knows whose.
+  Result<void> join(SherdRow sherd, const ReadSherdJson& record) {
+    Catalogue& catalogue = project_.catalogue();
+    const auto joins = record.row.values.find("joins");
+    if (joins == record.row.values.end()) return {};
+    std::vector<std::string> there;
+    for (const std::string& named : splitTerms(joins->second)) {
+      const auto known = uuids_.find(uniqueKey(named));
+      const std::string uuid = known == uuids_.end() ? named : known->second;
+      const Result<SherdRow> partner = catalogue.sherdById(uuid);
+      if (!partner) return partner.error();
+      if (*partner) {
+        there.push_back(uuid);
+      } else {
+        const auto number = record.row.values.find("number");
+        const bool draft = number == record.row.values.end();
+        lost_joins_.push_back((draft ? record.row.values.at("uuid") : number->second) + " – " +
+                              named);
+      }
+    }
+    if (there.empty()) return {};
+    const FieldChange change{sherd, "joins", joinTerms(there)};
+    const auto done = catalogue.change(std::span(&change, 1), act_);
+    return done ? Result<void>() : done.error();
+  }
+
+  // From which scans of its batch it was made, unless that is known already. A batch that was here
+  // before has its own scans and decisions: one of the same name may be of another piece.
   Result<void> scansOf(SherdRow row, const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     const Result<SherdRecord> sherd = catalogue.sherd(row);
     if (!sherd) return sherd.error();
-    if (record.front.empty() || sherd->front || !sherd->batch) return {};
+    if (record.front.empty() || sherd->front || !fresh_batches_.contains(sherd->batch)) return {};
     const Result<std::vector<ScanRecord>> scans = catalogue.scans(sherd->batch);
     if (!scans) return scans.error();
     ScanRow front, back;
@@ -272,6 +297,9 @@ class ReadingBack {
   const Act& act_;
   std::string name_;  ///< of the export's folder, as part of other names
   std::vector<ReadSherdJson> records_;
+  std::map<std::string, std::string> uuids_;  ///< of the records, by number
+  std::set<BatchRow> fresh_batches_;          ///< what entered last
+  std::vector<std::string> lost_joins_;
   std::vector<FileCopy> copies_;  ///< of what was entered last
   std::vector<FileCopy> copied_;
   std::vector<fs::path> written_;

@@ -100,6 +100,10 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The project has this sherd with other values; they stay, and what differs "
                         "is kept beside them in fields that end in _in_%1."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Joins with sherds that the export does not hold, or that did not enter, are left out: "
+          "%1; enter them by hand."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This file is not among the files of the export."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",

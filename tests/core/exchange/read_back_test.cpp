@@ -20,6 +20,10 @@ class ReadingBack : public ExportedProject {
     record.code = "ARM";
     return std::move(*Project::create(folder_.path() / name, record));
   }
+  ImportReport read(Project& into, const std::string& name) {
+    return valueIn(readBack(into, folder_.path() / name, ImportMode::Enter, anna, quiet, {}));
+  }
+  std::string joinsOf(std::size_t i) { return textOf(*catalogue().sherd(rows[i]), "joins"); }
 };
 
 TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
@@ -88,6 +92,60 @@ TEST_F(ReadingBack, KeepsBothVersionsOfASherdThatTwoLaptopsChanged) {
   EXPECT_EQ(catalogue().historyLength(), history);
   ASSERT_TRUE(catalogue().change(report->undo, anna));
   EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "");
+}
+
+TEST_F(ReadingBack, LeavesTheJoinsOfSherdsThatStay) {
+  ASSERT_TRUE(exportTo("out", {Form::Json}));
+  ASSERT_TRUE(set(rows[0], "joins", "ARM1-T3-0012-0002; ARM1-T3-0012-0003"));
+  read(*project_, "out");
+  EXPECT_EQ(joinsOf(0), "ARM1-T3-0012-0002; ARM1-T3-0012-0003");
+  EXPECT_EQ(joinsOf(2), "ARM1-T3-0012-0001");
+  ASSERT_TRUE(set(rows[0], "joins", ""));
+  read(*project_, "out");
+  EXPECT_EQ(joinsOf(0) + joinsOf(1), "") << "what was taken away does not come back";
+}
+
+TEST_F(ReadingBack, JoinsOnlyWithTheSherdThatTheExportMeans) {
+  ASSERT_TRUE(exportTo("out", {Form::Json}));
+  rows = {rows[1]};
+  ASSERT_TRUE(exportTo("alone", {Form::Json}));
+  for (const char* name : {"out", "alone"}) {
+    Project other = empty(std::string("reads ") + name);
+    ASSERT_TRUE(importTable(other.catalogue(),
+                            "number,site,trench,context\nARM1-T3-0012-0001,ARM1,T3,0012\n", "t.csv",
+                            {ImportMode::Enter, UnknownPlaces::Make}, {}, quiet, {}));
+    const ImportReport report = read(other, name);
+    const SherdRow own = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
+    EXPECT_TRUE(other.catalogue().sherd(own)->joins.empty()) << name;
+    ASSERT_EQ(report.warnings.size(), 1u);
+    EXPECT_THAT(report.warnings[0],
+                testing::HasSubstr("ARM1-T3-0012-0002 – ARM1-T3-0012-0001; enter them by hand."));
+  }
+}
+
+// Two laptops with the same batch found its fourth pair, each for itself.
+TEST_F(ReadingBack, ASherdOfABatchThatIsHereTakesNoScanOfIt) {
+  ASSERT_TRUE(archiveProject(*project_, folder_.path() / "archive", "ostraka", quiet, {}));
+  ASSERT_TRUE(restoreProject(folder_.path() / "archive", folder_.path() / "laptop", quiet, {}));
+  Result<Project> laptop = Project::open(folder_.path() / "laptop");
+  ASSERT_TRUE(laptop) << laptop.error().sentence();
+  for (Project* project : {&*laptop, &*project_}) {
+    const ResultFolder four(project->resultsFolder("B0001"), 4);
+    ASSERT_TRUE(enterResults(project->catalogue(), project->folder(), batch,
+                             project->resultsFolder("B0001"), {}, quiet, {}));
+    ASSERT_EQ(project->catalogue().sherdRows(batch)->size(), 4u);
+  }
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Json};
+  const std::vector<SherdRow> theirs = *laptop->catalogue().sherdRows(batch);
+  ASSERT_TRUE(exportFolder(laptop->catalogue(), laptop->folder(), theirs, options, quiet, {}));
+  EXPECT_EQ(read(*project_, "out").fresh, 1);
+  const auto fourth = catalogue().sherdById(laptop->catalogue().sherd(theirs[3])->id);
+  const SherdRecord entered = *catalogue().sherd(*fourth);
+  EXPECT_EQ(entered.batch, batch);
+  EXPECT_FALSE(entered.front);
+  EXPECT_TRUE(catalogue().checkIntegrity());
 }
 
 TEST_F(ReadingBack, KeepsFilesUnderTheNameOfTheExportWithASlashAtItsEndToo) {

@@ -18,6 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 using namespace catalogue;
 
+constexpr const char* kNone = "-";  // what is kept of an empty value
+
 std::string mediaTypeOf(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
   if (ending == ".png") return "image/png";
@@ -28,13 +30,47 @@ std::string mediaTypeOf(const std::string& path) {
   return "application/octet-stream";
 }
 
+// What the project says of it now: of a field, a measurement, or a field of the user's own.
+std::string valueNow(const SherdRecord& sherd, const std::string& name) {
+  if (const auto value = sherd.measures.find(name); value != sherd.measures.end())
+    return numberText(value->second);
+  for (const SherdField& field : sherdFields())
+    if (name == field.name) return textOf(sherd, name);
+  return textOf(sherd, "extra." + name);
+}
+
+// ware_in_out is what another project kept of ours: it says nothing new while our ware is that.
+// Else two laptops that read each other by turns would add to these fields for ever.
+bool isOurs(const SherdRecord& sherd, const std::string& name, const std::string& value) {
+  for (std::size_t at = name.find("_in_"); at != std::string::npos; at = name.find("_in_", at + 1))
+    if (const std::string now = valueNow(sherd, name.substr(0, at));
+        value == (now.empty() ? kNone : now))
+      return true;
+  return false;
+}
+
+// Fields of the user's own that the record has, and the project otherwise or not at all. Those that
+// only the project has are no difference: they stay, and nothing of the record is left out.
+std::vector<std::pair<std::string, std::string>> ownThatDiffer(const SherdRecord& sherd,
+                                                               const ImportRow& row,
+                                                               const std::string& from) {
+  std::vector<std::pair<std::string, std::string>> differ;
+  for (const auto& [field, value] : row.values) {
+    if (!field.starts_with("extra.") || field.ends_with("_in_" + from)) continue;
+    const std::string name = field.substr(6);
+    if (value != textOf(sherd, field) && !isOurs(sherd, name, value))
+      differ.emplace_back(name, value);
+  }
+  return differ;
+}
+
 // What a record says otherwise than the project does, as fields of the user's own beside those of
 // the project: two laptops wrote about one sherd, and a person decides.
 std::vector<FieldChange> otherVersion(const SherdRecord& sherd, const ImportRow& row,
                                       const std::string& from) {
   std::vector<FieldChange> kept;
   const auto keep = [&](const std::string& name, const std::string& value) {
-    kept.push_back({sherd.row, "extra." + name + "_in_" + from, value.empty() ? "-" : value});
+    kept.push_back({sherd.row, "extra." + name + "_in_" + from, value.empty() ? kNone : value});
   };
   for (const SherdField& field : sherdFields()) {
     const std::string name = field.name;
@@ -48,10 +84,12 @@ std::vector<FieldChange> otherVersion(const SherdRecord& sherd, const ImportRow&
     if (value == sherd.measures.end() || value->second != m.value)
       keep(m.kind, numberText(m.value));
   }
+  for (const auto& [name, value] : ownThatDiffer(sherd, row, from)) keep(name, value);
   return kept;
 }
 
-bool sameAs(const SherdRecord& sherd, const ImportRow& row, const Catalogue& catalogue) {
+bool sameAs(const SherdRecord& sherd, const ImportRow& row, const std::string& from,
+            const Catalogue& catalogue) {
   for (const SherdField& field : sherdFields()) {
     const std::string name = field.name;
     if (name == "state" || name == "batch" || name == "scale" || field.kind == FieldKind::Number)
@@ -60,6 +98,7 @@ bool sameAs(const SherdRecord& sherd, const ImportRow& row, const Catalogue& cat
     if ((value == row.values.end() ? std::string() : value->second) != textOf(sherd, name))
       return false;
   }
+  if (!ownThatDiffer(sherd, row, from).empty()) return false;
   const auto measured = catalogue.measurements(sherd.row);
   if (!measured || measured->size() != row.measured.size()) return false;
   for (const auto& [m, initials] : row.measured) {
@@ -134,13 +173,15 @@ class ReadingBack {
       }
       const Result<SherdRecord> sherd = catalogue.sherd(*there);
       if (!sherd) return sherd.error();
-      if (sameAs(*sherd, record.row, catalogue)) {
+      if (sameAs(*sherd, record.row, name_, catalogue)) {
         ++kept.same;
         continue;
       }
       ++kept.refused;
-      const auto undo = catalogue.change(otherVersion(*sherd, record.row, name_), act_);
+      const std::vector<FieldChange> other = otherVersion(*sherd, record.row, name_);
+      const auto undo = catalogue.change(other, act_);
       if (!undo) return undo.error();
+      if (!undo->empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
       kept.undo.insert(kept.undo.end(), undo->rbegin(), undo->rend());  // turned at the end
       kept.refusals.push_back({record.row.line, "number", sherd->number,
                                "The project has this sherd with other values; they stay, and what "
@@ -157,6 +198,7 @@ class ReadingBack {
           "Joins with sherds that the export does not hold, or that did not enter, are left out: " +
           joined(lost_joins_, ", ") + "; enter them by hand.");
     report->same += kept.same;
+    report->changes.insert(report->changes.end(), kept.changes.begin(), kept.changes.end());
     report->undo.insert(report->undo.begin(), kept.undo.rbegin(), kept.undo.rend());
     report->refused += kept.refused;
     report->refusals.insert(report->refusals.end(), kept.refusals.begin(), kept.refusals.end());

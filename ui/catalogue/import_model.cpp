@@ -215,7 +215,9 @@ bool ImportModel::isOfContexts() const {
 }
 
 bool ImportModel::canEnter() const {
-  return session_ && state_ == State::Ready && report_ && report_->fresh + report_->changed > 0;
+  // Of an export, other versions are kept beside sherds that count as refused.
+  return session_ && state_ == State::Ready && report_ &&
+         (report_->fresh + report_->changed > 0 || !report_->undo.empty());
 }
 
 void ImportModel::enter() {

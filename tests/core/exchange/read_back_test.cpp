@@ -92,6 +92,40 @@ TEST_F(ReadingBack, KeepsBothVersionsOfASherdThatTwoLaptopsChanged) {
   EXPECT_EQ(catalogue().historyLength(), history);
   ASSERT_TRUE(catalogue().change(report->undo, anna));
   EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "");
+  ASSERT_TRUE(catalogue().change(report->changes, anna)) << "and done again";
+  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "grey");
+}
+
+TEST_F(ReadingBack, KeepsBothVersionsOfFieldsOfOnesOwn) {
+  ASSERT_TRUE(set(rows[1], "extra.drawn_by", "LT"));
+  ASSERT_TRUE(exportTo("b", all));
+  ASSERT_TRUE(set(rows[0], "extra.drawer", "8"));
+  ASSERT_TRUE(set(rows[1], "extra.drawn_by", ""));
+  ASSERT_TRUE(set(rows[2], "extra.shelf", "3"));
+  const ImportReport report = read(*project_, "b");
+  EXPECT_EQ(report.same, 1) << "a field that only the project has is no difference";
+  EXPECT_EQ(report.refused, 2);
+  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.drawer"), "8");
+  EXPECT_EQ(textOf(*catalogue().sherd(rows[0]), "extra.drawer_in_b"), "7");
+  EXPECT_EQ(textOf(*catalogue().sherd(rows[1]), "extra.drawn_by_in_b"), "LT");
+  const std::int64_t history = catalogue().historyLength();
+  read(*project_, "b");
+  EXPECT_EQ(catalogue().historyLength(), history);
+}
+
+TEST_F(ReadingBack, WhatAnotherProjectKeptOfThisOneIsNoVersionOfItsOwn) {
+  ASSERT_TRUE(set(rows[0], "extra.ware_in_a", "grey"));
+  ASSERT_TRUE(set(rows[0], "extra.vessel_in_a", "-"));
+  ASSERT_TRUE(set(rows[0], "extra.note_in_german", "grau"));
+  ASSERT_TRUE(exportTo("b", all));
+  for (const char* field : {"extra.ware_in_a", "extra.vessel_in_a", "extra.note_in_german"})
+    ASSERT_TRUE(set(rows[0], field, ""));
+  ASSERT_TRUE(set(rows[0], "ware", "grey"));
+  read(*project_, "b");
+  const auto now = [&](const char* field) { return textOf(*catalogue().sherd(rows[0]), field); };
+  EXPECT_EQ(now("extra.ware_in_a_in_b"), "");
+  EXPECT_EQ(now("extra.vessel_in_a_in_b"), "");
+  EXPECT_EQ(now("extra.note_in_german_in_b"), "grau") << "a field that only looks like one";
 }
 
 TEST_F(ReadingBack, LeavesTheJoinsOfSherdsThatStay) {

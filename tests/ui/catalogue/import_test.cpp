@@ -214,6 +214,33 @@ class ImportTest : public QObject {
     station_->closeProject();
   }
 
+  // Both laptops described the same sherds, and no new one.
+  void anotherLaptopsVersionsCanBeEntered() {
+    exchange::ExportOptions options;
+    options.target = (sample_->folder() + "/b").toStdString();
+    options.forms = {exchange::Form::Json};
+    QuietProgress quiet;
+    QVERIFY(exchange::exportFolder(sample_->catalogue(), sample_->session().folder(),
+                                   sample_->sherds(), options, quiet, {})
+                .has_value());
+    const catalogue::FieldChange ours{sample_->sherds()[0], "ware", "black"};
+    QVERIFY(sample_->catalogue().change(std::span(&ours, 1), {}).has_value());
+    open();
+    model_->setSource(sample_->folder() + "/b");
+    QTRY_COMPARE(summary(), QString("0 new, 0 changed, 9 as they are, 1 refused."));
+    QVERIFY(model_->canEnter());
+    model_->enter();
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QCOMPARE(sample_->value(0, "extra.ware_in_b"), QString("grey"));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "extra.ware_in_b"), QString());
+    sample_->session().undo().redo();
+    QCOMPARE(sample_->value(0, "extra.ware_in_b"), QString("grey"));
+    model_->setSource(sample_->folder() + "/b");
+    QTRY_COMPARE(model_->state(), ImportModel::State::Ready);
+    QVERIFY2(!model_->canEnter(), "there is nothing more to keep");
+  }
+
   void looksRightInEveryTheme() {
     const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
     open();

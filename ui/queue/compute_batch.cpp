@@ -62,11 +62,22 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
     if (const auto moved = pipeline::movedCameras(output)) figures.moved = *moved;
   figures.draft = done->draft;
   figures.sherds = static_cast<int>(done->sherds.size());
-  if (const auto review = pipeline::loadReview(output)) figures.reshoot = review->toReshoot();
   figures.ask = done->ambiguous();
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.decided += sherd.decided_by.empty() ? 0 : 1;
   figures.sure = figures.sherds - figures.ask - figures.decided;
+  // As the review counts: pieces that found no partner want a person too.
+  if (const auto review = pipeline::loadReview(output)) {
+    const auto count = [&](pipeline::CardState state) {
+      return static_cast<int>(
+          std::count_if(review->cards.begin(), review->cards.end(),
+                        [&](const pipeline::ReviewCard& card) { return card.state == state; }));
+    };
+    figures.sure = count(pipeline::CardState::Sure);
+    figures.decided = count(pipeline::CardState::Decided);
+    figures.ask = review->waiting();
+    figures.reshoot = review->toReshoot();
+  }
   figures.seconds = done->seconds;
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);

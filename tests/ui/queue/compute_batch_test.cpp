@@ -57,6 +57,35 @@ class ComputeBatchTest : public QObject {
     QCOMPARE(state, figures->ask > 0 ? catalogue::BatchState::Review : catalogue::BatchState::Done);
   }
 
+  void aPieceThatFoundNoPartnerWantsAPerson() {
+    const QTemporaryDir folder;
+    const std::filesystem::path place = folder.path().toStdString();
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    record.title = "Trial";
+    auto project = catalogue::Project::create(place / "project", record);
+    QVERIFY(project.has_value());
+    catalogue::BatchRecord queued;
+    queued.state = catalogue::BatchState::Queued;
+    const auto batch = project->catalogue().addBatch(queued, {});
+    const std::string number = project->catalogue().batch(*batch)->number;
+    pipeline::SyntheticOptions options;
+    options.sherds = 2;
+    options.swapped_look_alikes = false;
+    const auto truth = pipeline::writeSyntheticOut(place / "truth", options);
+    std::filesystem::create_directories(project->batchFolder(number));
+    for (const char* side : {"front", "back"})
+      std::filesystem::copy(truth.output / "work" / (std::string("scans_") + side),
+                            project->batchFolder(number) / side);
+    QVERIFY(std::filesystem::remove(project->batchFolder(number) / "back" / "b002.ply"));
+    QuietProgress quiet;
+    const auto figures = computeBatch({place / "project", number}, quiet, {});
+    QVERIFY2(figures.has_value(), figures ? "" : figures.error().sentence().c_str());
+    QCOMPARE(figures->sherds, 1);
+    QCOMPARE(figures->ask, 1);
+    QCOMPARE(project->catalogue().batch(*batch)->state, catalogue::BatchState::Review);
+  }
+
   // 48 batches must not become 529 when a first, small one has been computed, nor grow with each.
   void theRoomOfABatchIsPredictedFromItsPhotographs() {
     const QTemporaryDir folder;

@@ -828,6 +828,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ungültig</translation>
     </message>
+    <message>
+      <source>%1 in %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 in %2</translation>
+    </message>
+    <message>
+      <source>now %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>jetzt %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1049,6 +1059,11 @@
       <source>masks were mended; to be computed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken ausgebessert; zu berechnen</translation>
+    </message>
+    <message>
+      <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; ist %2 noch dieselbe Scherbe? Sie maß %3 mm, jetzt %4 mm</translation>
     </message>
   </context>
   <context>
@@ -3675,6 +3690,11 @@
       <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gesichert. Wenn gerechnet ist, behält die verbundene Scherbe die Nummer %1, und %2 bleibt ohne Stück. Rückgängig trennt sie wieder.</translation>
+    </message>
+    <message>
+      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wurde als %2 in %3 noch einmal aufgenommen und hat nun einen Eintrag mehr: ihn im Katalog für ungültig erklären oder das Stück hier beiseitelegen.</translation>
     </message>
   </context>
   <context>

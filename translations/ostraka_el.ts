@@ -828,6 +828,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, άκυρο</translation>
     </message>
+    <message>
+      <source>%1 in %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 στην %2</translation>
+    </message>
+    <message>
+      <source>now %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τώρα %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1049,6 +1059,11 @@
       <source>masks were mended; to be computed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>διορθώθηκαν μάσκες· να υπολογιστεί</translation>
+    </message>
+    <message>
+      <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1· είναι το %2 το ίδιο όστρακο; Μετρούσε %3 mm, τώρα %4 mm</translation>
     </message>
   </context>
   <context>
@@ -3675,6 +3690,11 @@
       <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε. Όταν υπολογιστεί, το ενωμένο όστρακο κρατά τον αριθμό %1 και ο %2 μένει χωρίς κομμάτι. Η αναίρεση τα χωρίζει πάλι.</translation>
+    </message>
+    <message>
+      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 φωτογραφήθηκε ξανά ως %2 στην %3 και έχει τώρα μία εγγραφή επιπλέον: ακυρώστε την στον κατάλογο ή αφήστε εδώ το κομμάτι στην άκρη.</translation>
     </message>
   </context>
   <context>

@@ -828,6 +828,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, anulado</translation>
     </message>
+    <message>
+      <source>%1 in %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 en %2</translation>
+    </message>
+    <message>
+      <source>now %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ahora %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1049,6 +1059,11 @@
       <source>masks were mended; to be computed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>máscaras corregidas; por calcular</translation>
+    </message>
+    <message>
+      <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; ¿es %2 el mismo fragmento? Medía %3 mm, ahora %4 mm</translation>
     </message>
   </context>
   <context>
@@ -3675,6 +3690,11 @@
       <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado. Cuando se calcule, el fragmento unido conserva el número %1 y %2 queda sin pieza. Deshacer los separa de nuevo.</translation>
+    </message>
+    <message>
+      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se fotografió otra vez como %2 en %3 y ahora tiene una ficha de más: anúlela en el catálogo o aparte aquí la pieza.</translation>
     </message>
   </context>
   <context>

@@ -828,6 +828,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, annulé</translation>
     </message>
+    <message>
+      <source>%1 in %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 dans %2</translation>
+    </message>
+    <message>
+      <source>now %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>maintenant %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1049,6 +1059,11 @@
       <source>masks were mended; to be computed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>masques retouchés ; reste à calculer</translation>
+    </message>
+    <message>
+      <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ; %2 est-il bien le même tesson ? Il mesurait %3 mm, maintenant %4 mm</translation>
     </message>
   </context>
   <context>
@@ -3675,6 +3690,11 @@
       <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré. Une fois le calcul fait, le tesson réuni garde le numéro %1, et %2 reste sans pièce. Annuler les sépare de nouveau.</translation>
+    </message>
+    <message>
+      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a été photographié de nouveau sous le numéro %2 dans %3 et a maintenant une fiche de trop : annulez-la dans le catalogue, ou mettez la pièce de côté ici.</translation>
     </message>
   </context>
   <context>

@@ -828,6 +828,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, անվավեր</translation>
     </message>
+    <message>
+      <source>%1 in %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>now %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>այժմ %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1049,6 +1059,11 @@
       <source>masks were mended; to be computed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դիմակներն ուղղված են. հաշվարկել</translation>
+    </message>
+    <message>
+      <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; %2-ը նույն բեկո՞րն է։ Չափում էր %3 մմ, այժմ՝ %4 մմ</translation>
     </message>
   </context>
   <context>
@@ -3675,6 +3690,11 @@
       <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է։ Երբ հաշվարկվի, միացված բեկորը կպահի %1 համարը, իսկ %2 համարը կմնա առանց կտորի։ Հետարկումը նորից կբաժանի դրանք։</translation>
+    </message>
+    <message>
+      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը կրկին լուսանկարվել է որպես %2՝ %3-ում, և այժմ մեկ գրառում ավելի ունի. այն կատալոգում անվավեր դարձրեք կամ կտորը այստեղ մի կողմ դրեք։</translation>
     </message>
   </context>
   <context>

@@ -822,6 +822,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, geçersiz</translation>
     </message>
+    <message>
+      <source>%1 in %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 içinde %1</translation>
+    </message>
+    <message>
+      <source>now %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>şimdi %1</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1037,6 +1047,11 @@
       <source>masks were mended; to be computed</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskeler düzeltildi; hesaplanacak</translation>
+    </message>
+    <message>
+      <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; %2 aynı parça mı? %3 mm idi, şimdi %4 mm</translation>
     </message>
   </context>
   <context>
@@ -3637,6 +3652,11 @@
       <source>Saved. When it is computed the joined sherd keeps the number %1, and %2 stays without a piece. Undo parts them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi. Hesaplanınca birleşen parça %1 numarasını korur, %2 ise parçasız kalır. Geri alma onları yeniden ayırır.</translation>
+    </message>
+    <message>
+      <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi fazladan bir kaydı var: onu katalogda geçersiz kılın ya da parçayı burada bir kenara koyun.</translation>
     </message>
   </context>
   <context>

@@ -1,6 +1,9 @@
 #include "catalogue/photographed_again.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <set>
 
 #include "catalogue/database.h"
@@ -12,6 +15,21 @@
 
 namespace ostraka::catalogue {
 namespace {
+
+constexpr double kOtherSize =
+    0.1;  // two models of one sherd differ by less, also where one is poor
+
+// What the program measured last before `at`, or at all.
+std::optional<double> programs(Database& database, SherdRow sherd, const char* kind,
+                               std::int64_t before) {
+  Statement row = database.sql(
+      "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND method = "
+      "'program' AND at < ? ORDER BY row DESC LIMIT 1");
+  double value = 0;
+  if (!row.with(sherd, kind, before).next()) return std::nullopt;
+  row >> value;
+  return value;
+}
 
 // What was described or measured on the draft before its number was known. What both say is
 // kept as the known one has it, and stays to be read on the void draft.
@@ -79,6 +97,61 @@ Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
                  .contains(uniqueKey(sherd.number));
     });
     return waiting;
+  });
+}
+
+Result<std::vector<PhotographedAgain>> photographedAgain(const Catalogue& catalogue,
+                                                         BatchRow batch) {
+  return catalogue.database().door([&] {
+    std::vector<PhotographedAgain> all;
+    Statement moved = catalogue.database().sql(
+        "SELECT DISTINCT scan.row, s.number, b.number FROM scan "
+        "JOIN history h ON h.table_name = 'sherd' AND h.field = 'front' AND h.old = CAST(scan.row "
+        "AS TEXT) "
+        "JOIN sherd s ON s.row = h.row JOIN batch b ON b.row = s.batch "
+        "WHERE scan.batch = ?1 AND s.batch <> ?1 AND s.state <> 'void' AND s.number <> '' "
+        "ORDER BY h.number");
+    moved.with(batch);
+    while (moved.next()) {
+      PhotographedAgain one;
+      moved >> one.front >> one.number >> one.batch_number;
+      all.push_back(std::move(one));
+    }
+    return all;
+  });
+}
+
+Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, BatchRow batch) {
+  return catalogue.database().door([&] {
+    Database& database = catalogue.database();
+    std::vector<std::pair<SherdRow, std::int64_t>> came;
+    {
+      Statement moved = database.sql(
+          "SELECT s.row, max(h.at) FROM sherd s JOIN history h ON h.table_name = 'sherd' AND h.row "
+          "= s.row AND h.field = 'batch' WHERE s.batch = ? AND s.number <> '' AND s.state <> "
+          "'void' GROUP BY s.row ORDER BY s.number_sort");
+      moved.with(batch);
+      while (moved.next()) {
+        came.emplace_back();
+        moved >> came.back().first >> came.back().second;
+      }
+    }
+    std::vector<UnlikeBefore> all;
+    for (const auto& [sherd, at] : came) {
+      UnlikeBefore worst;
+      double most = kOtherSize;
+      for (const char* kind : {"length", "width"}) {
+        const auto before = programs(database, sherd, kind, at);
+        const auto now = programs(database, sherd, kind, std::numeric_limits<std::int64_t>::max());
+        if (!before || !now || *before <= 0) continue;
+        const double off = std::abs(*now - *before) / *before;
+        if (off <= most) continue;
+        most = off;
+        worst = {orRefuse(catalogue.sherd(sherd)).number, *before, *now};
+      }
+      if (!worst.number.empty()) all.push_back(worst);
+    }
+    return all;
   });
 }
 

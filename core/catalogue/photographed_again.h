@@ -15,6 +15,23 @@ bool waitsForPhotographs(const Catalogue& catalogue, const SherdRecord& sherd);
 /// which is not computed yet.
 Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue);
 
+/// A front of a batch whose sherd has its scans from a later plate by now.
+struct PhotographedAgain {
+  ScanRow front;
+  std::string number, batch_number;  ///< of the sherd, and where it lies now
+};
+Result<std::vector<PhotographedAgain>> photographedAgain(const Catalogue& catalogue,
+                                                         BatchRow batch);
+
+/// A sherd of this batch that took it over from another, and is of another size than its model of
+/// then: its number may have been typed on another piece.
+struct UnlikeBefore {
+  std::string number;
+  double before_mm = 0, now_mm = 0;  ///< length, or width where that differs more
+};
+/// Those whose length or width, by the program, differs by more than a tenth.
+Result<std::vector<UnlikeBefore>> unlikeBefore(const Catalogue& catalogue, BatchRow batch);
+
 /// What lies on the plate as `made`, a draft, is `known`: this one takes its batch and its scans,
 /// and what was described and measured on the draft where it says nothing itself; the draft is
 /// void. Within a transaction; the model comes with the results.

@@ -16,6 +16,7 @@ PlateSherds::PlateSherds(const Catalogue& catalogue, const std::string& batch_nu
   auto sherds = catalogue.sherds(*rows);
   if (!sherds) return;
   sherds_ = std::move(*sherds);
+  if (auto again = photographedAgain(catalogue, batch->row)) again_ = std::move(*again);
   for (const ScanRecord& scan : *scans) {
     if (scan.side != batch::Side::Front || !scan.isThere()) continue;
     if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
@@ -38,6 +39,15 @@ const SherdRecord* PlateSherds::ofScan(int scan) const {
 
 const SherdRecord* PlateSherds::at(const Eigen::Vector2d& place_mm) const {
   return ofScan(scanAt(place_mm));
+}
+
+const PhotographedAgain* PlateSherds::again(const Eigen::Vector2d& place_mm) const {
+  const int scan = scanAt(place_mm);
+  if (scan < 0) return nullptr;
+  const auto found = std::find_if(again_.begin(), again_.end(), [&](const PhotographedAgain& one) {
+    return one.front == fronts_[static_cast<std::size_t>(scan)].row;
+  });
+  return found == again_.end() ? nullptr : &*found;
 }
 
 JoinedNumbers PlateSherds::afterJoin(const pipeline::PairDecision& join) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/photographed_again.h"
 #include "catalogue/sherd.h"
 #include "pipeline/decisions.h"
 
@@ -25,6 +26,9 @@ class PlateSherds {
   /// Whose front lies there; null: no sherd's. Valid as long as this.
   const SherdRecord* at(const Eigen::Vector2d& place_mm) const;
 
+  /// As what the piece that lies there was photographed again since; null: it was not.
+  const PhotographedAgain* again(const Eigen::Vector2d& place_mm) const;
+
   /// When the batch is computed with this Join of two fronts. Of a piece that no sherd has the
   /// number is empty; both are for a join of backs.
   JoinedNumbers afterJoin(const pipeline::PairDecision& join) const;
@@ -36,6 +40,7 @@ class PlateSherds {
   std::vector<ScanRecord> fronts_;  ///< those with a place
   std::vector<pipeline::ScanRef> places_;
   std::vector<SherdRecord> sherds_;
+  std::vector<PhotographedAgain> again_;
 };
 
 }  // namespace ostraka::catalogue

@@ -80,6 +80,10 @@ QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
     sherd.label = {number, {}, date, QStringLiteral("OST1:S:") + number.toUpper()};
     const catalogue::SherdRecord* record = known ? known->at(mark.place_mm) : nullptr;
     if (record != nullptr) fillIn(sherd, *record, mark);
+    if (const auto* again = known ? known->again(mark.place_mm) : nullptr)
+      sherd.again = QCoreApplication::translate("ostraka::ui", "%1 in %2")
+                        .arg(QString::fromStdString(again->number),
+                             QString::fromStdString(again->batch_number));
     sherds.append(std::move(sherd));
   }
   return sherds;
@@ -125,6 +129,7 @@ MapNumbers mapNumbers(const QVector<PlateSherd>& sherds) {
   for (const PlateSherd& sherd : sherds) {
     if (sherd.has_final_number) numbers.endings.insert(sherd.on_plate, sherd.label.number);
     if (sherd.is_void) numbers.voided.insert(sherd.on_plate);
+    if (!sherd.again.isEmpty()) numbers.again.insert(sherd.on_plate, sherd.again);
   }
   if (numbers.endings.isEmpty()) return numbers;
   numbers.common = commonBeginning(numbers.endings.values());

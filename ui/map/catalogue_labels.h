@@ -16,8 +16,11 @@ struct PlateSherd {
   bool has_final_number = false;
   bool is_void = false;
   bool is_taken_out = false;  ///< aside, or to be photographed again
+  QString again;              ///< the number and batch that it was photographed again as
   /// Not what is void, nor what was taken out before it had its number.
-  bool getsLabel() const { return !is_void && (has_final_number || !is_taken_out); }
+  bool getsLabel() const {
+    return !is_void && (has_final_number || (!is_taken_out && again.isEmpty()));
+  }
 };
 
 /// The sherds of a map with what the catalogue knows of them: number, place, and a code with the

@@ -55,6 +55,7 @@ QString wordsOf(const MapMark& mark, const MapNumbers& numbers) {
   const QString plate = QString::fromStdString(mark.number);
   const QString number = numbers.shown(plate);
   const bool is_final = numbers.endings.contains(plate);
+  if (numbers.again.contains(plate)) return tr("now %1").arg(numbers.again[plate]);
   if (mark.state == CardState::Aside) return is_final ? tr("%1, aside").arg(number) : tr("aside");
   if (mark.state == CardState::Reshoot)
     return is_final ? tr("%1, shoot again").arg(number) : tr("shoot again");

@@ -28,6 +28,7 @@ struct MapNumbers {
   QString common;                   ///< what most begin with: "ARM1-T3-0012-"; may be empty
   QHash<QString, QString> endings;  ///< by the plate's own number: "03" -> "0007"
   QSet<QString> shortened;          ///< those whose ending stands for a number with `common`
+  QHash<QString, QString> again;    ///< of pieces photographed again since: number and batch
   QSet<QString> voided;             ///< the plate's own numbers of sherds that are void
   /// On the picture: the ending; in brackets the plate's own where there is no final number yet.
   QString shown(const QString& plate_number) const;

@@ -5,6 +5,7 @@
 #include <QJsonObject>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/photographed_again.h"
 
 namespace ostraka::ui {
 namespace {
@@ -37,6 +38,21 @@ std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& rows, const 
                              camera[QStringLiteral("moved_mm")].toDouble(),
                              camera[QStringLiteral("turned_rad")].toDouble()});
   }
+  for (const QJsonValue& value : kept[QStringLiteral("unlike")].toArray()) {
+    const QJsonObject sherd = value.toObject();
+    figures.unlike.push_back({sherd[QStringLiteral("number")].toString().toStdString(),
+                              sherd[QStringLiteral("before_mm")].toDouble(),
+                              sherd[QStringLiteral("now_mm")].toDouble()});
+  }
+  return figures;
+}
+
+std::optional<BatchFigures> shownFigures(const catalogue::Catalogue& rows, const QString& number) {
+  std::optional<BatchFigures> figures = keptFigures(rows, number);
+  if (!figures || figures->reshoot == 0) return figures;
+  if (const auto batch = rows.batchByNumber(number.toStdString()))
+    if (const auto again = catalogue::photographedAgain(rows, batch->row))
+      figures->reshoot = std::max(0, figures->reshoot - static_cast<int>(again->size()));
   return figures;
 }
 
@@ -59,6 +75,12 @@ Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
                              {QStringLiteral("moved_mm"), camera.moved_mm},
                              {QStringLiteral("turned_rad"), camera.turned_rad}});
   kept[QStringLiteral("moved")] = moved;
+  QJsonArray unlike;
+  for (const catalogue::UnlikeBefore& sherd : figures.unlike)
+    unlike.append(QJsonObject{{QStringLiteral("number"), QString::fromStdString(sherd.number)},
+                              {QStringLiteral("before_mm"), sherd.before_mm},
+                              {QStringLiteral("now_mm"), sherd.now_mm}});
+  kept[QStringLiteral("unlike")] = unlike;
   return rows.setSetting(keyOf(number),
                          QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());
 }

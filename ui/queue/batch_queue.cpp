@@ -91,16 +91,15 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
     row.cancelled = failure[kCancelled].toBool();
     row.aside = failure[kAside].toBool();
   }
-  row.figures = keptFigures(project.catalogue(), row.number);
+  row.figures = shownFigures(project.catalogue(), row.number);
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
 }
 
 // Kept by the job itself: a window that closes in its last seconds does not hear of its end.
 Result<BatchFigures> figuresKept(const Result<BatchFigures>& figures,
                                  const ComputeOptions& options) {
-  if (!figures) return figures;
   if (Result<catalogue::Catalogue> rows = catalogue::Project::connect(options.project))
-    (void)keepFigures(*rows, QString::fromStdString(options.number), *figures);
+    if (figures) (void)keepFigures(*rows, QString::fromStdString(options.number), *figures);
   return figures;
 }
 
@@ -164,7 +163,7 @@ QueueRow BatchQueue::rowFrom(const catalogue::BatchRecord& batch, const QueueRow
     row.aside = before->aside;
     row.picture = before->picture;
     // A person's decisions change them while the state stays.
-    row.figures = keptFigures(project.catalogue(), row.number);
+    row.figures = shownFigures(project.catalogue(), row.number);
   } else {
     readDetails(project, row);
   }
@@ -345,7 +344,13 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     if (!cancelled) emit batchFailed(number, sentence);
   }
   emit workChanged();
-  if (figures) emit batchComputed(number);
+  if (figures) {
+    // Sherds of earlier plates may lie here again.
+    for (QueueRow& row : rows_)
+      if (row.figures && row.figures->reshoot > 0)
+        row.figures = shownFigures(session_->project().catalogue(), row.number);
+    emit batchComputed(number);
+  }
   session_->tellBatchChanged(number);  // refreshes, and the next one starts
   if (figures) session_->tellSherdsChanged();
 }
@@ -439,8 +444,10 @@ void BatchQueue::retry(const QString& number) {
 void BatchQueue::forgetMoved(const QString& number) {
   QueueRow* row = find(number);
   if (session_ == nullptr || row == nullptr || !row->figures) return;
+  auto figures = keptFigures(session_->project().catalogue(), number);
   row->figures->moved.clear();
-  (void)keepFigures(session_->project().catalogue(), number, *row->figures);
+  figures->moved.clear();
+  (void)keepFigures(session_->project().catalogue(), number, *figures);
   touch(number);
 }
 

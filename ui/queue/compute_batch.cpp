@@ -165,6 +165,7 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
                       "Pairs were decided or masks mended while the batch was computed; compute it "
                       "again for them.")
                       .toStdString());
+  if (auto unlike = catalogue::unlikeBefore(rows, record->row)) figures->unlike = *unlike;
   figures->counted = countedOtherwise(rows, *record);
   if (figures->counted > 0)
     progress.note(NoteLevel::Warning,

@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "catalogue/photographed_again.h"
 #include "pipeline/moved_cameras.h"
 
 namespace ostraka::ui {
@@ -30,6 +31,8 @@ struct BatchFigures {
   int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
   /// Cameras that no longer stand where the known rig has them: it is to be calibrated again.
   std::vector<pipeline::MovedCamera> moved{};
+  /// Sherds that were photographed again and are of another size now.
+  std::vector<catalogue::UnlikeBefore> unlike{};
 };
 
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the

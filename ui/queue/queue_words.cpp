@@ -59,9 +59,15 @@ QString figuresWords(const BatchFigures& figures) {
                                              : BatchQueue::tr("%1; %n to be photographed again",
                                                               nullptr, figures.reshoot)
                                                    .arg(counted);
-  if (figures.uncertainty_mm <= 0) return again;
+  QString told = again;
+  for (const catalogue::UnlikeBefore& sherd : figures.unlike)
+    told = BatchQueue::tr("%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm")
+               .arg(told, QString::fromStdString(sherd.number),
+                    QLocale().toString(sherd.before_mm, 'f', 1),
+                    QLocale().toString(sherd.now_mm, 'f', 1));
+  if (figures.uncertainty_mm <= 0) return told;
   return BatchQueue::tr("%1; joined to %2 mm")
-      .arg(again, QLocale().toString(figures.uncertainty_mm, 'f', 2));
+      .arg(told, QLocale().toString(figures.uncertainty_mm, 'f', 2));
 }
 
 QString movedWords(const BatchFigures& figures) {

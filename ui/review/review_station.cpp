@@ -253,8 +253,24 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
       settleUnseen(output, decision.by);
     }
     if (!entered) say(sentenceOf(entered.error()));
+    sayIfTwice(batch, decision);
   }
   session_->tellBatchChanged(batch);
+}
+
+// One sherd would stand in the catalogue twice: with what was photographed again, and with this.
+void ReviewStation::sayIfTwice(const QString& batch, const pipeline::PairDecision& decision) {
+  if (decision.kind != pipeline::DecisionKind::Pair &&
+      decision.kind != pipeline::DecisionKind::Withdraw)
+    return;
+  const catalogue::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
+  for (const pipeline::ScanRef& scan : decision.scans)
+    if (const auto* again = scan.side == batch::Side::Front ? sherds.again(scan.place_mm) : nullptr;
+        again && sherds.at(scan.place_mm))
+      say(tr("%1 was photographed again as %2 in %3, and now has a record more: make that void in "
+             "the catalogue, or set the piece aside here.")
+              .arg(QString::fromStdString(scan.id), QString::fromStdString(again->number),
+                   QString::fromStdString(again->batch_number)));
 }
 
 // A number that loses its piece is said when it is done, not found later in the table.

@@ -61,6 +61,7 @@ class ReviewStation final : public Station {
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
   void nameSherds();
+  void sayIfTwice(const QString& batch, const pipeline::PairDecision& decision);
   QString joinedWords(const QString& batch, const pipeline::PairDecision& join) const;
   QWidget* buildScale();
   void showScale();

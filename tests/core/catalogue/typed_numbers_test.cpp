@@ -4,6 +4,7 @@
 
 #include "catalogue/enter_results.h"
 #include "catalogue/photographed_again.h"
+#include "catalogue/plate_sherds.h"
 #include "cloud/ply.h"
 #include "result_folder.h"
 #include "small_project.h"
@@ -142,8 +143,21 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
   EXPECT_EQ(after.batch, again);
   EXPECT_TRUE(after.back);
   EXPECT_EQ(after.measures.at("length"), 71);
+  const std::vector<UnlikeBefore> unlike = valueIn(unlikeBefore(catalogue(), again));
+  ASSERT_EQ(unlike.size(), 1u) << "it was 61 mm long; is it the same?";
+  EXPECT_EQ(unlike[0].number, before.number);
+  EXPECT_EQ(unlike[0].now_mm, 71);
   EXPECT_THAT(after.model_path, testing::StartsWith("models/B0002/"));
   EXPECT_TRUE(toPhotographAgain(catalogue())->empty());
+  const std::vector<PhotographedAgain> moved = valueIn(photographedAgain(catalogue(), batch));
+  ASSERT_EQ(moved.size(), 1u);
+  EXPECT_EQ(moved[0].front, before.front);
+  EXPECT_EQ(moved[0].number, before.number);
+  EXPECT_EQ(moved[0].batch_number, "B0002");
+  EXPECT_TRUE(photographedAgain(catalogue(), again)->empty());
+  const PlateSherds old_plate(catalogue(), "B0001");
+  ASSERT_NE(old_plate.again({50, 10}), nullptr) << "nobody photographs it a third time";
+  EXPECT_EQ(old_plate.again({100, 10}), nullptr);
   int unnumbered = 0;
   const auto on_plate = catalogue().sherds(*catalogue().sherdRows(again));
   for (const SherdRecord& sherd : *on_plate)

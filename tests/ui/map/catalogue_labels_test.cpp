@@ -96,6 +96,11 @@ void CatalogueLabelsTest::theMapShowsTheEndsOfNumbersThatTellThemApart() {
   const MapNumbers clear = numbers({"ARM1-0007", "0007", "ARM1-0008", "ARM1-0009"});
   QCOMPARE(clear.common, QString());  // two would be 0007
   map.front.marks[3].number.clear();
+  QVector<PlateSherd> again = sherdsOnPlate(map, nullptr, QStringLiteral("B0001"), {});
+  again[1].again = QStringLiteral("ARM1-0001 in B0006");
+  QCOMPARE(wordsOf(map.front.marks[1], mapNumbers(again)),
+           QStringLiteral("now ARM1-0001 in B0006"));
+  QCOMPARE(labelsOf(again).size(), 2);
   const MapNumbers none = numbers({"B0001-01", "B0001-02", "B0001-03"});
   QCOMPARE(none.common, QString());
   QCOMPARE(none.shown("02"), QStringLiteral("02"));

@@ -8470,5 +8470,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anpassungen an Scherben, die in der Ausgabe fehlen oder nicht aufgenommen wurden, sind weggelassen: %1; von Hand eintragen.</translation>
     </message>
+    <message>
+      <source>'%1' can be read as %2 or as %3; write one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ lässt sich als %2 oder als %3 lesen; eines von beiden schreiben.</translation>
+    </message>
   </context>
 </TS>

@@ -8470,5 +8470,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι συγκολλήσεις με όστρακα που δεν υπάρχουν στην εξαγωγή ή δεν καταχωρίστηκαν παραλείπονται: %1· καταχωρίστε τις με το χέρι.</translation>
     </message>
+    <message>
+      <source>'%1' can be read as %2 or as %3; write one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» διαβάζεται ως %2 ή ως %3· γράψτε ένα από τα δύο.</translation>
+    </message>
   </context>
 </TS>

@@ -8470,5 +8470,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se omiten las uniones con fragmentos que la exportación no contiene o que no entraron: %1; anótelas a mano.</translation>
     </message>
+    <message>
+      <source>'%1' can be read as %2 or as %3; write one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» se puede leer como %2 o como %3; escriba uno de los dos.</translation>
+    </message>
   </context>
 </TS>

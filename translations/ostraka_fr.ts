@@ -8470,5 +8470,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les remontages avec des tessons que l’exportation ne contient pas ou qui ne sont pas entrés sont omis : %1 ; saisissez-les à la main.</translation>
     </message>
+    <message>
+      <source>'%1' can be read as %2 or as %3; write one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » peut se lire %2 ou %3 ; écrivez l’un des deux.</translation>
+    </message>
   </context>
 </TS>

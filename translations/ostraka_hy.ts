@@ -8470,5 +8470,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կցումները այն բեկորների հետ, որոնք արտահանման մեջ չկան կամ չեն մուտքագրվել, բաց են թողնված. %1. մուտքագրեք դրանք ձեռքով։</translation>
     </message>
+    <message>
+      <source>'%1' can be read as %2 or as %3; write one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը կարելի է կարդալ %2 կամ %3. գրեք երկուսից մեկը։</translation>
+    </message>
   </context>
 </TS>

@@ -8428,5 +8428,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmada bulunmayan ya da girilmeyen parçalarla birleşmeler dışarıda bırakıldı: %1; bunları elle girin.</translation>
     </message>
+    <message>
+      <source>'%1' can be read as %2 or as %3; write one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1', %2 ya da %3 diye okunabilir; ikisinden birini yazın.</translation>
+    </message>
   </context>
 </TS>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "base/text.h"
 #include "catalogue/names.h"
@@ -62,10 +63,12 @@ class Values {
   Result<void> number(const std::string& column, std::optional<double>& value) const {
     const std::string read = raw(column);
     if (read.empty()) return {};
-    value.reset();
+    const std::optional<double> before = std::exchange(value, std::nullopt);
     if (read == "<clear>") return {};
     const Result<double> parsed = parsedNumber(read);
     if (!parsed) return parsed.error();
+    if (table_.separator == ',' && before != *parsed)
+      if (Result<void> clear = readsOneWay(read); !clear) return clear;
     value = *parsed;
     return {};
   }

@@ -61,7 +61,7 @@ class Importing {
       const bool fresh = !*sherd;
       Result<SherdRow> target = fresh ? add(row, refusal) : *sherd;
       if (!target) return target.error();
-      const Result<bool> changed = change(row, *target, refusal);
+      const Result<bool> changed = change(row, *target, fresh, refusal);
       if (!changed) return changed.error();
       fate = fresh ? RowFate::Fresh : *changed ? RowFate::Changed : RowFate::Same;
       return {};
@@ -123,13 +123,11 @@ class Importing {
       return refuse(refusal, "context", "", "A new sherd needs its context.");
     SherdRecord record;
     record.id = catalogue::uniqueKey(valueOf(row, "uuid"));
-    const std::string batch = valueOf(row, "batch");
-    if (!batch.empty())
-      if (const auto known = catalogue_.batchByNumber(batch)) record.batch = known->row;
+    record.batch = row.batch;
     return catalogue_.addSherd(record, act_);
   }
 
-  Result<bool> change(const ImportRow& row, SherdRow sherd, Refusal& refusal) {
+  Result<bool> change(const ImportRow& row, SherdRow sherd, bool fresh, Refusal& refusal) {
     if (makes_places_) {
       const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
       if (!site.empty() && !context.empty()) {
@@ -156,6 +154,15 @@ class Importing {
       if (field && field->kind == FieldKind::Number && !before.empty() &&
           showsInTable(value, *catalogue::parsedNumber(before)))
         continue;
+      if (field && field->kind == FieldKind::Number && row.comma_separates)
+        if (const Result<void> clear = readsOneWay(value); !clear)
+          return refuse(refusal, name, value, clear.error().sentence());
+      if (fresh && field && field->kind == FieldKind::Number && row.by_hand &&
+          !row.by_hand->contains(name) && catalogue::parsedNumber(value)) {
+        if (const Result<void> done = measureByProgram({sherd, name, value}, refusal); !done)
+          return done.error();
+        continue;
+      }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
       if (value != catalogue::textOf(*now, own)) changes.push_back({sherd, own, value});
     }
@@ -179,6 +186,22 @@ class Importing {
         return refuse(refusal, m.kind, {}, done.error().sentence());
     }
     return changed;
+  }
+
+  // Computed where the table comes from: it gives way to what is computed or measured here.
+  Result<void> measureByProgram(const FieldChange& number, Refusal& refusal) {
+    const auto shown = catalogue_.preview(std::span(&number, 1));  // as strict as with typed ones
+    if (!shown) return shown.error();
+    if (!shown->front().refusal.empty())
+      return refuse(refusal, number.field, number.value, shown->front().refusal);
+    const bool is_kind = !catalogue::unitOf(number.field).empty();  // rim_pct, beside length_mm
+    catalogue::Measurement m;
+    m.sherd = number.sherd;
+    m.kind = is_kind ? number.field : number.field.substr(0, number.field.rfind('_'));
+    m.value = *catalogue::parsedNumber(number.value);
+    Act by = act_;
+    by.person = {};
+    return catalogue_.measure(m, by);
   }
 
   // Which column it was.
@@ -270,9 +293,14 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
       continue;
     }
     ImportRow row{read.line, {}, {}};
-    for (std::size_t i = 0; i < read.values.size(); ++i)
-      if (!kBeside.contains(table->columns[i]))
-        row.values[table->columns[i]] = catalogue::trimmed(unguarded(read.values[i]));
+    row.comma_separates = table->separator == ',';
+    for (std::size_t i = 0; i < read.values.size(); ++i) {
+      const std::string value = catalogue::trimmed(unguarded(read.values[i]));
+      if (!kBeside.contains(table->columns[i])) row.values[table->columns[i]] = value;
+      if (table->columns[i] != "measured_by_hand") continue;
+      const std::vector<std::string> columns = catalogue::splitTerms(value);
+      row.by_hand.emplace(columns.begin(), columns.end());
+    }
     rows.push_back(std::move(row));
   }
   Result<ImportReport> report = importSherds(catalogue, rows, named, act, progress, stop);

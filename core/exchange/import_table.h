@@ -1,6 +1,8 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <optional>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -28,6 +30,11 @@ struct ImportRow {
   int line = 0;
   std::map<std::string, std::string> values;
   std::vector<std::pair<catalogue::Measurement, std::string>> measured;  ///< and by whose initials
+  /// Of a new sherd. Not by its number in values: each project has a B0001.
+  catalogue::BatchRow batch = {};
+  /// Columns of numbers that persons took, the others are a program's; none: nothing is said.
+  std::optional<std::set<std::string>> by_hand = {};
+  bool comma_separates = false;  ///< the columns of its table, see readsOneWay
 };
 
 struct Refusal {

@@ -164,11 +164,13 @@ class ReadingBack {
         fresh_records.push_back(&record);
         fresh.push_back(record.row);
         fresh.back().values.erase("joins");  // when all sherds are there
-        if (const auto batch = fresh.back().values.find("batch");
-            batch != fresh.back().values.end())
+        if (const auto batch = record.row.values.find("batch"); batch != record.row.values.end())
           if (const auto number = beside->numbers.find(batch->second);
-              number != beside->numbers.end())
-            batch->second = number->second;
+              number != beside->numbers.end()) {
+            const Result<BatchRecord> known = catalogue.batchByNumber(number->second);
+            if (!known) return known.error();
+            fresh.back().batch = known->row;
+          }
         continue;
       }
       const Result<SherdRecord> sherd = catalogue.sherd(*there);

@@ -57,6 +57,7 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error", "Line %1 opens a quotation mark that is never closed."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Line %1 has letters behind a closing quotation mark."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Line %1 has a value longer than 1 MB."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "'%1' can be read as %2 or as %3; write one of the two."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The table is empty; its first line must name the columns."),
       QT_TRANSLATE_NOOP(

@@ -241,6 +241,45 @@ TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
   EXPECT_EQ(catalogue().measuredByHand(rows)->size(), 3u);
 }
 
+TEST_F(Import, RefusesANumberThatIsReadInTwoWaysWhereACommaSeparates) {
+  const std::string comma = "number,site,trench,context,weight_g\nX-1,ARM1,T3,0012,";
+  EXPECT_THAT(why(comma + "\"1,250\"\n"),
+              testing::HasSubstr("2 weight_g 1,250: '1,250' can be read as 1250 or as 1.250"));
+  EXPECT_EQ(import(comma + "\"12,5\"\n").fresh, 1);
+  EXPECT_EQ(import("number;site;trench;context;weight_g\nX-2;ARM1;T3;0012;1,250\n").fresh, 1);
+  const std::string bag = "site,trench,context,bag,weight_g\nARM1,T3,0012,4,";
+  EXPECT_THAT(why(bag + "\"1,250\"\n"), testing::HasSubstr("can be read as 1250 or as 1.250"));
+  EXPECT_EQ(import(bag + "1.25\n").changed, 1);
+  EXPECT_EQ(import(bag + "\"1,250\"\n").same, 1) << "it is there already";
+}
+
+TEST_F(Import, OfANewSherdKeepsWhatAProgramMeasuredForThePrograms) {
+  const std::string table =
+      "number,site,trench,context,length_mm,width_mm,rim_pct,measured_by_hand\n"
+      "X-1,ARM1,T3,0012,52.125,30,12,width_mm\nX-2,ARM1,T3,0012,1001,30,12,\n";
+  const ImportReport report = import(table);
+  EXPECT_EQ(report.fresh, 1);
+  ASSERT_EQ(report.refusals.size(), 1u);
+  EXPECT_THAT(report.refusals[0].reason, testing::HasSubstr("1000 mm")) << "as strict as ever";
+  const SherdRow row = *catalogue().sherdByNumber("X-1");
+  std::map<std::string, std::string> methods;
+  for (const Measurement& m : valueIn(catalogue().measurements(row))) methods[m.kind] = m.method;
+  EXPECT_THAT(methods, testing::ElementsAre(testing::Pair("length", "program"),
+                                            testing::Pair("rim_pct", "program"),
+                                            testing::Pair("width", "calliper")));
+  EXPECT_EQ(import(table).same, 1);
+  import("number,site,trench,context,length_mm\nX-3,ARM1,T3,0012,52\n");
+  EXPECT_EQ(catalogue().measurements(*catalogue().sherdByNumber("X-3"))->front().method, "calliper")
+      << "where nothing is said";
+}
+
+// Each laptop begins with B0001.
+TEST_F(Import, OfASherdDoesNotTakeABatchByItsNumber) {
+  ASSERT_EQ(catalogue().batch(newBatch({bag4}))->number, "B0001");
+  ASSERT_EQ(import("number,site,trench,context,batch\nX-1,ARM1,T3,0012,B0001\n").fresh, 1);
+  EXPECT_FALSE(catalogue().sherd(*catalogue().sherdByNumber("X-1"))->batch);
+}
+
 TEST_F(Import, CanBeStoppedAndThenEntersNothing) {
   std::stop_source stop;
   stop.request_stop();

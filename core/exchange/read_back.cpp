@@ -375,15 +375,21 @@ Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMo
   if (const Result<void> fits = records(ImportMode::Preview); !fits) return fits.error();
   if (mode == ImportMode::Preview) return report;
   if (const auto saved = project.backUp(); !saved) return saved.error();
-  do {
-    // Nobody who wants to write waits for files to be copied.
-    if (const Result<void> copied = reading.copyFiles(progress, stop); !copied)
-      return copied.error();
-    moved = false;
-    const Result<void> entered = records(mode);
-    if (!entered && !moved) return entered.error();
-    if (moved) reading.removeCopies();
-  } while (moved);
+  const auto copyAndEnter = [&]() -> Result<void> {
+    do {
+      // Nobody who wants to write waits for files to be copied.
+      if (Result<void> copied = reading.copyFiles(progress, stop); !copied) return copied;
+      moved = false;
+      if (Result<void> entered = records(mode); !entered && !moved) return entered;
+      if (moved) reading.removeCopies();
+    } while (moved);
+    return {};
+  };
+  if (const Result<void> done = copyAndEnter(); !done) {
+    // Else they lie where the next batch that is photographed gets its folder.
+    reading.removeCopies();
+    return done.error();
+  }
   return report;
 }
 

@@ -21,7 +21,7 @@ class ReadingBack : public ExportedProject {
     return std::move(*Project::create(folder_.path() / name, record));
   }
   ImportReport read(Project& into, const std::string& name) {
-    return valueIn(readBack(into, folder_.path() / name, ImportMode::Enter, anna, quiet, {}));
+    return valueIn(readBack(into, folder_.path() / name, ImportMode::Enter, {}, quiet, {}));
   }
   std::string joinsOf(std::size_t i) { return textOf(*catalogue().sherd(rows[i]), "joins"); }
 };
@@ -29,11 +29,9 @@ class ReadingBack : public ExportedProject {
 TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
   ASSERT_TRUE(exportTo("out", all));
   Project other = empty("other");
-  const Result<ImportReport> report =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
-  ASSERT_TRUE(report) << report.error().sentence();
-  EXPECT_EQ(report->fresh, 3);
-  EXPECT_EQ(report->refused, 0) << (report->refusals.empty() ? "" : report->refusals[0].reason);
+  const ImportReport report = read(other, "out");
+  EXPECT_EQ(report.fresh, 3);
+  EXPECT_EQ(report.refused, 0) << (report.refusals.empty() ? "" : report.refusals[0].reason);
   for (const SherdRow row : rows) {
     const SherdRecord was = *catalogue().sherd(row);
     const SherdRow now_row = *other.catalogue().sherdById(was.id);
@@ -161,9 +159,8 @@ TEST_F(ReadingBack, JoinsOnlyWithTheSherdThatTheExportMeans) {
 TEST_F(ReadingBack, ASherdOfABatchThatIsHereTakesNoScanOfIt) {
   ASSERT_TRUE(archiveProject(*project_, folder_.path() / "archive", "ostraka", quiet, {}));
   ASSERT_TRUE(restoreProject(folder_.path() / "archive", folder_.path() / "laptop", quiet, {}));
-  Result<Project> laptop = Project::open(folder_.path() / "laptop");
-  ASSERT_TRUE(laptop) << laptop.error().sentence();
-  for (Project* project : {&*laptop, &*project_}) {
+  Project laptop = valueIn(Project::open(folder_.path() / "laptop"));
+  for (Project* project : {&laptop, &*project_}) {
     const ResultFolder four(project->resultsFolder("B0001"), 4);
     ASSERT_TRUE(enterResults(project->catalogue(), project->folder(), batch,
                              project->resultsFolder("B0001"), {}, quiet, {}));
@@ -172,10 +169,10 @@ TEST_F(ReadingBack, ASherdOfABatchThatIsHereTakesNoScanOfIt) {
   ExportOptions options;
   options.target = folder_.path() / "out";
   options.forms = {Form::Json};
-  const std::vector<SherdRow> theirs = *laptop->catalogue().sherdRows(batch);
-  ASSERT_TRUE(exportFolder(laptop->catalogue(), laptop->folder(), theirs, options, quiet, {}));
+  const std::vector<SherdRow> theirs = *laptop.catalogue().sherdRows(batch);
+  ASSERT_TRUE(exportFolder(laptop.catalogue(), laptop.folder(), theirs, options, quiet, {}));
   EXPECT_EQ(read(*project_, "out").fresh, 1);
-  const auto fourth = catalogue().sherdById(laptop->catalogue().sherd(theirs[3])->id);
+  const auto fourth = catalogue().sherdById(laptop.catalogue().sherd(theirs[3])->id);
   const SherdRecord entered = *catalogue().sherd(*fourth);
   EXPECT_EQ(entered.batch, batch);
   EXPECT_FALSE(entered.front);
@@ -315,9 +312,7 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   ASSERT_TRUE(catalogue().saveBatch(record, anna));
   ASSERT_TRUE(exportTo("out", all));
   Project other = empty("other");
-  const Result<ImportReport> report =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
-  ASSERT_TRUE(report) << report.error().sentence();
+  const ImportReport report = read(other, "out");
   for (const auto& [table, query] : kWholeTables) {
     const std::vector<std::string> before = rowsOf(catalogue(), query);
     if (table == "context" || table == "bag") {  // places without a sherd do not travel
@@ -333,8 +328,7 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   const auto was = *catalogue().currentDecisions(batch);
   const BatchRow there = other.catalogue().batchByNumber("B0001")->row;
   ASSERT_EQ(other.catalogue().currentDecisions(there)->size(), was.size());
-  const auto again = readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
-  ASSERT_TRUE(again) << again.error().sentence();
+  read(other, "out");
   EXPECT_EQ(rowsOf(other.catalogue(), kWholeTables.at("pair_decision")),
             rowsOf(catalogue(), kWholeTables.at("pair_decision")));
 }
@@ -344,9 +338,7 @@ TEST_F(ReadingBack, APersonOfTheSameInitialsStaysWhoTheyAre) {
   Project other = empty("other");
   const PersonRow known =
       *other.catalogue().save(PersonRecord{{}, {}, "Anna Petrosyan", "AP", {}}, {});
-  const Result<ImportReport> report =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
-  ASSERT_TRUE(report) << report.error().sentence();
+  const ImportReport report = read(other, "out");
   ASSERT_EQ(other.catalogue().persons()->size(), 1u);
   EXPECT_EQ(other.catalogue().persons()->front().row, known);
 }
@@ -358,10 +350,8 @@ TEST_F(ReadingBack, APlaceOfTheSameNameIsTheSamePlace) {
   own.code = "arm1";
   own.name = "The hill";
   const SiteRow known = *other.catalogue().save(own, {});
-  const Result<ImportReport> report =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
-  ASSERT_TRUE(report) << report.error().sentence();
-  EXPECT_EQ(report->fresh, 3);
+  const ImportReport report = read(other, "out");
+  EXPECT_EQ(report.fresh, 3);
   ASSERT_EQ(other.catalogue().sites()->size(), 1u);
   EXPECT_EQ(other.catalogue().contexts()->front().site, known);
 }
@@ -369,17 +359,15 @@ TEST_F(ReadingBack, APlaceOfTheSameNameIsTheSamePlace) {
 TEST_F(ReadingBack, TwiceGivesOnceAndADifferenceStaysAsItIs) {
   ASSERT_TRUE(exportTo("out", all));
   Project other = empty("other");
-  ASSERT_TRUE(readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {}));
+  read(other, "out");
   const SherdRow row = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
   const FieldChange change{row, "ware", "red"};
   ASSERT_TRUE(other.catalogue().change(std::span(&change, 1), {}));
-  const Result<ImportReport> again =
-      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
-  ASSERT_TRUE(again) << again.error().sentence();
-  EXPECT_EQ(again->fresh, 0);
-  EXPECT_EQ(again->same, 2);
-  EXPECT_EQ(again->refused, 1);
-  EXPECT_EQ(again->refusals[0].value, "ARM1-T3-0012-0001");
+  const ImportReport again = read(other, "out");
+  EXPECT_EQ(again.fresh, 0);
+  EXPECT_EQ(again.same, 2);
+  EXPECT_EQ(again.refused, 1);
+  EXPECT_EQ(again.refusals[0].value, "ARM1-T3-0012-0001");
   EXPECT_EQ(other.catalogue().sherd(row)->ware, "red");
   EXPECT_GE(other.backups().size(), 2u) << "backed up before";
 }
@@ -391,11 +379,9 @@ TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
   const BatchRow own = *other.catalogue().addBatch({}, {});
   put(other.folder() / "batches/B0001/front/cam0_pos00.jpg", "of its own");
   for (int time = 0; time < 2; ++time) {
-    const Result<ImportReport> report =
-        readBack(other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {});
-    ASSERT_TRUE(report) << report.error().sentence();
-    EXPECT_EQ(report->fresh, time == 0 ? 3 : 0);
-    EXPECT_EQ(report->same, time == 0 ? 0 : 3);
+    const ImportReport report = read(other, "out");
+    EXPECT_EQ(report.fresh, time == 0 ? 3 : 0);
+    EXPECT_EQ(report.same, time == 0 ? 0 : 3);
   }
   const std::string id = catalogue().batch(batch)->id;
   EXPECT_EQ(other.catalogue().batches()->size(), 2u);
@@ -415,6 +401,33 @@ TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
   EXPECT_TRUE(other.catalogue().checkIntegrity());
 }
 
+class Looking : public Progress {
+ public:
+  explicit Looking(std::function<void()> looked) : looked_(std::move(looked)) {}
+  void report(std::int64_t, std::int64_t) override { looked_(); }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  std::function<void()> looked_;
+};
+
+// The next batch that is photographed gets this number, and would find photographs in its folder.
+TEST_F(ReadingBack, ThatIsStoppedLeavesNoFileOfABatch) {
+  ASSERT_TRUE(exportTo("out", all));
+  Project other = empty("other");
+  const fs::path photograph = other.folder() / "batches/B0001/front/cam0_pos00.jpg";
+  std::stop_source stop;
+  Looking stopping([&] {
+    if (fs::exists(photograph)) stop.request_stop();
+  });
+  const Result<ImportReport> report =
+      readBack(other, folder_.path() / "out", ImportMode::Enter, {}, stopping, stop.get_token());
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
+  EXPECT_FALSE(fs::exists(other.folder() / "batches/B0001"));
+  EXPECT_EQ(read(other, "out").fresh, 3);
+}
+
 // Files are copied without a lock, and another window begins a batch.
 TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwhile) {
   ASSERT_TRUE(exportTo("out", all));
@@ -423,15 +436,7 @@ TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwh
   const auto photograph = [&](const char* number) {
     return other.folder() / "batches" / number / "front" / "cam0_pos00.jpg";
   };
-  class Beginning : public Progress {
-   public:
-    explicit Beginning(std::function<void()> looked) : looked_(std::move(looked)) {}
-    void report(std::int64_t, std::int64_t) override { looked_(); }
-    void note(NoteLevel, std::string_view) override {}
-
-   private:
-    std::function<void()> looked_;
-  } beginning([&] {
+  Looking beginning([&] {
     if (!fs::exists(photograph("B0002")) || other.catalogue().batches()->size() != 1) return;
     EXPECT_EQ(*other.catalogue().nextBatchNumber(), "B0002");
     EXPECT_TRUE(other.catalogue().addBatch({}, {}));

@@ -8,6 +8,7 @@
 #include "catalogue/names.h"
 #include "exchange/bagit.h"
 #include "exchange/json_fields.h"
+#include "exchange/vocabularies.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -57,7 +58,8 @@ constexpr const char* kReadMe =
     "views/           photographs without the lens's distortion, masks and poses, for COLMAP and\n"
     "                 OpenMVS: InterfaceCOLMAP -i views/B0001/front -o scene.mvs, or\n"
     "                 colmap gui --import_path views/B0001/front/sparse\n"
-    "metadata/        the project, its places, its batches with scans and decisions\n\n"
+    "metadata/        the project, its places, its batches with scans and decisions,\n"
+    "                 the words of its vocabularies that the sherds use\n\n"
     "In a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
     "does\n"
     "not take it for a formula.\n\n"
@@ -325,6 +327,8 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
   if (!places) return places.error();
   const Result<ordered_json> digitised = batchesJson(catalogue, batches, bag.files());
   if (!digitised) return digitised.error();
+  const Result<ordered_json> words = vocabulariesJson(catalogue, sherds);
+  if (!words) return words.error();
   const Result<std::string> read_me = readMe(catalogue, batches);
   if (!read_me) return read_me.error();
   const ordered_json dublin_core = {{"identifier", project.id},
@@ -341,6 +345,7 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
       {"metadata/project.json", dublin_core.dump(1) + "\n"},
       {"metadata/places.json", places->dump(1) + "\n"},
       {"metadata/batches.json", digitised->dump(1) + "\n"},
+      {"metadata/vocabularies.json", words->dump(1) + "\n"},
       {"context.jsonld", kContext},
       {"README.txt", *read_me}};
   for (const auto& [name, text] : files)
@@ -357,6 +362,14 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const std::filesystem::pa
   try {
     Reading reading(catalogue, act);
     if (Result<void> done = reading.places(*places); !done) return done.error();
+    // Older exports have none; what an export has is in its manifest, which was checked.
+    const std::filesystem::path words = metadata / "vocabularies.json";
+    if (std::filesystem::exists(words)) {
+      const Result<json> vocabularies = readJson(words);
+      if (!vocabularies) return vocabularies.error();
+      if (Result<void> done = readVocabularies(catalogue, *vocabularies, act); !done)
+        return done.error();
+    }
     return readBatches(catalogue, *batches, reading.rows(), act);
   } catch (const json::exception&) {
     return Error{ErrorCode::UnusableInput,

@@ -10,15 +10,15 @@
 namespace ostraka::exchange {
 
 /// What travels beside the records: metadata/project.json (Dublin Core), metadata/places.json,
-/// metadata/batches.json, context.jsonld and README.txt.
+/// metadata/batches.json, metadata/vocabularies.json, context.jsonld and README.txt.
 Result<void> writeMetadata(const catalogue::Catalogue& catalogue,
                            const std::vector<catalogue::SherdRecord>& sherds,
                            const catalogue::ProjectRecord& project, const std::string& program,
                            BagWriter& bag);
 
 /// Persons, sites, trenches, contexts, bags and batches with their photographs, scans and decisions
-/// of metadata/, with their ids, into a catalogue that does not have them yet; what is there stays
-/// as it is.
+/// of metadata/, with their ids, and terms of vocabularies, into a catalogue that does not have
+/// them yet; what is there stays as it is.
 Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue,
                                  const std::filesystem::path& metadata, const catalogue::Act& act);
 

@@ -1,0 +1,71 @@
+#include "exchange/vocabularies.h"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "catalogue/names.h"
+#include "catalogue/values.h"
+#include "exchange/json_fields.h"
+
+namespace ostraka::exchange {
+
+using namespace catalogue;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+Result<ordered_json> vocabulariesJson(const Catalogue& catalogue,
+                                      const std::vector<SherdRecord>& sherds) {
+  std::map<std::string, std::set<std::string>> used;
+  for (const SherdField& field : sherdFields())
+    if (*field.vocabulary)
+      for (const SherdRecord& sherd : sherds)
+        for (const std::string& term : splitTerms(textOf(sherd, field.name)))
+          used[field.vocabulary].insert(term);
+  ordered_json all = ordered_json::object();
+  for (const auto& [name, terms] : used) {
+    const Result<std::vector<Term>> known = catalogue.vocabulary(name);
+    if (!known) return known.error();
+    ordered_json list = ordered_json::array();
+    for (const Term& term : *known) {
+      if (!terms.contains(term.term)) continue;
+      ordered_json one = {{"term", term.term}};
+      if (!term.labels.empty()) one["labels"] = term.labels;
+      put(one, "uri", term.uri);
+      list.push_back(std::move(one));
+    }
+    all[name] = std::move(list);
+  }
+  return ordered_json{{"vocabularies", all}};
+}
+
+Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies, const Act& act) {
+  for (const auto& [name, list] : vocabularies.at("vocabularies").items()) {
+    Result<std::vector<Term>> terms = catalogue.vocabulary(name);
+    if (!terms) return terms.error();
+    std::set<std::string> known;
+    for (const Term& term : *terms) {
+      known.insert(uniqueKey(term.term));
+      for (const auto& [language, label] : term.labels) known.insert(uniqueKey(label));
+    }
+    const std::size_t before = terms->size();
+    for (const json& one : list) {
+      Term term;
+      term.term = one.at("term").get<std::string>();
+      if (!known.insert(uniqueKey(term.term)).second) continue;
+      if (one.contains("labels")) one.at("labels").get_to(term.labels);
+      // A label that is another term's here would be taken for that one.
+      std::erase_if(term.labels, [&](const auto& label) {
+        return uniqueKey(label.second) != uniqueKey(term.term) &&
+               known.contains(uniqueKey(label.second));
+      });
+      term.uri = one.value("uri", "");
+      terms->push_back(std::move(term));
+    }
+    if (terms->size() == before) continue;
+    if (const Result<void> set = catalogue.setVocabulary(name, *terms, act); !set) return set;
+  }
+  return {};
+}
+
+}  // namespace ostraka::exchange

@@ -1,0 +1,74 @@
+#include "exchange/vocabularies.h"
+
+#include <gmock/gmock.h>
+
+#include "exported_project.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+class Vocabularies : public ExportedProject {
+ protected:
+  Vocabularies() {
+    auto terms = valueIn(catalogue().vocabulary("decoration"));
+    terms.push_back({"perforated", {{"de", "durchlocht"}, {"fr", "perforé"}}, "http://x.org/1"});
+    terms.push_back({"never used", {}, {}});
+    EXPECT_TRUE(catalogue().setVocabulary("decoration", terms, anna));
+    EXPECT_TRUE(set(rows[0], "decoration", "perforated"));
+    EXPECT_TRUE(exportTo("out", {Form::Json}));
+    ProjectRecord record;
+    record.code = "ARM";
+    other.emplace(valueIn(Project::create(folder_.path() / "other", record)));
+  }
+  ImportReport read(ImportMode mode = ImportMode::Enter) {
+    return valueIn(readBack(*other, folder_.path() / "out", mode, {}, quiet, {}));
+  }
+  const Term* term(const std::string& name) {
+    words = valueIn(other->catalogue().vocabulary("decoration"));
+    for (const Term& one : words)
+      if (one.term == name) return &one;
+    return nullptr;
+  }
+  std::string decoration() {
+    const SherdRow row = *other->catalogue().sherdById(catalogue().sherd(rows[0])->id);
+    return row ? textOf(*other->catalogue().sherd(row), "decoration") : "not there";
+  }
+  std::optional<Project> other;
+  std::vector<Term> words;
+};
+
+TEST_F(Vocabularies, BringTheirUsedTermsAlongWithLabelsAndUri) {
+  EXPECT_EQ(read(ImportMode::Preview).fresh, 3);
+  EXPECT_EQ(term("perforated"), nullptr) << "a preview changes nothing";
+  EXPECT_EQ(read().fresh, 3);
+  EXPECT_EQ(decoration(), "perforated");
+  ASSERT_NE(term("perforated"), nullptr);
+  EXPECT_THAT(term("perforated")->labels, testing::ElementsAre(testing::Pair("de", "durchlocht"),
+                                                               testing::Pair("fr", "perforé")));
+  EXPECT_EQ(term("perforated")->uri, "http://x.org/1");
+  EXPECT_EQ(term("never used"), nullptr);
+  const std::int64_t history = other->catalogue().historyLength();
+  EXPECT_EQ(read().same, 3);
+  EXPECT_EQ(other->catalogue().historyLength(), history);
+}
+
+TEST_F(Vocabularies, LeaveTheProjectsTermsAsTheyAre) {
+  auto own = valueIn(other->catalogue().vocabulary("decoration"));
+  own.push_back({"pierced", {{"en", "Perforated"}}, {}});
+  ASSERT_TRUE(other->catalogue().setVocabulary("decoration", own, {}));
+  EXPECT_EQ(read().fresh, 3);
+  EXPECT_EQ(decoration(), "pierced") << "that is what the word means here";
+  EXPECT_EQ(valueIn(other->catalogue().vocabulary("decoration")).size(), own.size());
+}
+
+TEST_F(Vocabularies, AreInTheManifest) {
+  const fs::path file = folder_.path() / "out/data/metadata/vocabularies.json";
+  put(file, *readFile(file) + " ");
+  EXPECT_FALSE(readBack(*other, folder_.path() / "out", ImportMode::Enter, {}, quiet, {}));
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

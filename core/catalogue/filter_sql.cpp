@@ -38,16 +38,16 @@ std::string inContext(const std::string& condition) {
 // The terms that are meant, as they are spelled in the vocabularies and so at the sherds: capitals
 // make no difference, and a label in another language will do.
 std::vector<std::string> termsCalled(Query& query, const std::string& word) {
-  const std::string key = uniqueKey(word);
+  const std::string key = uniqueKey(searched(word));
   std::vector<std::string> terms;
   Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
   while (rows.next()) {
     std::string term, labels;
     rows >> term >> labels;
-    bool meant = uniqueKey(term) == key;
+    bool meant = uniqueKey(searched(term)) == key;
     const nlohmann::json names = nlohmann::json::parse(labels, nullptr, false);
     for (const nlohmann::json& name : names)
-      meant |= name.is_string() && uniqueKey(name.get<std::string>()) == key;
+      meant |= name.is_string() && uniqueKey(searched(name.get<std::string>())) == key;
     if (meant) terms.push_back(term);
   }
   return terms;
@@ -62,7 +62,7 @@ std::string isTerm(Query& query, const std::string& word) {
 std::string wordSql(Query& query, const std::string& word) {
   if (letters(word) >= 3) {
     std::string quoted = "\"";
-    for (const char c : word) {
+    for (const char c : searched(word)) {
       quoted += c;
       if (c == '"') quoted += '"';
     }
@@ -180,6 +180,13 @@ Result<std::vector<SherdRow>> Catalogue::sherdRows(const Filter& filter,
     }
     return order.field == "number" ? rows : inOrder(*database_, rows, order);
   });
+}
+
+std::string searched(std::string word) {
+  for (const std::string_view other : {"İ", "ı"})
+    for (std::size_t at; (at = word.find(other)) != std::string::npos;)
+      word.replace(at, other.size(), "i");
+  return word;
 }
 
 }  // namespace ostraka::catalogue

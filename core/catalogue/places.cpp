@@ -8,6 +8,7 @@
 #include "catalogue/database.h"
 #include "catalogue/history.h"
 #include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
@@ -115,13 +116,12 @@ ContextRecord readContext(Statement& row) {
 
 // After a place was renamed, the sherds in it are found by the new name.
 void searchAnew(Database& database, const char* which, std::int64_t row) {
-  database
-      .sql(std::string("UPDATE sherd_text SET words = (SELECT words FROM sherd_words WHERE sherd = "
-                       "sherd_text.rowid) WHERE rowid IN (SELECT sherd.row FROM sherd JOIN context "
-                       "ON context.row = sherd.context WHERE context.") +
-           which + " = ?)")
-      .with(row)
-      .run();
+  const std::string update =
+      std::string("UPDATE sherd_text SET words = (SELECT ") + kSearchedWords +
+      " FROM sherd_words WHERE sherd = sherd_text.rowid) WHERE rowid IN (SELECT sherd.row FROM "
+      "sherd JOIN context ON context.row = sherd.context WHERE context." +
+      which + " = ?)";
+  database.sql(update).with(row).run();
 }
 
 }  // namespace

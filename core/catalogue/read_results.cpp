@@ -101,6 +101,8 @@ class Reading {
 
   void pairsOf(const json& pairs) {
     for (const json& p : pairs.at("pairs")) {
+      // A person's word counts by its own row, and ends where it is taken back.
+      if (p.contains("decided")) continue;
       PairDecision d;
       d.batch = batch_;
       const auto& pose = p.at("T_front_from_back");

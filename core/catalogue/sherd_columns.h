@@ -72,6 +72,10 @@ void clearMeasure(Catalogue& catalogue, SherdRow sherd, const std::string& kind,
 /// Lets the draft sherds of a batch, and the scans' states, follow the decisions that count.
 void settleSherds(Catalogue& catalogue, BatchRow batch, const Act& act);
 
+/// As the search has them: with one i, dotted or not (see searched()).
+inline constexpr const char* kSearchedWords = "replace(replace(words, 'İ', 'i'), 'ı', 'i')";
+/// A word as it is searched for: İ and ı are i, I is folded by the index.
+std::string searched(std::string word);
 /// The search finds the sherd by what it says now.
 void searchAnew(Database& database, SherdRow sherd);
 

@@ -88,9 +88,8 @@ void searchAnew(Database& database, SherdRow sherd) {
       .with(sherd)
       .run();
   database
-      .sql(
-          "INSERT OR REPLACE INTO sherd_text (rowid, words) SELECT sherd, words FROM sherd_words "
-          "WHERE sherd = ?")
+      .sql(std::string("INSERT OR REPLACE INTO sherd_text (rowid, words) SELECT sherd, ") +
+           kSearchedWords + " FROM sherd_words WHERE sherd = ?")
       .with(sherd)
       .run();
 }

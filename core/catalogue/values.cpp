@@ -109,8 +109,10 @@ Result<std::string> checkedEdtf(std::string_view typed) {
 }
 
 Result<std::string> checkedMunsell(std::string_view typed) {
-  const std::string text = trimmed(typed);
+  std::string text = trimmed(typed);
   if (text.empty()) return text;
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   const auto numeric = [](std::string_view part) {
     return part.find_first_not_of("0123456789.") == std::string_view::npos;
   };

@@ -11,6 +11,7 @@
 #include <QStringListModel>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <set>
 
 #include "catalogue/values.h"
 #include "ui/catalogue/field_words.h"
@@ -89,22 +90,20 @@ void SherdDetails::buildLayout() {
   form_ = new QFormLayout;
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  QLabel* void_label = nullptr;
-  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
-    const std::string name = field.name;
-    if (name == "site") addPlace();
-    // A context is chosen with its trench and site; what voids a sherd comes last.
-    if (!field.editable || name == "site" || name == "trench" || name == "context") continue;
-    auto* label = new QLabel(fieldLabel(name), page);
+  const auto addField = [&](const catalogue::SherdField& field) {
+    auto* label = new QLabel(fieldLabel(field.name), page);
     QWidget* editor = editorFor(field);
     label->setBuddy(editor);
-    if (name == "void_reason") {
-      void_label = label;
-      continue;
-    }
     form_->addRow(label, editor);
+  };
+  // A context is chosen with its trench and site; what voids a sherd comes last, for Tab too.
+  const std::set<std::string> elsewhere = {"site", "trench", "context", "void_reason"};
+  for (const catalogue::SherdField& field : catalogue::sherdFields()) {
+    if (field.name == std::string("site")) addPlace();
+    if (field.editable && !elsewhere.contains(field.name)) addField(field);
   }
-  form_->addRow(void_label, editors_.value("void_reason"));
+  for (const catalogue::SherdField& field : catalogue::sherdFields())
+    if (field.name == std::string("void_reason")) addField(field);
   measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
   history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
   files_ = table({tr("file"), tr("kind"), tr("state")}, tr("Files"), page);

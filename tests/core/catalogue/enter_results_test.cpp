@@ -456,5 +456,35 @@ TEST_F(Entering, CanBeStopped) {
   EXPECT_EQ(count("scan"), 0);
 }
 
+// Taken back, it is nobody's word: the model that was made of it is no sherd's.
+TEST_F(Entering, OfAPairThatAPersonDecidedKeepsNothingWhenItIsTakenBack) {
+  enter();
+  PairDecision decided;
+  decided.batch = batch;
+  decided.front = scanNamed("f001");
+  decided.back = scanNamed("b002");
+  const DecisionRow row = valueIn(catalogue().decide(decided, anna));
+  out.pairs() = {{1, 2, false, "AP"}, {3, 3, false}};
+  out.write();
+  enter();
+  const auto sherd = [&] {
+    for (const SherdRecord& one : sherds())
+      if (one.front == scanNamed("f001")) return one;
+    return SherdRecord();
+  };
+  EXPECT_EQ(sherd().back, scanNamed("b002"));
+  EXPECT_FALSE(sherd().model_path.empty());
+  PairDecision back;
+  back.batch = batch;
+  back.verdict = Verdict::Withdraw;
+  back.replaces = row;
+  ASSERT_TRUE(catalogue().decide(back, anna));
+  EXPECT_NE(sherd().back, scanNamed("b002"));
+  EXPECT_TRUE(sherd().model_path.empty());
+  EXPECT_FALSE(sherd().measures.contains("length"));
+  enter();  // the same results once more
+  EXPECT_NE(sherd().back, scanNamed("b002"));
+}
+
 }  // namespace
 }  // namespace ostraka::catalogue

@@ -70,6 +70,14 @@ TEST_F(Filters, TheLineOfTheHandbookWorks) {
   EXPECT_EQ(letters("rim T3 thickness>6"), "a");
 }
 
+TEST_F(Filters, AnyIFindsAnyOtherAsInTurkish) {
+  const SherdRow row = *catalogue().sherdByNumber("ARM1-T3-0013-0002");
+  ASSERT_TRUE(set(row, "note", "İZNİK IŞIK, kırmızı"));
+  for (const char* word : {"iznik", "İznik", "İZNİK", "IZNIK", "ışık", "IŞIK", "işik", "KIRMIZI",
+                           "kırmızı", "kirmizi"})
+    EXPECT_EQ(letters(word), "d") << word;
+}
+
 TEST_F(Filters, ShortWordsAreWholePlacesOrBags) {
   EXPECT_EQ(letters("T3"), "abcd");
   EXPECT_EQ(letters("T4"), "");

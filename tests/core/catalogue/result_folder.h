@@ -25,6 +25,7 @@ class ResultFolder {
   struct Pair {
     int front, back;
     bool ambiguous;
+    std::string decided_by = {};
   };
   std::vector<Pair>& pairs() { return pairs_; }
   /// Of each piece, both sides alike: piece 1 is the first.
@@ -54,6 +55,8 @@ class ResultFolder {
                        {"T_front_from_back", toJson(pose)},
                        {"rim_rms_mm", 0.2},
                        {"rim_overlap", 0.6}});
+      if (!p.decided_by.empty())
+        pairs.back()["decided"] = {{"by", p.decided_by}, {"at", "2026-07-14T18:30:00Z"}};
       const std::string number = "0" + std::to_string(i + 1);
       sherds.push_back({{"number", number},
                         {"front", name('f', p.front)},

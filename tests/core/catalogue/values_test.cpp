@@ -30,8 +30,9 @@ TEST(Values, MunsellColoursHaveHueValueAndChroma) {
   for (const char* colour : {"10YR 3/1", "7.5YR 5.5/4", "N 4/", "N 4/0", "5PB 3/2", "2.5Y 8/2"})
     EXPECT_TRUE(checkedMunsell(colour)) << colour;
   for (const char* colour :
-       {"10YR3/1", "10YR", "YR 3/1", "10XX 3/1", "brown", "10YR 3", "10YR /1", "10yr 3/1", "N4/ "})
+       {"10YR3/1", "10YR", "YR 3/1", "10XX 3/1", "brown", "10YR 3", "10YR /1", "N4/ "})
     EXPECT_FALSE(checkedMunsell(colour)) << colour;
+  EXPECT_EQ(*checkedMunsell("2.5yr 5/6"), "2.5YR 5/6");
 }
 
 TEST(Values, NumbersAreReadWithPointOrCommaInEveryLocale) {

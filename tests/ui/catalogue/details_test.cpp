@@ -95,6 +95,17 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "state"), QString("numbered"));
   }
 
+  void tabGoesFromTheNumberDownTheForm() {
+    choose(0);
+    auto* number = child<QLineEdit>("field_number");
+    number->setFocus();
+    QTest::keyClick(number, Qt::Key_Tab);
+    QCOMPARE(station_->focusWidget()->objectName(), QString("field_place"));
+    child<QLineEdit>("field_note")->setFocus();
+    QTest::keyClick(station_->focusWidget(), Qt::Key_Tab);
+    QCOMPARE(station_->focusWidget()->objectName(), QString("field_void_reason"));
+  }
+
   void theSameContextChosenAgainKeepsTheBag() {
     choose(0);
     auto* place = child<QComboBox>("field_place");

@@ -226,6 +226,15 @@ std::string unguarded(std::string_view text) {
   return std::string(text);
 }
 
+namespace {
+
+Error inTwoWays(const std::string& whole, const std::string& rest) {
+  return Error::unusable("'" + whole + "," + rest + "' can be read as " + whole + rest + " or as " +
+                         whole + "." + rest + "; write one of the two.");
+}
+
+}  // namespace
+
 Result<void> readsOneWay(std::string_view number) {
   constexpr std::string_view kDigits = "0123456789";
   // Of 1,250 ± 2,5 each; 1 250,125 has its thousands apart already.
@@ -241,9 +250,8 @@ Result<void> readsOneWay(std::string_view number) {
         (behind.empty() || behind.starts_with("±") || behind.front() == '+');
     const std::size_t digits = comma - std::min(begin, comma);
     if (!alone || digits < 1 || digits > 3 || number[begin] == '0' || end - comma != 4) continue;
-    const std::string whole(number.substr(begin, digits)), rest(number.substr(comma + 1, 3));
-    return Error::unusable("'" + whole + "," + rest + "' can be read as " + whole + rest +
-                           " or as " + whole + "." + rest + "; write one of the two.");
+    return inTwoWays(std::string(number.substr(begin, digits)),
+                     std::string(number.substr(comma + 1, 3)));
   }
   return {};
 }

@@ -270,8 +270,8 @@ class ReadingBack {
     const Result<SherdRow> sherd = catalogue.sherdById(record.row.values.at("uuid"));
     if (!sherd) return sherd.error();
     if (!*sherd) return {};  // refused
-    if (const Result<void> done = join(*sherd, record); !done) return done;
-    if (const Result<void> done = scansOf(*sherd, record); !done) return done;
+    if (Result<void> done = join(*sherd, record); !done) return done;
+    if (Result<void> done = scansOf(*sherd, record); !done) return done;
     const Result<std::vector<FileRecord>> had = catalogue.files(*sherd);
     if (!had) return had.error();
     if (!had->empty()) return {};

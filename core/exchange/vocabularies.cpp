@@ -63,7 +63,7 @@ Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies, co
       terms->push_back(std::move(term));
     }
     if (terms->size() == before) continue;
-    if (const Result<void> set = catalogue.setVocabulary(name, *terms, act); !set) return set;
+    if (Result<void> set = catalogue.setVocabulary(name, *terms, act); !set) return set;
   }
   return {};
 }

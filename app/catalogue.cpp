@@ -192,6 +192,20 @@ int runCheck(const Options& options, Session& session) {
   if (!whole) return fail(session, whole.error());
   const auto saved = project->backUp();
   if (!saved) return fail(session, saved.error());
+  const auto files = project->catalogue().files();
+  if (!files) return fail(session, files.error());
+  std::vector<std::string> gone;
+  for (const catalogue::FileRecord& file : *files) {
+    std::error_code error;
+    if (!std::filesystem::exists(project->folder() / file.path, error)) gone.push_back(file.path);
+  }
+  if (!gone.empty())
+    return fail(session,
+                {ErrorCode::Missing,
+                 std::to_string(gone.size()) + " of " + std::to_string(files->size()) +
+                     " files that the catalogue names are not there, the first is " + gone.front() +
+                     "; put them back from a copy. The catalogue itself is whole.",
+                 project->folder().string()});
   return said(session, {{"whole", true}, {"backup", saved->string()}},
               "The catalogue is whole; a backup was made: " + saved->string());
 }

@@ -8475,5 +8475,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ lässt sich als %2 oder als %3 lesen; eines von beiden schreiben.</translation>
     </message>
+    <message>
+      <source>The context %1 needs its site; name both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Befund %1 braucht seinen Fundort; bitte beide nennen.</translation>
+    </message>
   </context>
 </TS>

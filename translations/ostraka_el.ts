@@ -8475,5 +8475,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» διαβάζεται ως %2 ή ως %3· γράψτε ένα από τα δύο.</translation>
     </message>
+    <message>
+      <source>The context %1 needs its site; name both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλαίσιο %1 χρειάζεται τη θέση του· γράψτε και τα δύο.</translation>
+    </message>
   </context>
 </TS>

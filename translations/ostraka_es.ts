@@ -8475,5 +8475,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» se puede leer como %2 o como %3; escriba uno de los dos.</translation>
     </message>
+    <message>
+      <source>The context %1 needs its site; name both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El contexto %1 necesita su yacimiento; indique ambos.</translation>
+    </message>
   </context>
 </TS>

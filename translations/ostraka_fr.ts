@@ -8475,5 +8475,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » peut se lire %2 ou %3 ; écrivez l’un des deux.</translation>
     </message>
+    <message>
+      <source>The context %1 needs its site; name both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contexte %1 a besoin de son site ; indiquez les deux.</translation>
+    </message>
   </context>
 </TS>

@@ -8475,5 +8475,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը կարելի է կարդալ %2 կամ %3. գրեք երկուսից մեկը։</translation>
     </message>
+    <message>
+      <source>The context %1 needs its site; name both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համատեքստին պետք է իր հուշարձանը. նշեք երկուսն էլ։</translation>
+    </message>
   </context>
 </TS>

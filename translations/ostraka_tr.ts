@@ -8433,5 +8433,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'%1', %2 ya da %3 diye okunabilir; ikisinden birini yazın.</translation>
     </message>
+    <message>
+      <source>The context %1 needs its site; name both.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 konteksti için alanı da gerekli; ikisini de yazın.</translation>
+    </message>
   </context>
 </TS>

@@ -211,6 +211,8 @@ class Examination {
     ContextRow context;
     BagRow bag;
     if (!wanted["context"].empty()) {
+      if (wanted["site"].empty())
+        refuse("The context " + wanted["context"] + " needs its site; name both.");
       context =
           orRefuse(catalogue_.contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
       if (!context)

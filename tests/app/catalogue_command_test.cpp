@@ -8,11 +8,16 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
 #include <string>
+#include "catalogue/catalogue.h"
+#include "catalogue/project.h"
+#include "catalogue/sherd.h"
 
 namespace {
 
 namespace fs = std::filesystem;
+namespace catalogue = ostraka::catalogue;
 
 class CatalogueCommand : public testing::Test {
  protected:
@@ -75,6 +80,23 @@ TEST_F(CatalogueCommand, WhatItExportsAndArchivesComesBack) {
   EXPECT_EQ(run("restore " + at("archive") + " -o " + at("back")), 0);
   EXPECT_EQ(run("check " + at("back")), 0);
   EXPECT_EQ(said_["whole"], true);
+}
+
+TEST_F(CatalogueCommand, ChecksThatTheFilesAreThere) {
+  {
+    auto project = catalogue::Project::open(folder_ / "p");
+    ASSERT_TRUE(project);
+    catalogue::FileRecord file;
+    file.path = "batches/B0001/front/cam0_pos00.jpg";
+    file.sha256 = std::string(64, '0');
+    file.media_type = "image/jpeg";
+    file.role = "photo";
+    ASSERT_TRUE(project->catalogue().save(file, {}));
+  }
+  EXPECT_NE(run("check " + at("p")), 0);
+  fs::create_directories(folder_ / "p/batches/B0001/front");
+  std::ofstream(folder_ / "p/batches/B0001/front/cam0_pos00.jpg") << "x";
+  EXPECT_EQ(run("check " + at("p")), 0);
 }
 
 }  // namespace

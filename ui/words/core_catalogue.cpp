@@ -9,6 +9,7 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "This batch is being photographed; it is computed when that is done."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This model is gone; compute its batch again."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "The context %1 needs its site; name both."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The model cannot be kept here (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The disk is full; make room, then try again. Nothing was lost."),

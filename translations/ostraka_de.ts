@@ -2779,6 +2779,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Katalog konnte nicht kopiert werden: %1</translation>
     </message>
+    <message>
+      <source>%1 (can only be read)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (nur lesbar)</translation>
+    </message>
+    <message>
+      <source>This project can only be read: look at everything; changes are refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt kann nur gelesen werden: alles ansehen geht, Änderungen werden abgelehnt.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>

@@ -2779,6 +2779,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κατάλογος δεν αντιγράφηκε: %1</translation>
     </message>
+    <message>
+      <source>%1 (can only be read)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (μόνο για ανάγνωση)</translation>
+    </message>
+    <message>
+      <source>This project can only be read: look at everything; changes are refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί: δείτε τα πάντα· οι αλλαγές δεν γίνονται δεκτές.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>

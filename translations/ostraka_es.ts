@@ -2779,6 +2779,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se pudo copiar el catálogo: %1</translation>
     </message>
+    <message>
+      <source>%1 (can only be read)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (solo lectura)</translation>
+    </message>
+    <message>
+      <source>This project can only be read: look at everything; changes are refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto solo se puede leer: mire todo; los cambios se rechazan.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>

@@ -2779,6 +2779,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le catalogue n’a pas pu être copié : %1</translation>
     </message>
+    <message>
+      <source>%1 (can only be read)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (lecture seule)</translation>
+    </message>
+    <message>
+      <source>This project can only be read: look at everything; changes are refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet ne peut être que lu : regardez tout ; les modifications sont refusées.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>

@@ -2779,6 +2779,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգը չհաջողվեց պատճենել. %1</translation>
     </message>
+    <message>
+      <source>%1 (can only be read)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (միայն ընթերցում)</translation>
+    </message>
+    <message>
+      <source>This project can only be read: look at everything; changes are refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծը կարելի է միայն կարդալ. դիտեք ամեն ինչ, փոփոխությունները մերժվում են։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>

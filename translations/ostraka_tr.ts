@@ -2746,6 +2746,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Katalog kopyalanamadı: %1</translation>
     </message>
+    <message>
+      <source>%1 (can only be read)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 (salt okunur)</translation>
+    </message>
+    <message>
+      <source>This project can only be read: look at everything; changes are refused.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje yalnızca okunabilir: her şeye bakın; değişiklikler kabul edilmez.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::MapStation</name>

@@ -253,6 +253,9 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
   settings_page_->setSession(session_.get());
   settings_.remember(path, title_);
   writeSettings(settings_);
+  const bool read_only = !QFileInfo(path).isWritable() ||
+                         !QFileInfo(path + QStringLiteral("/catalogue.sqlite")).isWritable();
+  if (read_only) title_ = tr("%1 (can only be read)").arg(title_);
   setWindowTitle(tr("%1 - Ostraka").arg(title_));
   all_->setCurrentIndex(1);
   connect(session_.get(), &ProjectSession::batchChanged, this, &MainWindow::followLines);
@@ -261,8 +264,10 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
     writeSettings(settings_);
   });
   connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
+  if (read_only)
+    footer_->say(tr("This project can only be read: look at everything; changes are refused."));
   measureRoom();
-  backUp();
+  if (!read_only) backUp();
 }
 
 void MainWindow::closeProject() {

@@ -2607,6 +2607,11 @@
         <numerusform>%n Zeilen eintragen</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Keep the other versions</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die anderen Fassungen behalten</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportModel</name>

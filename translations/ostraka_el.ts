@@ -2607,6 +2607,11 @@
         <numerusform>Καταχώριση %n γραμμών</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Keep the other versions</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κράτηση των άλλων εκδοχών</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportModel</name>

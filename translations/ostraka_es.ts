@@ -2607,6 +2607,11 @@
         <numerusform>Anotar %n filas</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Keep the other versions</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardar las otras versiones</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportModel</name>

@@ -2607,6 +2607,11 @@
         <numerusform>Inscrire %n lignes</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Keep the other versions</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Garder les autres versions</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportModel</name>

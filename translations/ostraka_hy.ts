@@ -2607,6 +2607,11 @@
         <numerusform>Գրանցել %n տող</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Keep the other versions</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել մյուս տարբերակները</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportModel</name>

@@ -2575,6 +2575,11 @@
         <numerusform>%n satırı gir</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Keep the other versions</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Öteki sürümleri sakla</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::ImportModel</name>

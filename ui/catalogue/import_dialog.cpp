@@ -197,7 +197,8 @@ void ImportDialog::refresh() {
   refusals_->setVisible(model_.report() && model_.report()->refused > 0);
   cancel_->setText(state == State::Done ? tr("Close") : works ? tr("Stop") : tr("Take nothing"));
   const int count = model_.report() ? model_.report()->fresh + model_.report()->changed : 0;
-  enter_->setText(tr("Enter %n row(s)", nullptr, count));
+  enter_->setText(count == 0 && model_.canEnter() ? tr("Keep the other versions")
+                                                  : tr("Enter %n row(s)", nullptr, count));
   enter_->setEnabled(model_.canEnter());
   enter_->setVisible(state != State::Done);
 }

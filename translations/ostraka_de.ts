@@ -4313,6 +4313,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wo ist %1 jetzt?</translation>
     </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einstellungen</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hilfe</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::StopBoard</name>

@@ -4313,6 +4313,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πού είναι τώρα το %1;</translation>
     </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ρυθμίσεις</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Βοήθεια</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::StopBoard</name>

@@ -4313,6 +4313,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>¿Dónde está %1 ahora?</translation>
     </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ajustes</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayuda</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::StopBoard</name>

@@ -4313,6 +4313,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Où est %1 maintenant ?</translation>
     </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Réglages</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aide</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::StopBoard</name>

@@ -4313,6 +4313,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որտե՞ղ է հիմա %1-ը</translation>
     </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարգավորումներ</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օգնություն</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::StopBoard</name>

@@ -4273,6 +4273,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 şimdi nerede?</translation>
     </message>
+    <message>
+      <source>Settings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayarlar</translation>
+    </message>
+    <message>
+      <source>Help</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yardım</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::StopBoard</name>

@@ -126,6 +126,8 @@ void MainWindow::buildLayout() {
   connect(start_, &StartScreen::opened, this, &MainWindow::openProject);
   connect(start_, &StartScreen::found, this, &MainWindow::findProject);
   connect(start_, &StartScreen::made, this, &MainWindow::takeProject);
+  connect(start_, &StartScreen::settingsWanted, this, &MainWindow::showSettings);
+  connect(start_, &StartScreen::manualWanted, this, &MainWindow::showManual);
   connect(start_, &StartScreen::virtualRigWanted, this, &MainWindow::tryVirtualRig);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -71,9 +72,24 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   message_->setObjectName(QStringLiteral("startMessage"));
   message_->hide();
   connect(message_, &MessagePanel::acted, message_, &QWidget::hide);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title);
+  head->addStretch();
+  const auto addSide = [&](const char* name, const char* picture, const QString& text) {
+    auto* button = new QPushButton(icon(QLatin1String(picture)), text, this);
+    button->setObjectName(QLatin1String(name));
+    button->setMinimumHeight(targetSize(*this) * 3 / 4);
+    head->addWidget(button);
+    return button;
+  };
+  // The language, too, is chosen there.
+  connect(addSide("startSettings", "settings", tr("Settings")), &QPushButton::clicked, this,
+          &StartScreen::settingsWanted);
+  connect(addSide("startHelp", "help", tr("Help")), &QPushButton::clicked, this,
+          &StartScreen::manualWanted);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(24, 16, 24, 16);
-  all->addWidget(title);
+  all->addLayout(head);
   all->addWidget(words);
   all->addWidget(message_);
   all->addSpacing(fontMetrics().height());

@@ -28,6 +28,8 @@ class StartScreen final : public QWidget {
   void opened(const QString& folder);                      ///< to be opened
   void found(const QString& lost, const QString& folder);  ///< of a project that was moved
   void virtualRigWanted();
+  void settingsWanted();
+  void manualWanted();
   void made(const std::shared_ptr<ostraka::catalogue::Project>& project);
 
  private:

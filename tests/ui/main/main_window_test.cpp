@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPushButton>
 #include <QTableView>
 #include <QUndoStack>
 
@@ -30,6 +31,18 @@ class MainWindowTest : public QObject {
     record.title = "Aragats 2026";
     const auto made = catalogue::Project::create(folder_.toStdString(), record);
     QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+  }
+
+  void settingsAndHelpAreThereBeforeAProjectIs() {
+    MainWindow window(jobs_);
+    activate(window);
+    QTest::mouseClick(named<QPushButton>(window, "startSettings"), Qt::LeftButton);
+    QVERIFY(!named<StartScreen>(window, "start")->isVisible());
+    window.closeProject();
+    named<QAction>(window, "leavePage")->trigger();
+    QTRY_VERIFY(named<StartScreen>(window, "start")->isVisible());
+    QTest::mouseClick(named<QPushButton>(window, "startHelp"), Qt::LeftButton);
+    QVERIFY(!named<StartScreen>(window, "start")->isVisible());
   }
 
   void aProjectIsCalledByItsName() {

@@ -83,7 +83,7 @@ class PairReviewModel final : public QAbstractListModel {
   void joinWith(batch::Side side, int row);
   /// The side in hand is two pieces, cut along a line as the picture shows it (front's frame, mm).
   void split(batch::Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm);
-  void fetchModel();                                ///< the closed model as last computed
+  void fetchModel();                                ///< of the pair on trial, as last computed
   void fetchScans() { fetchScene(Clouds::Fetch); }  ///< both sides as they are on trial
 
  signals:
@@ -93,7 +93,7 @@ class PairReviewModel final : public QAbstractListModel {
   void settlingAt(const Eigen::Isometry3d& front_from_back);  ///< on the way; trialChanged follows
   void sceneChanged(const std::shared_ptr<const ostraka::ui::PairScene>& scene);
   void busyChanged(bool busy);
-  void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);
+  void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);  ///< null: none
   /// Is on disk. Taken back or done again, it may be another batch's than the one that is shown.
   void decided(const std::filesystem::path& output, const ostraka::pipeline::PairDecision& taken);
   void failed(const QString& sentence);

@@ -114,23 +114,26 @@ void PairReviewModel::fitAt(
 
 void PairReviewModel::fetchModel() {
   if (!live_) return;
-  if (card() == nullptr) return emit failed(tr("A back alone has no closed model."));
+  const int front = trial_.front, back = trial_.back;
+  if (front < 0 || back < 0) {
+    emit modelFetched(nullptr);
+    return emit failed(front < 0 ? tr("A back alone has no closed model.")
+                                 : tr("No back is chosen."));
+  }
   if (model_job_) model_job_->drop();
-  const int front = trial_.front;
-  model_job_ =
-      runner_.start(makeJob(tr("Closed model"),
-                            [live = live_, number = card()->number](Progress&, std::stop_token) {
-                              return closedModel(live, number);
-                            }),
-                    this);
-  connect(model_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
+  model_job_ = runner_.start(makeJob(tr("Closed model"),
+                                     [live = live_, front, back](Progress&, std::stop_token) {
+                                       return closedModel(live, front, back);
+                                     }),
+                             this);
+  connect(model_job_, &JobHandle::finished, this, [this, front, back](const JobOutcome& outcome) {
     const auto model = outcomeAs<MeshPtr>(outcome);
-    if (front != trial_.front) return;
+    if (front != trial_.front || back != trial_.back) return;
+    emit modelFetched(model ? *model : nullptr);
     if (!model)
-      return emit failed(
+      emit failed(
           tr("This pair has no closed model yet; it is made when the "
              "batch is computed."));
-    emit modelFetched(*model);
   });
 }
 

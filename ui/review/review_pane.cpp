@@ -65,9 +65,12 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
             scene_ = scene;
             showScene(*scene);
           });
-  connect(&model_, &PairReviewModel::modelFetched, this,
-          [this](const MeshPtr& mesh) { view_->showModel(*mesh); });
-  connect(view_, &SherdView::backMoved, &model_, &PairReviewModel::moveByHand);
+  connect(&model_, &PairReviewModel::modelFetched, this, [this](const MeshPtr& mesh) {
+    mesh ? view_->showModel(*mesh) : closed_->setChecked(false);
+  });
+  connect(view_, &SherdView::backMoved, this, [this](const auto& turn_rad, const auto& move_mm) {
+    if (!closed_->isChecked()) model_.moveByHand(turn_rad, move_mm);  // a model hides the back
+  });
   connect(view_, &SherdView::pointPicked, this, &ReviewPane::measure);
   showCard();
 }

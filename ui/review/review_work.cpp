@@ -1,7 +1,9 @@
 #include "ui/review/review_work.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "cloud/ply.h"
 #include "pipeline/more_candidates.h"
 
@@ -79,13 +81,21 @@ Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, bat
   return std::shared_ptr<const PairScene>(std::move(scene));
 }
 
-Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number) {
-  // Until its batch is computed to the end, another one's model may lie there.
-  std::error_code failed;
-  if (!std::filesystem::exists(live->output() / "report.json", failed))
-    return Error{ErrorCode::Missing,
-                 "The batch is being computed again; its models can be looked at when it is done.",
-                 live->output().string()};
+// The report tells whose models lie there: a number is a front's, whatever back it was given, and
+// until a batch is computed to the end there is none.
+Result<MeshPtr> closedModel(const LivePairsPtr& live, int front, int back) {
+  const std::filesystem::path file_of_report = live->output() / "report.json";
+  const Result<nlohmann::json> report = readJson(file_of_report);
+  if (!report) return report.error();
+  const std::string& front_id = live->table().fronts.at(static_cast<std::size_t>(front)).id;
+  const std::string& back_id = live->table().backs.at(static_cast<std::size_t>(back)).id;
+  std::string number;
+  for (const nlohmann::json& sherd : report->value("sherds", nlohmann::json::array()))
+    if (sherd.value("front", "") == front_id && sherd.value("back", "") == back_id)
+      number = sherd.value("number", "");
+  if (number.empty())
+    return Error{ErrorCode::Missing, "There is no model of these two sides.",
+                 file_of_report.string()};
   Result<PlyContents> file = readPly(live->output() / "sherds" / number / "model.ply");
   if (!file) return file.error();
   return MeshPtr(std::make_shared<TriangleMesh>(std::move(file->mesh)));

@@ -47,9 +47,10 @@ Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int
 Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, batch::Side side,
                                                    int scan);
 
-/// OUT/sherds/<number>/model.ply.
+/// OUT/sherds/<number>/model.ply of the sherd that was computed from these two sides; Missing where
+/// the front was computed with another back, or the batch not to its end.
 using MeshPtr = std::shared_ptr<const TriangleMesh>;
-Result<MeshPtr> closedModel(const LivePairsPtr& live, const std::string& number);
+Result<MeshPtr> closedModel(const LivePairsPtr& live, int front, int back);
 
 /// Small pictures of all scans, by side and index.
 using ScanPictures = std::map<std::pair<batch::Side, int>, QImage>;

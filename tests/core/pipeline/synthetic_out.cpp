@@ -114,6 +114,21 @@ RegisteredCandidate candidate(int front, int back, double log_likelihood, double
   return c;
 }
 
+// Its sherds are the pairs as the program has them.
+void writeReport(const CandidateTable& table, const SyntheticOptions& options,
+                 const fs::path& file) {
+  nlohmann::ordered_json sherds = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < table.fronts.size(); ++i) {
+    const std::size_t back = options.swapped_look_alikes && i < 2 ? 1 - i : i;
+    sherds.push_back({{"number", sherdNumber(table.fronts[i].id)},
+                      {"front", table.fronts[i].id},
+                      {"back", table.backs[back].id}});
+  }
+  (void)writeJson(file, {{"format", "ostraka-report/1"},
+                         {"decisions", nlohmann::ordered_json::array()},
+                         {"sherds", sherds}});
+}
+
 }  // namespace
 
 SyntheticOut writeSyntheticOut(const fs::path& output, const SyntheticOptions& options) {
@@ -163,6 +178,7 @@ SyntheticOut writeSyntheticOut(const fs::path& output, const SyntheticOptions& o
     }
   }
   (void)writeJson(work / "pairs" / "candidates.json", toJson(out.table));
+  writeReport(out.table, options, output / "report.json");
   return out;
 }
 

@@ -8504,6 +8504,9 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Befund %1 braucht seinen Fundort; bitte beide nennen.</translation>
+      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ladung ist nicht zu Ende gerechnet; lassen Sie die Warteschlange sie rechnen, dann können ihre Paare angesehen werden.</translation>
     </message>
   </context>
 </TS>

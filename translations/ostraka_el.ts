@@ -8504,6 +8504,9 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλαίσιο %1 χρειάζεται τη θέση του· γράψτε και τα δύο.</translation>
+      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα δεν έχει υπολογιστεί ως το τέλος· αφήστε την ουρά να την υπολογίσει και τότε θα μπορείτε να δείτε τα ζεύγη της.</translation>
     </message>
   </context>
 </TS>

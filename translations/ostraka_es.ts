@@ -8504,6 +8504,9 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contexto %1 necesita su yacimiento; indique ambos.</translation>
+      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tanda no está calculada hasta el final; deje que la cola la calcule y después se podrán ver sus parejas.</translation>
     </message>
   </context>
 </TS>

@@ -8504,6 +8504,9 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contexte %1 a besoin de son site ; indiquez les deux.</translation>
+      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le lot n'est pas calculé jusqu'au bout ; laissez la file le calculer, puis ses paires pourront être examinées.</translation>
     </message>
   </context>
 </TS>

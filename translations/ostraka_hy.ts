@@ -8504,6 +8504,9 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստին պետք է իր հուշարձանը. նշեք երկուսն էլ։</translation>
+      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակը մինչև վերջ հաշվարկված չէ. թողեք, որ հերթը հաշվարկի այն, ապա դրա զույգերը կարելի կլինի դիտել։</translation>
     </message>
   </context>
 </TS>

@@ -8462,6 +8462,9 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti için alanı da gerekli; ikisini de yazın.</translation>
+      <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti sonuna kadar hesaplanmadı; kuyruğun onu hesaplamasını bekleyin, sonra eşlerine bakılabilir.</translation>
     </message>
   </context>
 </TS>

@@ -22,6 +22,7 @@ struct OpenedBatch {
   pipeline::Decisions decisions;  ///< all ever taken
   pipeline::Decisions followed;   ///< by the results as they are
 };
+/// Missing while it is computed, and where that was stopped.
 Result<OpenedBatch> openBatch(const std::filesystem::path& output);
 
 /// How a batch stands, whether it is shown or not; from its files alone.

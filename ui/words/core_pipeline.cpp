@@ -230,6 +230,9 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Look at the masks, and at whether sherds were on the plate."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The folder cannot be made (%1)."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The batch is not computed to its end; let the queue compute it, then its "
+                        "pairs can be looked at."),
   };
   return kAll;
 }

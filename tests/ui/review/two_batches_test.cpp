@@ -6,6 +6,7 @@
 #include <QTest>
 #include <fstream>
 
+#include "base/files.h"
 #include "review_window.h"
 #include "ui/queue/batch_figures.h"
 #include "ui/queue/batch_queue.h"
@@ -21,6 +22,7 @@ class TwoBatchesTest : public ReviewWindow {
   void theNameIsAskedForUntilItIsThere();
   void nothingIsDecidedWhileAnotherBatchOpens();
   void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
+  void aBatchThatIsBeingComputedIsNotOpened();
   void aDecisionOnAnotherBatchIsTakenBackThere();
   void twoBatchesTakenBackAtOnceBothWantAPersonAgain();
   void enterInTheListOfBatchesOnlyChooses();
@@ -81,6 +83,24 @@ void TwoBatchesTest::aBatchThatDoesNotOpenLeavesNoPairsToDecideOn() {
   key(Qt::Key_Return);
   QVERIFY(standingOnDisk().empty());
   QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
+}
+
+// Its scans may be new while its table is the old one, and its cards would show others' sherds.
+void TwoBatchesTest::aBatchThatIsBeingComputedIsNotOpened() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  const std::filesystem::path report = second.output / "report.json";
+  const std::string bytes = *readFile(report);
+  std::filesystem::remove(report);
+  station_->showItem("B0002");
+  auto* message = station_->findChild<QLabel*>("message");
+  QTRY_VERIFY2(message->text().contains("not computed to its end"), qPrintable(message->text()));
+  QVERIFY(!model()->isOpen());
+  key(Qt::Key_Return);
+  QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
+  QVERIFY(writeFileAtomically(report, bytes));
+  session_->tellBatchChanged("B0002");
+  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
 }
 
 void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {

@@ -8508,5 +8508,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Ladung ist nicht zu Ende gerechnet; lassen Sie die Warteschlange sie rechnen, dann können ihre Paare angesehen werden.</translation>
     </message>
+    <message>
+      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wurde neu aufgenommen, nachdem die Maske verbessert war; die Striche auf der früheren Aufnahme sind weggelassen. Sehen Sie die Maske an.</translation>
+    </message>
   </context>
 </TS>

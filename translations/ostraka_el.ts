@@ -8508,5 +8508,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα δεν έχει υπολογιστεί ως το τέλος· αφήστε την ουρά να την υπολογίσει και τότε θα μπορείτε να δείτε τα ζεύγη της.</translation>
     </message>
+    <message>
+      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η %1 ξαναφωτογραφήθηκε αφού διορθώθηκε η μάσκα της· οι πινελιές στην προηγούμενη φωτογραφία παραλείπονται. Κοιτάξτε τη μάσκα της.</translation>
+    </message>
   </context>
 </TS>

@@ -8508,5 +8508,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda no está calculada hasta el final; deje que la cola la calcule y después se podrán ver sus parejas.</translation>
     </message>
+    <message>
+      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se tomó de nuevo después de corregir su máscara; los trazos sobre la fotografía anterior se dejan fuera. Revise su máscara.</translation>
+    </message>
   </context>
 </TS>

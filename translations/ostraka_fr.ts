@@ -8508,5 +8508,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot n'est pas calculé jusqu'au bout ; laissez la file le calculer, puis ses paires pourront être examinées.</translation>
     </message>
+    <message>
+      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a été reprise après la retouche de son masque ; les traits sur la photographie précédente sont laissés de côté. Regardez son masque.</translation>
+    </message>
   </context>
 </TS>

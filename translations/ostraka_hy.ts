@@ -8508,5 +8508,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակը մինչև վերջ հաշվարկված չէ. թողեք, որ հերթը հաշվարկի այն, ապա դրա զույգերը կարելի կլինի դիտել։</translation>
     </message>
+    <message>
+      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը նորից է նկարվել իր դիմակը շտկելուց հետո. նախորդ լուսանկարի վրայի գծերը բաց են թողնված։ Նայեք դրա դիմակը։</translation>
+    </message>
   </context>
 </TS>

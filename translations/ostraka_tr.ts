@@ -8466,5 +8466,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti sonuna kadar hesaplanmadı; kuyruğun onu hesaplamasını bekleyin, sonra eşlerine bakılabilir.</translation>
     </message>
+    <message>
+      <source>%1 was taken again after its mask was mended; the strokes on the photograph before are left out. Look at its mask.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, maskesi düzeltildikten sonra yeniden çekildi; önceki fotoğraftaki çizgiler dışarıda bırakıldı. Maskesine bakın.</translation>
+    </message>
   </context>
 </TS>

@@ -30,14 +30,16 @@ fs::path strokesFile(const fs::path& output) {
 ordered_json strokeJson(const MaskStroke& s) {
   ordered_json path = ordered_json::array();
   for (const Eigen::Vector2d& p : s.path_px) path.push_back({p.x(), p.y()});
-  return {{"side", batch::name(s.side)},
-          {"camera", s.camera},
-          {"stop", s.stop},
-          {"paint", s.paint == MaskPaint::Sherd ? "sherd" : "plate"},
-          {"radius_px", s.radius_px},
-          {"path_px", path},
-          {"by", s.by},
-          {"at", s.at}};
+  ordered_json value = {{"side", batch::name(s.side)},
+                        {"camera", s.camera},
+                        {"stop", s.stop},
+                        {"paint", s.paint == MaskPaint::Sherd ? "sherd" : "plate"},
+                        {"radius_px", s.radius_px},
+                        {"path_px", path},
+                        {"by", s.by},
+                        {"at", s.at}};
+  if (!s.photograph.empty()) value["photograph"] = s.photograph;
+  return value;
 }
 
 bool isUsable(const MaskStroke& s) {
@@ -58,6 +60,7 @@ MaskStroke strokeFrom(const json& value) {
     s.path_px.emplace_back(p.at(0).get<double>(), p.at(1).get<double>());
   s.by = value.value("by", "");
   s.at = value.value("at", "");
+  s.photograph = value.value("photograph", "");
   return s;
 }
 
@@ -89,6 +92,24 @@ ordered_json toJson(const std::vector<MaskStroke>& strokes) {
   ordered_json list = ordered_json::array();
   for (const MaskStroke& stroke : strokes) list.push_back(strokeJson(stroke));
   return list;
+}
+
+StrokesOn strokesOn(const std::vector<MaskStroke>& strokes, batch::Side side, int camera, int stop,
+                    const std::string& photograph_sha256) {
+  StrokesOn on;
+  for (const MaskStroke& s : strokes) {
+    if (s.side != side || s.camera != camera || s.stop != stop) continue;
+    if (s.photograph.empty() || s.photograph == photograph_sha256)
+      on.holding.push_back(s);
+    else
+      on.taken_again = true;
+  }
+  return on;
+}
+
+std::string photographHash(const fs::path& photograph) {
+  const Result<std::string> bytes = readFile(photograph);
+  return bytes ? sha256(*bytes) : std::string();
 }
 
 Result<void> writeMaskStrokes(const fs::path& output, const std::vector<MaskStroke>& strokes) {

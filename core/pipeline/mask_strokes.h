@@ -20,7 +20,10 @@ struct MaskStroke {
   MaskPaint paint = MaskPaint::Sherd;
   double radius_px = 0;
   std::vector<Eigen::Vector2d> path_px;  ///< one point or more, in the photograph's own pixels
-  std::string by, at;                    ///< initials; UTC, 2026-07-14T09:30:12Z
+  std::string photograph;  ///< SHA-256 of its file; empty where an older program kept none
+
+  bool operator==(const MaskStroke&) const = default;
+  std::string by, at;  ///< initials; UTC, 2026-07-14T09:30:12Z
 };
 
 /// OUT/mask_strokes.json, in the order painted; none when there is no such file. What the program
@@ -34,6 +37,17 @@ Result<void> writeMaskStrokes(const std::filesystem::path& output,
 bool masksWantComputing(const std::filesystem::path& output);
 
 nlohmann::ordered_json toJson(const std::vector<MaskStroke>& strokes);
+
+/// Those on the photograph of a side, camera and stop, in the order painted. Where it was taken
+/// again (its file has another hash) sherds may lie elsewhere: those before hold no more.
+struct StrokesOn {
+  std::vector<MaskStroke> holding;
+  bool taken_again = false;  ///< there are others, of a photograph before
+};
+StrokesOn strokesOn(const std::vector<MaskStroke>& strokes, batch::Side side, int camera, int stop,
+                    const std::string& photograph_sha256);
+/// Of the file's bytes; empty when it cannot be read.
+std::string photographHash(const std::filesystem::path& photograph);
 
 /// mask: 0..255 as in mask/masks.h, of the photograph's size.
 void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke);

@@ -7,19 +7,34 @@
 #include "batch/photograph.h"
 #include "pipeline/chain.h"
 #include "pipeline/mask_strokes.h"
+#include "pipeline/moved_batch.h"
 
 namespace ostraka::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The strokes on this photograph, in their order.
-std::vector<MaskStroke> strokesOn(const std::vector<MaskStroke>& strokes,
-                                  const rig::PosedImage& image) {
-  std::vector<MaskStroke> own;
-  for (const MaskStroke& s : strokes)
-    if (s.side == image.side && s.camera == image.camera && s.stop == image.stop) own.push_back(s);
-  return own;
+/// What people painted on a side's photographs, one entry for each image.
+struct SideStrokes {
+  std::vector<std::vector<MaskStroke>> on;
+  std::vector<std::string> warnings;  ///< of photographs that were taken again since
+};
+
+SideStrokes sideStrokes(const std::vector<MaskStroke>& strokes,
+                        const std::vector<rig::PosedImage>& images, const fs::path& output) {
+  SideStrokes side;
+  for (const rig::PosedImage& image : images) {
+    const fs::path file = photographNow(image.file, output);
+    StrokesOn own = strokesOn(strokes, image.side, image.camera, image.stop, {});
+    if (own.taken_again)  // only where it is asked for is a photograph read for it
+      own = strokesOn(strokes, image.side, image.camera, image.stop, photographHash(file));
+    if (own.taken_again)
+      side.warnings.push_back(file.filename().string() +
+                              " was taken again after its mask was mended; the strokes on the "
+                              "photograph before are left out. Look at its mask.");
+    side.on.push_back(std::move(own.holding));
+  }
+  return side;
 }
 
 Result<void> mendInto(const fs::path& to, const fs::path& from,
@@ -46,30 +61,32 @@ Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<P
   std::erase_if(*strokes, [&](const MaskStroke& s) { return s.side != side; });
   if (strokes->empty()) return found;
   const std::vector<rig::PosedImage> images = poses.value.of(side);
+  const SideStrokes own = sideStrokes(*strokes, images, run.options.output);
   const fs::path as_found = run.work / (std::string("masks_") + batch::name(side));
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
     int mended = 0;
-    for (const rig::PosedImage& image : images) {
+    for (std::size_t i = 0; i < images.size(); ++i) {
       if (run.stop.stop_requested()) return Error::cancelled();
-      const std::vector<MaskStroke> own = strokesOn(*strokes, image);
-      mended += own.empty() ? 0 : 1;
-      const std::string name = maskName(image);
-      if (Result<void> done = mendInto(folder / name, as_found / name, own); !done)
+      mended += own.on[i].empty() ? 0 : 1;
+      const std::string name = maskName(images[i]);
+      if (Result<void> done = mendInto(folder / name, as_found / name, own.on[i]); !done)
         return done.error();
     }
     return StageNotes{{{"strokes", strokes->size()},
                        {"strokes_sha256", sha256(toJson(*strokes).dump())},
                        {"mended_masks", mended}},
-                      {}};
+                      own.warnings};
   };
   const std::string name = std::string("mended_") + batch::name(side);
-  const Result<StageRecord> record = runStage(
-      run.work, name,
-      {{"masks", found.record.outputs_hash}, {"strokes", toJson(*strokes)}, {"notes", "2"}}, work,
-      run.progress);
+  const Result<StageRecord> record = runStage(run.work, name,
+                                              {{"masks", found.record.outputs_hash},
+                                               {"strokes", toJson(*strokes)},
+                                               {"taken_again", own.warnings},
+                                               {"notes", "2"}},
+                                              work, run.progress);
   if (!record) return record.error();
   for (std::size_t i = 0; i < images.size(); ++i) {
-    if (strokesOn(*strokes, images[i]).empty()) continue;
+    if (own.on[i].empty()) continue;
     const Result<cv::Mat> mask = batch::readMask(run.work / name / maskName(images[i]));
     if (!mask) return mask.error();
     found.value[i] =
@@ -78,6 +95,7 @@ Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<P
   // Warnings about the masks as found still say which photographs show nothing.
   StageRecord both = *record;
   both.notes.warnings = found.record.notes.warnings;
+  for (const std::string& warning : record->notes.warnings) both.notes.warnings.push_back(warning);
   return Staged<Masks>{std::move(found.value), std::move(both)};
 }
 

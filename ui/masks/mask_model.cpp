@@ -22,8 +22,24 @@ constexpr QRgb kVeil = qRgba(0, 90, 190, 120);
 
 struct OpenedMasks {
   std::vector<pipeline::MaskedPhotograph> photographs;
+  std::vector<std::string> hashes;
   std::vector<pipeline::MaskStroke> strokes;
 };
+
+Result<OpenedMasks> opened(const std::filesystem::path& output, const std::stop_token& stop) {
+  auto photographs = pipeline::maskedPhotographs(output);
+  if (!photographs) return photographs.error();
+  auto strokes = pipeline::readMaskStrokes(output);
+  if (!strokes) return strokes.error();
+  std::vector<std::string> hashes;
+  for (const pipeline::MaskedPhotograph& p : *photographs) {
+    if (stop.stop_requested()) return Error::cancelled();
+    // Large files: only those are read of which there is something to tell.
+    const bool asked = pipeline::strokesOn(*strokes, p.side, p.camera, p.stop, {}).taken_again;
+    hashes.push_back(asked ? pipeline::photographHash(p.photograph) : std::string());
+  }
+  return OpenedMasks{std::move(*photographs), std::move(hashes), std::move(*strokes)};
+}
 
 QImage veilOf(const QImage& mask) {
   QVector<QRgb> colours(256);
@@ -56,37 +72,49 @@ class StrokeCommand final : public QUndoCommand {
         output_(model.output_),
         stroke_(std::move(stroke)) {}
   void redo() override {
-    if (std::exchange(first_, false)) return;  // it was saved before the command was made
-    change([this](auto& strokes) { strokes.push_back(stroke_); });
+    if (stands_) return;
+    stands_ = done(change([this](auto& strokes) { strokes.push_back(stroke_); }));
+    setObsolete(!stands_);
   }
+  // This very stroke, wherever it stands in the file.
   void undo() override {
-    change([](auto& strokes) {
-      if (!strokes.empty()) strokes.pop_back();
+    const Result<void> taken = change([this](auto& strokes) {
+      const auto last = std::find(strokes.rbegin(), strokes.rend(), stroke_);
+      if (last != strokes.rend()) strokes.erase(std::next(last).base());
     });
+    stands_ = !done(taken);
+    if (!stands_) return;
+    // It stays, and is what can be taken back once there is room again.
+    if (taken.error().code == ErrorCode::CannotWrite && session_)
+      QMetaObject::invokeMethod(
+          session_, [session = session_.data()] { session->undo().redo(); }, Qt::QueuedConnection);
+    else
+      setObsolete(true);
   }
 
  private:
   // The page may show another batch by now; the strokes stand in the file of theirs.
   template <class Change>
-  void change(Change apply) {
+  Result<void> change(Change apply) {
     auto strokes = pipeline::readMaskStrokes(output_);
-    if (strokes) {
-      apply(*strokes);
-      if (model_ && model_->output_ == output_) {
-        if (model_->hold(*strokes)) return;
-      } else if (pipeline::writeMaskStrokes(output_, *strokes)) {
-        if (model_) model_->settle(session_, QString::fromStdString(output_.filename().string()));
-        return;
-      }
-    }
-    setObsolete(true);
+    if (!strokes) return strokes.error();
+    apply(*strokes);
+    if (model_ && model_->output_ == output_) return model_->hold(*strokes);
+    const Result<void> written = pipeline::writeMaskStrokes(output_, *strokes);
+    if (written && model_)
+      model_->settle(session_, QString::fromStdString(output_.filename().string()));
+    return written;
+  }
+  bool done(const Result<void>& changed) {
+    if (!changed && model_) emit model_->failed(sentenceOf(changed.error()));
+    return changed.has_value();
   }
 
   QPointer<MaskModel> model_;
   QPointer<ProjectSession> session_;
   std::filesystem::path output_;
   pipeline::MaskStroke stroke_;
-  bool first_ = true;
+  bool stands_ = true;  ///< in the file; it was saved before the command was made
 };
 
 MaskModel::MaskModel(QObject* parent) : QObject(parent) {}
@@ -106,6 +134,7 @@ void MaskModel::close() {
   batch_.clear();
   output_.clear();
   photographs_.clear();
+  hashes_.clear();
   strokes_.clear();
   index_ = -1;
   painted_ = false;
@@ -120,21 +149,16 @@ void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
   output_ = session.folder() / "results" / batch.toStdString();
   job_ = session.jobs().start(
       makeJob(tr("Masks of %1").arg(batch),
-              [output = output_](Progress&, std::stop_token) -> Result<OpenedMasks> {
-                auto photographs = pipeline::maskedPhotographs(output);
-                if (!photographs) return photographs.error();
-                auto strokes = pipeline::readMaskStrokes(output);
-                if (!strokes) return strokes.error();
-                return OpenedMasks{std::move(*photographs), std::move(*strokes)};
-              }),
+              [output = output_](Progress&, std::stop_token stop) { return opened(output, stop); }),
       this);
   connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     job_->deleteLater();
     job_.clear();
-    const auto opened = outcomeAs<OpenedMasks>(outcome);
-    if (!opened) return emit failed(sentenceOf(opened.error()));
-    photographs_ = opened->photographs;
-    strokes_ = opened->strokes;
+    const auto masks = outcomeAs<OpenedMasks>(outcome);
+    if (!masks) return emit failed(sentenceOf(masks.error()));
+    photographs_ = masks->photographs;
+    hashes_ = masks->hashes;
+    strokes_ = masks->strokes;
     show(0);
   });
 }
@@ -147,11 +171,15 @@ QString MaskModel::title(int index) const {
       .arg(p.stop + 1);
 }
 
+// Not those on a photograph that was taken again since: sherds may lie elsewhere now.
+std::vector<pipeline::MaskStroke> MaskModel::strokesOn(int index) const {
+  const std::size_t i = static_cast<std::size_t>(index);
+  const pipeline::MaskedPhotograph& p = photographs_.at(i);
+  return pipeline::strokesOn(strokes_, p.side, p.camera, p.stop, hashes_.at(i)).holding;
+}
+
 bool MaskModel::isMended(int index) const {
-  const pipeline::MaskedPhotograph& p = photographs_.at(static_cast<std::size_t>(index));
-  return std::any_of(strokes_.begin(), strokes_.end(), [&](const pipeline::MaskStroke& s) {
-    return s.side == p.side && s.camera == p.camera && s.stop == p.stop;
-  });
+  return !strokesOn(index).empty();
 }
 
 int MaskModel::mended() const {
@@ -161,7 +189,8 @@ int MaskModel::mended() const {
 }
 
 Result<MaskModel::Shown> MaskModel::read(const pipeline::MaskedPhotograph& photograph) {
-  Shown shown{pictureAt(photograph.photograph), pictureAt(photograph.mask)};
+  Shown shown{pictureAt(photograph.photograph), pictureAt(photograph.mask),
+              pipeline::photographHash(photograph.photograph)};
   for (const auto& [image, file] : {std::pair(&shown.photograph, &photograph.photograph),
                                     std::pair(&shown.veil, &photograph.mask)})
     if (image->isNull())
@@ -187,6 +216,7 @@ void MaskModel::show(int index) {
     if (!shown) return emit failed(sentenceOf(shown.error()));
     photograph_ = shown->photograph;
     found_veil_ = shown->veil;
+    hashes_[static_cast<std::size_t>(index_)] = shown->hash;
     drawVeil();
   });
 }
@@ -194,11 +224,9 @@ void MaskModel::show(int index) {
 void MaskModel::drawVeil() {
   veil_ = found_veil_;
   if (veil_.isNull()) return;
-  const pipeline::MaskedPhotograph& p = photographs_[static_cast<std::size_t>(index_)];
   QPainter painter(&veil_);
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const pipeline::MaskStroke& s : strokes_) {
-    if (s.side != p.side || s.camera != p.camera || s.stop != p.stop) continue;
+  for (const pipeline::MaskStroke& s : strokesOn(index_)) {
     QPolygonF path;
     for (const Eigen::Vector2d& at : s.path_px) path << QPointF(at.x(), at.y());
     if (path.size() == 1) path << path.first() + QPointF(0.01, 0);  // a dot is drawn, too
@@ -213,16 +241,13 @@ void MaskModel::drawVeil() {
   emit veilChanged();
 }
 
-bool MaskModel::hold(std::vector<pipeline::MaskStroke> strokes) {
-  if (const Result<void> done = pipeline::writeMaskStrokes(output_, strokes); !done) {
-    emit failed(sentenceOf(done.error()));
-    return false;
-  }
+Result<void> MaskModel::hold(std::vector<pipeline::MaskStroke> strokes) {
+  if (const Result<void> done = pipeline::writeMaskStrokes(output_, strokes); !done) return done;
   strokes_ = std::move(strokes);
   painted_ = true;
   if (index_ >= 0) drawVeil();
   settle(session_, batch_);
-  return true;
+  return {};
 }
 
 // The queue tells that the batch is to be computed again, also to who leaves without doing it.
@@ -261,9 +286,11 @@ void MaskModel::paint(pipeline::MaskPaint paint, const QPolygonF& path, double r
   for (const QPointF& at : path) stroke.path_px.emplace_back(at.x(), at.y());
   stroke.by = session_->initials().toStdString();
   stroke.at = utcNow();
+  stroke.photograph = hashes_[static_cast<std::size_t>(index_)];
   std::vector<pipeline::MaskStroke> strokes = strokes_;
   strokes.push_back(stroke);
-  if (!hold(std::move(strokes))) return;
+  if (const Result<void> done = hold(std::move(strokes)); !done)
+    return emit failed(sentenceOf(done.error()));
   session_->undo().push(new StrokeCommand(*this, std::move(stroke)));
 }
 

@@ -32,7 +32,7 @@ class MaskModel final : public QObject {
   int index() const { return index_; }
   bool isMended(int index) const;  ///< somebody painted on it
   int mended() const;              ///< how many photographs are
-  bool canCompute() const { return painted_ || !strokes_.empty(); }
+  bool canCompute() const { return painted_ || mended() > 0; }
 
   /// The photograph, and a veil over what is sherd; null while they are read.
   const QImage& photograph() const { return photograph_; }
@@ -51,8 +51,10 @@ class MaskModel final : public QObject {
   friend class StrokeCommand;
   struct Shown {
     QImage photograph, veil;
+    std::string hash;  ///< of the photograph's file
   };
-  bool hold(std::vector<pipeline::MaskStroke> strokes);
+  std::vector<pipeline::MaskStroke> strokesOn(int index) const;
+  Result<void> hold(std::vector<pipeline::MaskStroke> strokes);
   void drawVeil();
   void forgetJob();
   void settle(ProjectSession* session, const QString& batch);
@@ -62,6 +64,7 @@ class MaskModel final : public QObject {
   QString batch_;
   std::filesystem::path output_;
   std::vector<pipeline::MaskedPhotograph> photographs_;
+  std::vector<std::string> hashes_;  ///< of photographs; empty where none was asked for
   std::vector<pipeline::MaskStroke> strokes_;
   bool painted_ = false;
   int index_ = -1;

@@ -231,6 +231,9 @@ Sentences sentencesOfPipeline() {
                         "Look at the masks, and at whether sherds were on the plate."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The folder cannot be made (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "%1 was taken again after its mask was mended; the strokes on the "
+                        "photograph before are left out. Look at its mask."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "The batch is not computed to its end; let the queue compute it, then its "
                         "pairs can be looked at."),
   };

@@ -55,6 +55,23 @@ TEST_F(MaskStrokes, AreReadBackAsTheyWerePainted) {
   EXPECT_EQ((*back)[1].at, "2026-07-14T09:30:12Z");
 }
 
+TEST_F(MaskStrokes, HoldOnlyForThePhotographTheyWerePaintedOn) {
+  MaskStroke old = dot(MaskPaint::Sherd, 1, 2, 3), here = old, before = old, elsewhere = old;
+  here.photograph = "aa";
+  before.photograph = "bb";
+  elsewhere.photograph = "aa";
+  elsewhere.stop = 6;
+  ASSERT_TRUE(writeMaskStrokes(out, {old, here, before, elsewhere}).has_value());
+  const auto read = readMaskStrokes(out);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  StrokesOn on = strokesOn(*read, batch::Side::Back, 2, 5, "aa");
+  EXPECT_EQ(on.holding, (std::vector<MaskStroke>{old, here})) << "an older program kept no hash";
+  EXPECT_TRUE(on.taken_again);
+  on = strokesOn(*read, batch::Side::Back, 2, 6, "aa");
+  EXPECT_EQ(on.holding, std::vector<MaskStroke>{elsewhere});
+  EXPECT_FALSE(on.taken_again);
+}
+
 TEST_F(MaskStrokes, ThatAreNoneAreRefusedByTheFilesName) {
   for (const char* text :
        {"{}", R"({"format":"ostraka-mask-strokes/1","strokes":[{"side":"front"}]})",

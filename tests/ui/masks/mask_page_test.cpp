@@ -1,6 +1,7 @@
 // What is sherd on a photograph is shown and mended with a brush, by mouse and by keys.
 #include "ui/masks/mask_page.h"
 
+#include <sys/resource.h>
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
@@ -9,7 +10,9 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QUndoStack>
+
 #include <QtTest>
+#include <csignal>
 #include <filesystem>
 
 #include "../names.h"
@@ -26,6 +29,24 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 namespace fs = std::filesystem;
+
+// A limit on file sizes fails a write as a full disk does.
+class NoRoom {
+ public:
+  NoRoom() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    struct rlimit full = before_;
+    full.rlim_cur = 16;
+    setrlimit(RLIMIT_FSIZE, &full);
+  }
+  ~NoRoom() { setrlimit(RLIMIT_FSIZE, &before_); }
+  NoRoom(const NoRoom&) = delete;
+  NoRoom& operator=(const NoRoom&) = delete;
+
+ private:
+  struct rlimit before_ {};
+};
 
 class MaskPageTest : public QObject {
   Q_OBJECT
@@ -134,6 +155,45 @@ class MaskPageTest : public QObject {
     const Eigen::Vector2d second = pipeline::readMaskStrokes(out_)->back().path_px.front();
     QVERIFY(second.x() > first.x());
     QCOMPARE(second.y(), first.y());
+  }
+
+  void aStrokeOnAPhotographThatWasTakenAgainHoldsNoMore() {
+    const QPoint plate = outsideOfSherds();
+    model_->paint(pipeline::MaskPaint::Sherd, QPolygonF{{plate}}, 8);
+    QVERIFY(qAlpha(model_->veil().pixel(plate)) > 0);
+    QCOMPARE(model_->mended(), 1);
+    const fs::path now = fs::path(folder_->path().toStdString()) / "batches/B0001/photographs";
+    const auto again = readFile(now / "back.png");
+    QVERIFY(again.has_value());
+    QVERIFY(writeFileAtomically(now / "front.png", *again).has_value());
+    page_->openBatch(*session_, "B0001");
+    QTRY_VERIFY_WITH_TIMEOUT(!model_->veil().isNull(), 20000);
+    QCOMPARE(qAlpha(model_->veil().pixel(plate)), 0);
+    QCOMPARE(model_->mended(), 0);
+    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
+  }
+
+  // As when the file of strokes cannot be written at one act, and can at the next.
+  void aStrokeThatCouldNotBeTakenBackCanBeTakenBackLater() {
+    const QSignalSpy failed(model_, &MaskModel::failed);
+    for (const double x : {20.0, 60.0})
+      model_->paint(pipeline::MaskPaint::Sherd, QPolygonF{{x, 20.0}}, 8);
+    {
+      const NoRoom no_room;
+      session_->undo().undo();
+      QCOMPARE(failed.count(), 1);
+      QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{2});
+      QTRY_COMPARE(session_->undo().index(), 2);
+    }
+    const auto at = [&](std::size_t i) {
+      return pipeline::readMaskStrokes(out_)->at(i).path_px.front().x();
+    };
+    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{2});
+    session_->undo().undo();
+    QCOMPARE(pipeline::readMaskStrokes(out_)->size(), std::size_t{1});
+    QCOMPARE(at(0), 20.0);
+    session_->undo().undo();
+    QVERIFY(pipeline::readMaskStrokes(out_)->empty());
   }
 
   void theNextPhotographIsOneKeyAway() {

@@ -217,6 +217,7 @@ void CatalogueStation::addActions() {
     action->setObjectName(name);
     action->setShortcut(keys);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setAutoRepeat(false);
     connect(action, &QAction::triggered, this, act);
     addAction(action);
   };

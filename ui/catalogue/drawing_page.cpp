@@ -96,6 +96,7 @@ QLayout* DrawingPage::buildActs() {
   auto* action = new QAction(tr("Print the drawing"), this);
   action->setShortcut(QKeySequence::Print);
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  action->setAutoRepeat(false);
   connect(action, &QAction::triggered, this, &DrawingPage::print);
   addAction(action);
   auto* row = new QHBoxLayout;

@@ -37,6 +37,8 @@ MaskPage::MaskPage(QWidget* parent)
       addAct("masksPrevious", QStringLiteral("up"), tr("Photograph before"), Qt::Key_PageUp);
   next_ = addAct("masksNext", QStringLiteral("down"), tr("Next photograph"), Qt::Key_PageDown);
   compute_ = addAct("masksCompute", QStringLiteral("retry"), tr("Compute with these"), Qt::Key_C);
+  previous_->setAutoRepeat(true);
+  next_->setAutoRepeat(true);
   auto* brush = new QActionGroup(this);
   for (QAction* action : {sherd_, plate_}) {
     action->setCheckable(true);
@@ -71,6 +73,7 @@ QAction* MaskPage::addAct(const char* name, const QString& icon_name, const QStr
   action->setObjectName(QString::fromLatin1(name));
   action->setShortcut(key);
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  action->setAutoRepeat(false);
   addAction(action);
   return action;
 }
@@ -126,6 +129,7 @@ void MaskPage::buildLayout() {
     QAction* action = addAct(key == Qt::Key_Plus ? "masksLarger" : "masksSmaller",
                              key == Qt::Key_Plus ? QStringLiteral("plus") : QStringLiteral("minus"),
                              key == Qt::Key_Plus ? tr("Larger") : tr("Smaller"), key);
+    action->setAutoRepeat(true);
     connect(action, &QAction::triggered, this, [this, by = factor] { view_->enlarge(by); });
   }
   setFocusProxy(view_);

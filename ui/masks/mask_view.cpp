@@ -197,7 +197,8 @@ void MaskView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Right) moveBrush({step, 0});
   if (event->key() == Qt::Key_Up) moveBrush({0, -step});
   if (event->key() == Qt::Key_Down) moveBrush({0, step});
-  if (event->key() == Qt::Key_Space) emit stroked(QPolygonF() << brush_.value_or(middle_));
+  if (event->key() == Qt::Key_Space && !event->isAutoRepeat())
+    emit stroked(QPolygonF() << brush_.value_or(middle_));
 }
 
 }  // namespace ostraka::ui

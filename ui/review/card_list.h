@@ -21,6 +21,7 @@ class CardList final : public QListView {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyboardSearch(const QString&) override {}  ///< letters are acts here
 
  private:
   void endDrag();

@@ -87,6 +87,7 @@ QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QK
   action->setObjectName(name);
   action->setShortcuts(keys);
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  action->setAutoRepeat(false);  // a key that is held down decides one pair, not all of them
   addAction(action);
   return action;
 }
@@ -94,6 +95,7 @@ QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QK
 QAction* ReviewPane::step(const char* name, const QString& text, const QKeySequence& key, int by,
                           void (PairReviewModel::*slot)(int), void (PicturePair::*line)(int)) {
   QAction* action = keyed(name, text, {key});
+  action->setAutoRepeat(true);
   connect(action, &QAction::triggered, this, [this, slot, line, by] {
     pictures_->isCutting() && line ? (pictures_->*line)(by) : (model_.*slot)(by);
   });
@@ -109,11 +111,13 @@ QAction* ReviewPane::toggle(const char* name, const QString& text, const QKeySeq
 void ReviewPane::buildActions() {
   const auto add = [this](const char* name, const QString& text, const QList<QKeySequence>& keys,
                           void (ReviewPane::*slot)()) {
-    connect(keyed(name, text, keys), &QAction::triggered, this, slot);
+    QAction* action = keyed(name, text, keys);
+    connect(action, &QAction::triggered, this, slot);
+    return action;
   };
   add("accept", tr("This one"), {Qt::Key_Return, Qt::Key_Enter}, &ReviewPane::accept);
-  add("next", tr("Next pair"), {Qt::Key_Down}, &ReviewPane::next);
-  add("previous", tr("Previous pair"), {Qt::Key_Up}, &ReviewPane::previous);
+  add("next", tr("Next pair"), {Qt::Key_Down}, &ReviewPane::next)->setAutoRepeat(true);
+  add("previous", tr("Previous pair"), {Qt::Key_Up}, &ReviewPane::previous)->setAutoRepeat(true);
   add("leaveJoin", tr("Settle, join and cut nothing"), {Qt::Key_Escape}, &ReviewPane::leave);
   for (int i = 0; i < 9; ++i)
     step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,

@@ -10,7 +10,6 @@
 #include "../names.h"
 #include "base/files.h"
 #include "catalogue/piece_decisions.h"
-#include "cloud/ply.h"
 #include "review_window.h"
 #include "ui/frame/look.h"
 #include "ui/queue/batch_queue.h"
@@ -30,8 +29,8 @@ class ReviewWindowTest : public ReviewWindow {
   void swappedLookAlikesAreFixedByKeyboard();
   void swappedLookAlikesAreFixedByMouse();
   void twentyPairsAreReviewedByKeyboardAlone();
+  void aKeyThatIsHeldDownDecidesOnePair();
   void theKeysOfThePictureWork();
-  void theClosedModelIsShownOfItsOwnPairOnly();
   void aPieceIsCutByKeyboard();
   void aBackThatNoFrontHoldsHasACardOfItsOwn();
   void aLoneBackIsDraggedOntoItsFront();
@@ -121,6 +120,29 @@ void ReviewWindowTest::twentyPairsAreReviewedByKeyboardAlone() {
   QCOMPARE(station_->waiting(), 0);
 }
 
+// A glove, or something that lies on the key.
+void ReviewWindowTest::aKeyThatIsHeldDownDecidesOnePair() {
+  open(4);
+  const auto hold = [](Qt::Key held, const QString& text) {
+    QWidget* widget = QApplication::focusWidget();
+    QTest::simulateEvent(widget, true, held, Qt::NoModifier, text, false);
+    for (int i = 0; i < 5; ++i)
+      QTest::simulateEvent(widget, true, held, Qt::NoModifier, text, true);
+    QTest::simulateEvent(widget, false, held, Qt::NoModifier, text, false);
+    QApplication::processEvents();
+  };
+  hold(Qt::Key_Return, "\r");
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  hold(Qt::Key_S, "s");
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{2});
+  station_->findChild<QListView*>("cards")->setFocus();
+  hold(Qt::Key_S, "s");
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{3});
+  model()->selectRow(0);
+  hold(Qt::Key_Down, {});
+  QTRY_COMPARE(model()->rowInHand(), model()->rowCount() - 1);
+}
+
 void ReviewWindowTest::theKeysOfThePictureWork() {
   open(4);
   auto& view = *station_->findChild<SherdView*>("sherd");
@@ -152,39 +174,6 @@ void ReviewWindowTest::theKeysOfThePictureWork() {
   QTRY_COMPARE(cardOf(front).state, CardState::Aside);
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(cardOf(front).state, CardState::Ask);
-}
-
-// Sherd 01 was computed from f001 and b002, as the program has them.
-void ReviewWindowTest::theClosedModelIsShownOfItsOwnPairOnly() {
-  open(4);
-  TriangleMesh mesh;
-  mesh.vertices = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}, {0, 0, 5}};
-  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
-  QVERIFY(writePly(out_.output / "sherds/01/model.ply", mesh, "plate_front").has_value());
-  QSignalSpy fetched(model(), &PairReviewModel::modelFetched);
-  QSignalSpy scenes(model(), &PairReviewModel::sceneChanged);
-  model()->select(0);
-  QTRY_VERIFY(!scenes.isEmpty());
-  const auto hasModel = [&] { return fetched.takeLast().at(0).value<MeshPtr>() != nullptr; };
-  const auto* closed = station_->findChild<QAction*>("closed");
-  key(Qt::Key_V);
-  QTRY_COMPARE(fetched.count(), 1);
-  QVERIFY(hasModel());
-  QVERIFY(closed->isChecked());
-  emit station_->findChild<SherdView*>("sherd")->backMoved({0.1, 0, 0}, {0, 0, 0});
-  QVERIFY2(model()->trial().made == Made::Program, "a back that is not seen is not turned");
-  scenes.clear();
-  key(Qt::Key_2);
-  QTRY_COMPARE(model()->trial().back, 0);
-  QTRY_VERIFY(!scenes.isEmpty());
-  QVERIFY(!closed->isChecked());
-  fetched.clear();
-  key(Qt::Key_V);
-  QTRY_COMPARE(fetched.count(), 1);
-  QVERIFY2(!hasModel(), "of f001 and b001 there is none");
-  QVERIFY(!closed->isChecked());
-  const QString said = station_->findChild<QLabel*>("message")->text();
-  QVERIFY2(said.contains("no closed model yet"), qPrintable(said));
 }
 
 void ReviewWindowTest::aPieceIsCutByKeyboard() {

@@ -3710,6 +3710,9 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde als %2 in %3 noch einmal aufgenommen und hat nun einen Eintrag mehr: ihn im Katalog für ungültig erklären oder das Stück hier beiseitelegen.</translation>
+      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf %1 ist keine Länge bekannt: Keine Zahl und keine Länge hier ist in Millimetern.</translation>
     </message>
   </context>
   <context>

@@ -3710,6 +3710,9 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 φωτογραφήθηκε ξανά ως %2 στην %3 και έχει τώρα μία εγγραφή επιπλέον: ακυρώστε την στον κατάλογο ή αφήστε εδώ το κομμάτι στην άκρη.</translation>
+      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στην %1 δεν είναι γνωστό κανένα μήκος: κανένας αριθμός και κανένα μήκος εδώ δεν είναι σε χιλιοστά.</translation>
     </message>
   </context>
   <context>

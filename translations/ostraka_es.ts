@@ -3710,6 +3710,9 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se fotografió otra vez como %2 en %3 y ahora tiene una ficha de más: anúlela en el catálogo o aparte aquí la pieza.</translation>
+      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En %1 no se conoce ninguna longitud: ninguna cifra ni longitud mostrada aquí está en milímetros.</translation>
     </message>
   </context>
   <context>

@@ -3710,6 +3710,9 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը կրկին լուսանկարվել է որպես %2՝ %3-ում, և այժմ մեկ գրառում ավելի ունի. այն կատալոգում անվավեր դարձրեք կամ կտորը այստեղ մի կողմ դրեք։</translation>
+      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ում ոչ մի երկարություն հայտնի չէ. այստեղ ցույց տրված ոչ մի թիվ և երկարություն միլիմետրով չէ։</translation>
     </message>
   </context>
   <context>

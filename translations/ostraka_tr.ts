@@ -3672,6 +3672,9 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi fazladan bir kaydı var: onu katalogda geçersiz kılın ya da parçayı burada bir kenara koyun.</translation>
+      <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 üzerinde bilinen bir uzunluk yok: burada gösterilen hiçbir sayı ve uzunluk milimetre değildir.</translation>
     </message>
   </context>
   <context>

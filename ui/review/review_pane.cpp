@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QScreen>
 #include <QSplitter>
@@ -67,6 +68,7 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
           });
   connect(&model_, &PairReviewModel::modelFetched, this, [this](const MeshPtr& mesh) {
     mesh ? view_->showModel(*mesh) : closed_->setChecked(false);
+    forgetMeasured();
   });
   connect(view_, &SherdView::backMoved, this, [this](const auto& turn_rad, const auto& move_mm) {
     if (!closed_->isChecked()) model_.moveByHand(turn_rad, move_mm);  // a model hides the back
@@ -145,13 +147,16 @@ void ReviewPane::buildViewActions() {
   connect(mirror_, &QAction::toggled, pictures_, &PicturePair::setMirrored);
   apart_ = toggle("apart", tr("Apart"), Qt::Key_A);
   connect(apart_, &QAction::toggled, view_, &SherdView::setApart);
+  connect(apart_, &QAction::toggled, this, [this](bool on) {
+    if (on) measure_->setChecked(false);  // lengths across sides that lie apart would be false
+  });
   section_ = toggle("section", tr("Section"), Qt::Key_X);
   connect(section_, &QAction::toggled, view_, &SherdView::setSection);
   connect(view_, &SherdView::sectionChanged, section_, &QAction::setChecked);
   measure_ = toggle("measure", tr("Measure"), Qt::Key_D);
   connect(measure_, &QAction::toggled, this, [this](bool on) {
     measured_.clear();
-    if (on) apart_->setChecked(false);  // lengths across sides that lie apart would be false
+    if (on) apart_->setChecked(false);
     view_->setMeasuring(on);
     showFigures();
   });
@@ -323,6 +328,7 @@ void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
   for (const double rim : model_.settlingRims()) rims << mm(rim, 2);
   figures_->setText(tr("The rims settle: %1. Esc stops.").arg(rims.join(QStringLiteral(" → "))));
   if (!closed_->isChecked()) view_->setPose(front_from_back);
+  forgetMeasured();
 }
 
 QString ReviewPane::words() const {
@@ -333,7 +339,15 @@ QString ReviewPane::words() const {
   return model_.reason();
 }
 
+// A length between sides that moved since is none.
+void ReviewPane::forgetMeasured() {
+  if (measured_.empty()) return;
+  measured_.clear();
+  view_->setMeasure(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), {});
+}
+
 void ReviewPane::showFigures() {
+  if (model_.trial().front_from_back.matrix() != measured_at_.matrix()) forgetMeasured();
   reason_->setText(words());
   figures_->setText(model_.isSettling() ? tr("The rims are compared … Esc stops.")
                                         : model_.figuresText());
@@ -345,6 +359,7 @@ void ReviewPane::showFigures() {
 
 void ReviewPane::showScene(const PairScene& scene) {
   const auto& table = model_.live()->table();
+  view_->setUnitKnown(table.has_scale);
   const auto name = [](const std::vector<pipeline::ScanRef>& scans, int i) {
     return i < 0 ? QString() : QString::fromStdString(scans.at(static_cast<std::size_t>(i)).id);
   };
@@ -375,9 +390,12 @@ void ReviewPane::colourRim() {
 void ReviewPane::measure(const Eigen::Vector3d& point) {
   if (measured_.size() >= 2) measured_.clear();
   measured_.push_back(point);
+  measured_at_ = model_.trial().front_from_back;
   if (measured_.size() < 2) return view_->setMeasure(point, point, tr("… and the other end"));
-  view_->setMeasure(measured_[0], measured_[1],
-                    mm(pipeline::length_mm(measured_[0], measured_[1]), 1));
+  const double length = pipeline::length_mm(measured_[0], measured_[1]);
+  view_->setMeasure(
+      measured_[0], measured_[1],
+      model_.live()->table().has_scale ? mm(length, 1) : QLocale().toString(length, 'f', 1));
 }
 
 }  // namespace ostraka::ui

@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <QWidget>
 #include <memory>
 #include <vector>
@@ -58,6 +58,7 @@ class ReviewPane final : public QWidget {
   void showScene(const PairScene& scene);
   void colourRim();
   void measure(const Eigen::Vector3d& point);
+  void forgetMeasured();
 
   PairReviewModel& model_;
   CardList* cards_ = nullptr;
@@ -74,6 +75,7 @@ class ReviewPane final : public QWidget {
   QList<QToolButton*> buttons_;
   std::shared_ptr<const PairScene> scene_;
   std::vector<Eigen::Vector3d> measured_;
+  Eigen::Isometry3d measured_at_ = Eigen::Isometry3d::Identity();  ///< the back's pose then
 };
 
 }  // namespace ostraka::ui

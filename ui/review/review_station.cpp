@@ -109,18 +109,23 @@ QWidget* ReviewStation::buildScale() {
   return scale_;
 }
 
-// A batch that is held for its scale says so beside its pairs: nothing here can settle it.
+// A batch that is held for its scale, or has none, says so beside its pairs: nothing here can
+// settle it.
 void ReviewStation::showScale() {
   QString doubts;
   if (session_ && session_->hasProject())
     if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
       doubts = wordsOf(batch->scale_doubts);
   doubts.replace(QLatin1Char('\n'), QLatin1Char(' '));
-  scale_words_->setText(tr("None of the measures of %1 is sure. %2").arg(batch_, doubts));
+  const bool none = model_->isOpen() && !model_->live()->table().has_scale;
+  scale_words_->setText(
+      none ? tr("No length on %1 is known: no figure and no length shown here is in millimetres.")
+                 .arg(batch_)
+           : tr("None of the measures of %1 is sure. %2").arg(batch_, doubts));
   QPalette look;  // the one colour only: all others follow the theme
   look.setColor(QPalette::Window, StateColours(QApplication::palette()).behind(State::Ask));
   scale_->setPalette(look);
-  scale_->setVisible(!doubts.isEmpty());
+  scale_->setVisible(none || !doubts.isEmpty());
 }
 
 void ReviewStation::openProject(ProjectSession& session) {
@@ -213,6 +218,7 @@ void ReviewStation::openOutput(const QString& batch) {
     const auto opened = outcomeAs<OpenedBatch>(outcome);
     if (!opened) return say(sentenceOf(opened.error()));
     model_->open(*opened);
+    showScale();
     nameSherds();
     compute_->setVisible(model_->wantsComputing());
     if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys

@@ -154,6 +154,10 @@ void SherdView::setNote(const QString& note) {
   if (overlay_ != nullptr) overlay_->setNote(note);
 }
 
+void SherdView::setUnitKnown(bool known) {
+  if (overlay_ != nullptr) overlay_->setUnitKnown(known);
+}
+
 void SherdView::setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                            const QString& text) {
   if (canvas_ == nullptr) return;

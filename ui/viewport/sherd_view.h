@@ -47,6 +47,7 @@ class SherdView final : public QWidget {
   /// Empty: the rims keep the blue and red of their sides.
   void setRim(const ShownRim& rim);
   void showModel(const TriangleMesh& model);
+  void setUnitKnown(bool known);  ///< false: no length is known, so no bar and no mm are shown
   /// A sentence over an empty view.
   void setNote(const QString& note);
   /// The line and its length, in words; empty: none.

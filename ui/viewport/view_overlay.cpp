@@ -33,6 +33,11 @@ void ViewOverlay::setNote(const QString& note) {
   update();
 }
 
+void ViewOverlay::setUnitKnown(bool known) {
+  unit_known_ = known;
+  update();
+}
+
 void ViewOverlay::setMeasure(const QString& text) {
   measure_ = text;
   update();
@@ -59,7 +64,7 @@ void ViewOverlay::paintEvent(QPaintEvent*) {
 }
 
 void ViewOverlay::paintBar(QPainter& painter) const {
-  if (!(mm_per_pixel_ > 0)) return;
+  if (!(mm_per_pixel_ > 0) || !unit_known_) return;
   // The longest round length that takes at most a third of the width.
   const double most = width() / 3.0 * mm_per_pixel_;
   double length = 0;
@@ -98,8 +103,11 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
   for (int i = 0; i < bar; ++i)
     painter.fillRect(edge + i, edge, 1, line / 2, colours.alongRim(static_cast<double>(i) / bar));
   painter.setPen(palette().color(QPalette::Text));
-  const QString far = tr("%1 mm and more").arg(QLocale().toString(reach_mm_, 'f', 1));
-  painter.drawText(edge, edge + line / 2 + metrics.ascent(), tr("0 mm"));
+  const QString reach = QLocale().toString(reach_mm_, 'f', 1);
+  const QString far =
+      unit_known_ ? tr("%1 mm and more").arg(reach) : QStringLiteral("≥ %1").arg(reach);
+  painter.drawText(edge, edge + line / 2 + metrics.ascent(),
+                   unit_known_ ? tr("0 mm") : QStringLiteral("0"));
   painter.drawText(edge + bar - metrics.horizontalAdvance(QStringLiteral("0")),
                    edge + line / 2 + metrics.ascent(), far);
   painter.drawText(edge, edge + line / 2 + line + metrics.ascent(),

@@ -1,0 +1,110 @@
+// The pair in three dimensions: its closed model, and lengths on it.
+#include <QApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalSpy>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+#include "base/json.h"
+#include "cloud/ply.h"
+#include "review_window.h"
+#include "ui/viewport/sherd_view.h"
+#include "ui/viewport/view_overlay.h"
+
+namespace ostraka::ui {
+
+class ReviewPictureTest : public ReviewWindow {
+  Q_OBJECT
+
+ private slots:
+  void cleanup() { close(); }
+  void theClosedModelIsShownOfItsOwnPairOnly();
+  void aLengthIsForgottenWhenWhatWasMeasuredMoves();
+  void aBatchWithoutAnyLengthIsNotMeasuredInMillimetres();
+};
+
+// Sherd 01 was computed from f001 and b002, as the program has them.
+void ReviewPictureTest::theClosedModelIsShownOfItsOwnPairOnly() {
+  open(4);
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}, {0, 0, 5}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  QVERIFY(writePly(out_.output / "sherds/01/model.ply", mesh, "plate_front").has_value());
+  QSignalSpy fetched(model(), &PairReviewModel::modelFetched);
+  QSignalSpy scenes(model(), &PairReviewModel::sceneChanged);
+  model()->select(0);
+  QTRY_VERIFY(!scenes.isEmpty());
+  const auto hasModel = [&] { return fetched.takeLast().at(0).value<MeshPtr>() != nullptr; };
+  const auto* closed = station_->findChild<QAction*>("closed");
+  key(Qt::Key_V);
+  QTRY_COMPARE(fetched.count(), 1);
+  QVERIFY(hasModel());
+  QVERIFY(closed->isChecked());
+  emit station_->findChild<SherdView*>("sherd")->backMoved({0.1, 0, 0}, {0, 0, 0});
+  QVERIFY2(model()->trial().made == Made::Program, "a back that is not seen is not turned");
+  scenes.clear();
+  key(Qt::Key_2);
+  QTRY_COMPARE(model()->trial().back, 0);
+  QTRY_VERIFY(!scenes.isEmpty());
+  QVERIFY(!closed->isChecked());
+  fetched.clear();
+  key(Qt::Key_V);
+  QTRY_COMPARE(fetched.count(), 1);
+  QVERIFY2(!hasModel(), "of f001 and b001 there is none");
+  QVERIFY(!closed->isChecked());
+  const QString said = station_->findChild<QLabel*>("message")->text();
+  QVERIFY2(said.contains("no closed model yet"), qPrintable(said));
+}
+
+void ReviewPictureTest::aLengthIsForgottenWhenWhatWasMeasuredMoves() {
+  open(4);
+  auto& view = *station_->findChild<SherdView*>("sherd");
+  const auto length = [&] { return view.findChild<ViewOverlay*>()->measure(); };
+  const auto measure = [&] {
+    emit view.pointPicked({0, 0, 0});
+    emit view.pointPicked({0, 12, 0});
+  };
+  key(Qt::Key_D);
+  measure();
+  QVERIFY2(length().contains("12"), qPrintable(length()));
+  key(Qt::Key_Right, Qt::ShiftModifier);
+  QTRY_COMPARE(model()->trial().made, Made::StartPoint);
+  QVERIFY2(length().isEmpty(), "the back has moved");
+  measure();
+  QVERIFY(!length().isEmpty());
+  key(Qt::Key_A);
+  QVERIFY(view.isApart());
+  QVERIFY2(!view.isMeasuring(), "sides that lie apart are not measured across");
+  QVERIFY(length().isEmpty());
+}
+
+void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {
+  open(3);
+  const auto* bar = station_->findChild<QWidget*>("scaleInDoubt");
+  QVERIFY(!bar->isVisible());
+  pipeline::CandidateTable table = out_.table;
+  table.has_scale = false;
+  QVERIFY(writeJson(out_.output / "work/pairs/candidates.json", toJson(table)).has_value());
+  QSignalSpy scenes(model(), &PairReviewModel::sceneChanged);
+  station_->showItem("B0001");
+  QTRY_VERIFY(!scenes.isEmpty());
+  QVERIFY(bar->isVisible());
+  const QString words = station_->findChild<QLabel*>("scaleWords")->text();
+  QVERIFY2(words.startsWith("No length on B0001 is known"), qPrintable(words));
+  auto& view = *station_->findChild<SherdView*>("sherd");
+  key(Qt::Key_D);
+  emit view.pointPicked({0, 0, 0});
+  emit view.pointPicked({0, 12, 0});
+  QCOMPARE(view.findChild<ViewOverlay*>()->measure(), QLocale().toString(12.0, 'f', 1));
+}
+
+}  // namespace ostraka::ui
+
+int main(int argc, char** argv) {
+  ostraka::ui::prepareOpenGl();
+  QApplication application(argc, argv);
+  ostraka::ui::ReviewPictureTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "review_picture_test.moc"

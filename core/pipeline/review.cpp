@@ -227,6 +227,15 @@ bool onlyConfirm(const CandidateTable& table, const Decisions& decisions) {
   });
 }
 
+Result<void> computedToItsEnd(const std::filesystem::path& output) {
+  std::error_code failed;
+  if (std::filesystem::exists(output / "report.json", failed)) return {};
+  return Error{ErrorCode::Missing,
+               "The batch is not computed to its end; let the queue compute it, then its pairs can "
+               "be looked at.",
+               output.string()};
+}
+
 bool wantsComputing(const std::filesystem::path& output) {
   if (masksWantComputing(output)) return true;
   const Result<Decisions> decisions = readDecisions(output);

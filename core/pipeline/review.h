@@ -75,6 +75,10 @@ Result<Review> reviewOf(const CandidateTable& table, const Decisions& standing);
 /// These decisions say no more than the program does without any: nothing is to be computed for
 /// them.
 bool onlyConfirm(const CandidateTable& table, const Decisions& decisions);
+/// Missing while a batch is computed, and where that was stopped: its scans may be new already
+/// where its table is not, and a card would show another one's sherd.
+Result<void> computedToItsEnd(const std::filesystem::path& output);
+
 /// The decisions of OUT, or strokes on its masks, say other things than its results followed: they
 /// were made while it was computed, or since. False where it cannot be known.
 bool wantsComputing(const std::filesystem::path& output);

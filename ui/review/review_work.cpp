@@ -23,13 +23,7 @@ QImage imageOf(const pipeline::Picture& picture) {
 }
 
 Result<OpenedBatch> openBatch(const std::filesystem::path& output) {
-  // The scans may be new already where the table is not: a card would show another one's sherd.
-  std::error_code failed;
-  if (!std::filesystem::exists(output / "report.json", failed))
-    return Error{ErrorCode::Missing,
-                 "The batch is not computed to its end; let the queue compute it, then its pairs "
-                 "can be looked at.",
-                 output.string()};
+  if (const Result<void> whole = pipeline::computedToItsEnd(output); !whole) return whole.error();
   Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
   if (!decisions) return decisions.error();
   const auto live = pipeline::LivePairs::open(output);

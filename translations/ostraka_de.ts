@@ -3710,6 +3710,8 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde als %2 in %3 noch einmal aufgenommen und hat nun einen Eintrag mehr: ihn im Katalog für ungültig erklären oder das Stück hier beiseitelegen.</translation>
+    </message>
+    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf %1 ist keine Länge bekannt: Keine Zahl und keine Länge hier ist in Millimetern.</translation>
@@ -8507,6 +8509,8 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Befund %1 braucht seinen Fundort; bitte beide nennen.</translation>
+    </message>
+    <message>
       <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Ladung ist nicht zu Ende gerechnet; lassen Sie die Warteschlange sie rechnen, dann können ihre Paare angesehen werden.</translation>

@@ -3710,6 +3710,8 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 φωτογραφήθηκε ξανά ως %2 στην %3 και έχει τώρα μία εγγραφή επιπλέον: ακυρώστε την στον κατάλογο ή αφήστε εδώ το κομμάτι στην άκρη.</translation>
+    </message>
+    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στην %1 δεν είναι γνωστό κανένα μήκος: κανένας αριθμός και κανένα μήκος εδώ δεν είναι σε χιλιοστά.</translation>
@@ -8507,6 +8509,8 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλαίσιο %1 χρειάζεται τη θέση του· γράψτε και τα δύο.</translation>
+    </message>
+    <message>
       <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα δεν έχει υπολογιστεί ως το τέλος· αφήστε την ουρά να την υπολογίσει και τότε θα μπορείτε να δείτε τα ζεύγη της.</translation>

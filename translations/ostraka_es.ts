@@ -3710,6 +3710,8 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se fotografió otra vez como %2 en %3 y ahora tiene una ficha de más: anúlela en el catálogo o aparte aquí la pieza.</translation>
+    </message>
+    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En %1 no se conoce ninguna longitud: ninguna cifra ni longitud mostrada aquí está en milímetros.</translation>
@@ -8507,6 +8509,8 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contexto %1 necesita su yacimiento; indique ambos.</translation>
+    </message>
+    <message>
       <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda no está calculada hasta el final; deje que la cola la calcule y después se podrán ver sus parejas.</translation>

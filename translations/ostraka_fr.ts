@@ -3710,6 +3710,8 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été photographié de nouveau sous le numéro %2 dans %3 et a maintenant une fiche de trop : annulez-la dans le catalogue, ou mettez la pièce de côté ici.</translation>
+    </message>
+    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune longueur n'est connue sur %1 : aucun chiffre ni aucune longueur affichés ici ne sont en millimètres.</translation>
@@ -8507,6 +8509,8 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contexte %1 a besoin de son site ; indiquez les deux.</translation>
+    </message>
+    <message>
       <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot n'est pas calculé jusqu'au bout ; laissez la file le calculer, puis ses paires pourront être examinées.</translation>

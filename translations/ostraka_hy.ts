@@ -3710,6 +3710,8 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը կրկին լուսանկարվել է որպես %2՝ %3-ում, և այժմ մեկ գրառում ավելի ունի. այն կատալոգում անվավեր դարձրեք կամ կտորը այստեղ մի կողմ դրեք։</translation>
+    </message>
+    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ում ոչ մի երկարություն հայտնի չէ. այստեղ ցույց տրված ոչ մի թիվ և երկարություն միլիմետրով չէ։</translation>
@@ -8507,6 +8509,8 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստին պետք է իր հուշարձանը. նշեք երկուսն էլ։</translation>
+    </message>
+    <message>
       <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակը մինչև վերջ հաշվարկված չէ. թողեք, որ հերթը հաշվարկի այն, ապա դրա զույգերը կարելի կլինի դիտել։</translation>

@@ -3672,6 +3672,8 @@
       <source>%1 was photographed again as %2 in %3, and now has a record more: make that void in the catalogue, or set the piece aside here.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %3 içinde %2 olarak yeniden çekildi ve şimdi fazladan bir kaydı var: onu katalogda geçersiz kılın ya da parçayı burada bir kenara koyun.</translation>
+    </message>
+    <message>
       <source>No length on %1 is known: no figure and no length shown here is in millimetres.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 üzerinde bilinen bir uzunluk yok: burada gösterilen hiçbir sayı ve uzunluk milimetre değildir.</translation>
@@ -8465,6 +8467,8 @@
       <source>The context %1 needs its site; name both.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti için alanı da gerekli; ikisini de yazın.</translation>
+    </message>
+    <message>
       <source>The batch is not computed to its end; let the queue compute it, then its pairs can be looked at.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti sonuna kadar hesaplanmadı; kuyruğun onu hesaplamasını bekleyin, sonra eşlerine bakılabilir.</translation>

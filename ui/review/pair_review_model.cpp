@@ -391,10 +391,14 @@ void PairReviewModel::reshoot() {
 
 void PairReviewModel::giveBack(int front, int back) {
   if (!live_ || front < 0 || back < 0 || !personIsKnown()) return;
+  const pipeline::RegisteredCandidate* known = live_->table().find(front, back);
+  if (known == nullptr) {  // how they fit is to be seen first
+    select(front);
+    return chooseBack(back);
+  }
   PairDecision decision = about(DecisionKind::Pair);
   decision.scans = {frontRef(front), backRef(back)};
-  if (const pipeline::RegisteredCandidate* known = live_->table().find(front, back))
-    decision.front_from_back = known->registration.front_from_back;
+  decision.front_from_back = known->registration.front_from_back;
   decide(decision, tr("pair %1 – %2")
                        .arg(QString::fromStdString(frontRef(front).id),
                             QString::fromStdString(backRef(back).id)));

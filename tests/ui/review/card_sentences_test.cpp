@@ -68,6 +68,8 @@ void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {
 
 void CardSentencesTest::aFrontWhoseBackWasGivenAwayNamesItAndTakesNoOthers() {
   model_->giveBack(0, 2);
+  QTRY_COMPARE(model_->trial().back, 2);
+  model_->accept();
   model_->select(2);
   QCOMPARE(cardOf(2).state, CardState::Alone);
   QVERIFY2(model_->reason().startsWith("Its back b003 was given to f001"),
@@ -98,10 +100,12 @@ void CardSentencesTest::undoingAnAcceptShowsThePoseThatWasInHand() {
   QCOMPARE(model_->trial().back, trial.back);
   QCOMPARE(model_->trial().made, Made::ByHand);
   QVERIFY(model_->trial().front_from_back.isApprox(trial.front_from_back, 0));
-  model_->giveBack(2, 3);  // onto another card than the one in hand
+  const int held = cardOf(1).back;
+  model_->giveBack(1, 1 - held);  // onto another card than the one in hand
+  QCOMPARE(cardOf(1).back, 1 - held);
   undo_->undo();
-  QCOMPARE(model_->front(), 2);
-  QCOMPARE(model_->trial().back, 2);
+  QCOMPARE(model_->front(), 1);
+  QCOMPARE(model_->trial().back, held);
 }
 
 void CardSentencesTest::joinedAndCutPiecesWaitForTheComputation() {

@@ -32,6 +32,7 @@ class PairReviewModelTest : public ReviewModel {
   void whatWasTurnedByHandStandsAsItIs();
   void theStartPointStepsByOneSampleAndToTheNextGoodOne();
   void threeCandidatesAreOfferedAndAnyOtherBackOnDemand();
+  void aBackThatWasNotComparedIsShownBeforeItIsDecided();
   void piecesAreJoinedAndCut();
   void aSmallerBatchTakesThePlaceOfALargerOne();
   void whatWasOnItsWayForTheBatchBeforeIsDropped();
@@ -220,6 +221,19 @@ void PairReviewModelTest::threeCandidatesAreOfferedAndAnyOtherBackOnDemand() {
   model_->chooseBack(missing);
   QTRY_COMPARE(model_->trial().back, missing);
   QCOMPARE(model_->candidates().size(), std::size_t{4});
+}
+
+void PairReviewModelTest::aBackThatWasNotComparedIsShownBeforeItIsDecided() {
+  int back = 0;
+  while (model_->live()->table().find(3, back) != nullptr) ++back;
+  QVERIFY(back < 4);
+  model_->giveBack(3, back);
+  QVERIFY(onDisk().empty());
+  QTRY_COMPARE(model_->trial().back, back);
+  QCOMPARE(model_->front(), 3);
+  model_->accept();
+  QCOMPARE(onDisk().size(), std::size_t{1});
+  QCOMPARE(cardOf(3).back, back);
 }
 
 void PairReviewModelTest::piecesAreJoinedAndCut() {

@@ -1,12 +1,14 @@
 #include "catalogue/review_decisions.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "base/text.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/database.h"
+#include "catalogue/kept_models.h"
 #include "catalogue/piece_decisions.h"
 #include "catalogue/project.h"
 #include "catalogue/sherd_columns.h"
@@ -154,6 +156,35 @@ Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
   return entered ? Result<void>() : Result<void>(entered.error());
 }
 
+bool isOfPieces(const pipeline::PairDecision& d) {
+  return d.kind == DecisionKind::Join || d.kind == DecisionKind::Split;
+}
+
+// Those of the results that followed it: a joined piece has the name of the first, and of a cut one
+// half keeps the name and the other lies nearest.
+std::set<ScanRow> piecesMadeBy(const pipeline::PairDecision& d,
+                               const std::vector<ScanRecord>& scans) {
+  const pipeline::ScanRef& first = d.scans.front();
+  std::set<ScanRow> pieces;
+  const ScanRecord* other = nullptr;
+  double nearest_mm = std::numeric_limits<double>::infinity();
+  for (const ScanRecord& scan : scans) {
+    if (!scan.isThere() || scan.side != first.side) continue;
+    if (scan.name == first.id) {
+      pieces.insert(scan.row);
+    } else if (scan.plate_x_mm && scan.plate_y_mm) {
+      const double off_mm =
+          (Eigen::Vector2d(*scan.plate_x_mm, *scan.plate_y_mm) - first.place_mm).norm();
+      if (off_mm < nearest_mm) {
+        nearest_mm = off_mm;
+        other = &scan;
+      }
+    }
+  }
+  if (d.kind == DecisionKind::Split && other != nullptr) pieces.insert(other->row);
+  return pieces;
+}
+
 // Brings what the catalogue holds of one decisions.json in line with it.
 class Following {
  public:
@@ -202,9 +233,6 @@ class Following {
     std::reverse(wanted_.begin(), wanted_.end());
   }
 
-  static bool isOfPieces(const pipeline::PairDecision& d) {
-    return d.kind == DecisionKind::Join || d.kind == DecisionKind::Split;
-  }
   static bool isAmong(const std::vector<PairDecision>& rows, const PairDecision& row) {
     return std::any_of(rows.begin(), rows.end(), [&](const PairDecision& other) {
       return other.verdict == row.verdict && other.front == row.front && other.back == row.back;
@@ -345,6 +373,35 @@ Result<void> settleByResults(const std::filesystem::path& project, const std::st
   if (!review) return review.error();
   return settleBatch(*catalogue, batch_number, person,
                      review->waiting() == 0 && !pipeline::wantsComputing(output));
+}
+
+Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
+                            const pipeline::PairDecision& withdrawal,
+                            const std::filesystem::path& output) {
+  const auto all = pipeline::readDecisions(output);
+  if (!all) return all.error();
+  return catalogue.together([&]() -> Result<void> {
+    const auto batch = catalogue.batchByNumber(batch_number);
+    if (!batch) return batch.error();
+    const auto scans = catalogue.scans(batch->row);
+    if (!scans) return scans.error();
+    const auto rows = catalogue.sherdRows(batch->row);
+    if (!rows) return rows.error();
+    const auto sherds = catalogue.sherds(*rows);
+    if (!sherds) return sherds.error();
+    const auto person = catalogue.personByInitials(withdrawal.by, {});
+    if (!person) return person.error();
+    for (const pipeline::PairDecision& d : pipeline::followed(*all, output)) {
+      const bool ended = std::find(withdrawal.replaces.begin(), withdrawal.replaces.end(),
+                                   d.number) != withdrawal.replaces.end();
+      if (!ended || !isOfPieces(d) || d.scans.empty()) continue;
+      const std::set<ScanRow> pieces = piecesMadeBy(d, *scans);
+      for (const SherdRecord& sherd : *sherds)
+        if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
+          forgetModel(catalogue, sherd.row, {*person, "window", withdrawal.note});
+    }
+    return {};
+  });
 }
 
 Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,

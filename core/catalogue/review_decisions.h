@@ -35,6 +35,12 @@ Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
 Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
                              const std::string& person);
 
+/// A join or cut that the results of OUT followed and that is taken back: the sherds of its pieces
+/// lose the models and measures that were made of them. Nothing where it was not computed.
+Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
+                            const pipeline::PairDecision& withdrawal,
+                            const std::filesystem::path& output);
+
 /// The batch is to be computed again; the queue sees it.
 Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
                         const std::string& person);

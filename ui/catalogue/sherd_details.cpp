@@ -273,7 +273,7 @@ void SherdDetails::showUnsaved() {
   }
   if (fields.isEmpty()) return;
   fields.sort();
-  showRefusal(
+  placeRefusal(
       typed.begin().key().toStdString(),
       tr("Not saved yet: %1. Return in the field saves it.").arg(fields.join(QStringLiteral(", "))),
       {}, {});
@@ -411,10 +411,26 @@ void SherdDetails::edit(const std::string& wanted) {
   if (auto* line = qobject_cast<QLineEdit*>(editor)) line->selectAll();
 }
 
+// The other fields that were refused before are named along.
 void SherdDetails::showRefusal(const std::string& field, const QString& sentence,
                                const QString& other, const QString& picture) {
+  QStringList before;
+  const QHash<QString, QString> typed = unsaved_.value(sherd_.value);
+  for (auto at = typed.begin(); at != typed.end(); ++at)
+    if (at.key().toStdString() != field) before << fieldLabel(at.key().toStdString());
+  before.sort();
+  const QString whole = other.isEmpty() ? sentence : tr("%1 It is %2.").arg(sentence, other);
+  const QString text = before.isEmpty() ? whole
+                                        : whole + QLatin1Char('\n') +
+                                              tr("Not saved yet: %1. Return in the field saves it.")
+                                                  .arg(before.join(QStringLiteral(", ")));
+  placeRefusal(field, text, other, picture);
+}
+
+void SherdDetails::placeRefusal(const std::string& field, const QString& sentence,
+                                const QString& other, const QString& picture) {
   const QString name = QString::fromStdString(field);
-  refusal_text_->setText(other.isEmpty() ? sentence : tr("%1 It is %2.").arg(sentence, other));
+  refusal_text_->setText(sentence);
   refusal_picture_->setVisible(!other.isEmpty());
   void_it_->hide();
   if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);

@@ -57,6 +57,8 @@ class SherdDetails final : public QScrollArea {
   QWidget* editorFor(const catalogue::SherdField& field);
   void setText(const std::string& field, const QString& text);
   void showUnsaved();
+  void placeRefusal(const std::string& field, const QString& sentence, const QString& other,
+                    const QString& picture);
   void showMeasures(const catalogue::Catalogue& catalogue, const catalogue::SherdRecord& sherd);
   void showHistory(const catalogue::Catalogue& catalogue);
   void showFiles(const catalogue::Catalogue& catalogue, const std::filesystem::path& project);

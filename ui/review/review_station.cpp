@@ -251,7 +251,9 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
           : tr("Saved, with your name."));
   if (session_->hasProject()) {
     catalogue::Catalogue& rows = session_->project().catalogue();
-    const Result<void> entered = catalogue::enterDecision(rows, batch.toStdString(), decision);
+    Result<void> entered = catalogue::enterDecision(rows, batch.toStdString(), decision);
+    if (entered && decision.kind == pipeline::DecisionKind::Withdraw)
+      entered = catalogue::forgetPiecesOf(rows, batch.toStdString(), decision, output);
     if (shown) {
       compute_->setVisible(model_->wantsComputing());
       settle(batch, decision.by, {figuresOf(model_->review()), model_->wantsComputing()});

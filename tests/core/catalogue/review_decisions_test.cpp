@@ -332,6 +332,25 @@ TEST_F(ResultsOfDecisions, JoinsThatWereTakenBackAreTakenBack) {
   EXPECT_EQ(pieceDecisions(catalogue(), batch)->back().verdict, PieceVerdict::Withdraw);
 }
 
+TEST_F(ResultsOfDecisions, AJoinThatWasComputedAndTakenBackLeavesNoModelOfIt) {
+  const pipeline::PairDecision join = taken(DecisionKind::Join, {front(1), front(2)});
+  SherdRecord whole;
+  whole.context = context12;
+  whole.batch = batch;
+  whole.front = rows[{batch::Side::Front, 1}];
+  whole.back = rows[{batch::Side::Back, 1}];
+  const SherdRow sherd = valueIn(catalogue().addSherd(whole, anna));
+  ASSERT_TRUE(catalogue().setModel(sherd, "models/B0001/1/model.ply", ""));
+  const pipeline::PairDecision back = taken(DecisionKind::Withdraw, {}, {join.number});
+  ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
+  EXPECT_FALSE(catalogue().sherd(sherd)->model_path.empty()) << "the join was never computed";
+  ASSERT_TRUE(writeFileAtomically(
+      output / "report.json",
+      nlohmann::json({{"format", "ostraka-report/1"}, {"decisions", {join.number}}}).dump()));
+  ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
+  EXPECT_TRUE(catalogue().sherd(sherd)->model_path.empty());
+}
+
 TEST_F(ReviewDecisions, TheBatchIsQueuedAgain) {
   ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
   EXPECT_FALSE(queueAgain(catalogue(), "B0001", "AP")) << "its back is being photographed again";

@@ -61,6 +61,11 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "weight_g"), QString("12.75"));
     QCOMPARE(date->text(), QString("27-30 AD"));
     QVERIFY(child<QLabel>("refusalText")->isVisible());
+    type("field_munsell_out", "brown");
+    auto* told = child<QLabel>("refusalText");
+    QVERIFY2(told->text().contains("Munsell") && told->text().contains("Not saved yet: date"),
+             qPrintable(told->text()));
+    QTest::keyClick(child<QLineEdit>("field_munsell_out"), Qt::Key_Escape);
     choose(3);
     QVERIFY(date->text() != QString("27-30 AD"));
     choose(0);

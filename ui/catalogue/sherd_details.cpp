@@ -143,6 +143,7 @@ void SherdDetails::buildRefusal(QWidget* page) {
   void_it_->setObjectName("voidIt");
   row->addWidget(void_it_);
   connect(void_it_, &QPushButton::clicked, this, [this] {
+    editors_.value("void_reason")->setFocus();
     if (sherd_) emit voided(unsaved_.value(sherd_.value).value("void_reason"));
   });
 }
@@ -228,9 +229,14 @@ void SherdDetails::keepUnsaved(const QString& field, const QString& value) {
   showUnsaved();
 }
 
-// Esc gives up what was typed.
+// Esc gives up what was typed; Ctrl+Z in a field where nothing was typed is the catalogue's.
 bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
   auto* line = qobject_cast<QLineEdit*>(watched);
+  if (line != nullptr && event->type() == QEvent::ShortcutOverride && !line->isUndoAvailable() &&
+      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo)) {
+    event->ignore();
+    return true;
+  }
   if (line == nullptr || event->type() != QEvent::KeyPress ||
       static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
     return QScrollArea::eventFilter(watched, event);

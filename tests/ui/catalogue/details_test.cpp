@@ -96,6 +96,16 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "state"), QString("void"));
     QCOMPARE(sample_->value(0, "void_reason"), QString("a stone"));
     QVERIFY(!yes->isVisible());
+    QCOMPARE(station_->focusWidget(), line);
+    // Nothing was typed in it since: the shortcut is not the field's.
+    QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    undo.ignore();
+    QApplication::sendEvent(line, &undo);
+    QVERIFY(!undo.isAccepted());
+    QTest::keyClicks(line, "x");
+    QApplication::sendEvent(line, &undo);
+    QVERIFY(undo.isAccepted());
+    QTest::keyClick(line, Qt::Key_Escape);
     sample_->session().undo().undo();
     QCOMPARE(sample_->value(0, "state"), QString("numbered"));
   }

@@ -290,9 +290,17 @@ void ReviewPane::buildLayout() {
   all->addLayout(right, 1);
 }
 
+// A press that decided something ends by marking the card that was pressed; keys act on the other.
+void ReviewPane::markCard() {
+  const int row = model_.rowInHand();
+  if (row < 0 || joining_->isOn()) return;
+  cards_->selectionModel()->setCurrentIndex(model_.index(row), QItemSelectionModel::ClearAndSelect);
+}
+
 void ReviewPane::showCard() {
   const int row = model_.rowInHand();
   if (row >= 0 && cards_->currentIndex().row() != row) cards_->setCurrentIndex(model_.index(row));
+  QMetaObject::invokeMethod(this, &ReviewPane::markCard, Qt::QueuedConnection);
   if (!model_.isOpen()) {
     view_->clear();
     plot_->clear();

@@ -48,6 +48,7 @@ class ReviewPane final : public QWidget {
                 void (PairReviewModel::*slot)(int), void (PicturePair::*line)(int));
   QAction* toggle(const char* name, const QString& text, const QKeySequence& key);
   void showCard();
+  void markCard();
   void accept();
   void next();
   void previous();

@@ -319,6 +319,14 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
   click(model()->rowOf(3), true);  // on the picture of its back
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   QVERIFY(backs(held, 3));
+  // What is marked is what the keys act on.
+  auto* cards = station_->findChild<QListView*>("cards");
+  const auto marked = [&] {
+    const QModelIndexList rows = cards->selectionModel()->selectedIndexes();
+    return rows.size() == 1 ? rows[0].row() : -1;
+  };
+  QTRY_COMPARE(marked(), model()->rowInHand());
+  QCOMPARE(cards->currentIndex().row(), model()->rowInHand());
   key(Qt::Key_J);
   key(Qt::Key_Escape);
   key(Qt::Key_Down);

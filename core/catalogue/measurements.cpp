@@ -108,8 +108,13 @@ void typeMeasure(Catalogue& catalogue, const Measurement& typed, const Act& act)
       "SELECT person, method, model_sha256, uncertainty FROM measurement WHERE sherd = ?1 AND kind "
       "= ?2 AND value = ?3 AND (?4 IS NULL OR ifnull(uncertainty, 0) = ?4) ORDER BY row DESC "
       "LIMIT 1");
+  Measurement was = m;
   if (rows.with(m.sherd, m.kind, m.value, typed.uncertainty).next())
-    rows >> m.by >> m.method >> m.model_sha256 >> m.uncertainty;
+    rows >> was.by >> was.method >> was.model_sha256 >> was.uncertainty;
+  const bool of_program = !was.by && was.method == kProgram;
+  const Current now = currentOf(catalogue.database(), m.sherd, m.kind);
+  // Over what the program says nobody restores it: a person measured what an earlier model had.
+  if (!of_program || !(now.row && !now.by && now.method == kProgram)) m = was;
   if (!m.by && m.method == kProgram) {  // what it says of the model that is there now
     Statement latest = catalogue.database().sql(
         "SELECT value, model_sha256, uncertainty FROM measurement WHERE sherd = ? AND kind = ? AND "

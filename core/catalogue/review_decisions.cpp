@@ -380,6 +380,13 @@ Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_numbe
                             const std::filesystem::path& output) {
   const auto all = pipeline::readDecisions(output);
   if (!all) return all.error();
+  pipeline::Decisions ended = pipeline::followed(*all, output);
+  std::erase_if(ended, [&](const pipeline::PairDecision& d) {
+    return !isOfPieces(d) || d.scans.empty() ||
+           std::find(withdrawal.replaces.begin(), withdrawal.replaces.end(), d.number) ==
+               withdrawal.replaces.end();
+  });
+  if (ended.empty()) return {};
   return catalogue.together([&]() -> Result<void> {
     const auto batch = catalogue.batchByNumber(batch_number);
     if (!batch) return batch.error();
@@ -391,10 +398,7 @@ Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_numbe
     if (!sherds) return sherds.error();
     const auto person = catalogue.personByInitials(withdrawal.by, {});
     if (!person) return person.error();
-    for (const pipeline::PairDecision& d : pipeline::followed(*all, output)) {
-      const bool ended = std::find(withdrawal.replaces.begin(), withdrawal.replaces.end(),
-                                   d.number) != withdrawal.replaces.end();
-      if (!ended || !isOfPieces(d) || d.scans.empty()) continue;
+    for (const pipeline::PairDecision& d : ended) {
       const std::set<ScanRow> pieces = piecesMadeBy(d, *scans);
       for (const SherdRecord& sherd : *sherds)
         if (pieces.contains(sherd.front) || pieces.contains(sherd.back))

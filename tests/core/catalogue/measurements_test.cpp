@@ -83,6 +83,16 @@ TEST_F(Measurements, UndoingAPersonsBringsWhatTheProgramSaysOfTheModelThatIsTher
   EXPECT_EQ(now.model_sha256, "m2");
 }
 
+TEST_F(Measurements, ThatEqualAnEarlierModelsAreThePersonsAllTheSame) {
+  program(60.2, "m1");
+  program(60.9, "m2");
+  ASSERT_TRUE(set(sherd, "length_mm", "60.2"));
+  const Measurement now = catalogue().measurements(sherd)->front();
+  EXPECT_EQ(now.value, 60.2);
+  EXPECT_EQ(now.method, "calliper");
+  EXPECT_EQ(now.by, anna.person);
+}
+
 TEST_F(Measurements, AWeightIsTypedAndTakenAway) {
   ASSERT_TRUE(set(sherd, "weight_g", "23,4"));
   EXPECT_EQ(catalogue().measurements(sherd)->front().method, "scale");

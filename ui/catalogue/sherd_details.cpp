@@ -213,7 +213,6 @@ void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
 void SherdDetails::setText(const std::string& field, const QString& text) {
   const QString name = QString::fromStdString(field);
   shown_.insert(name, text);
-  saved_.insert(name, text);
   QWidget* editor = editors_.value(name);
   if (auto* box = qobject_cast<QComboBox*>(editor)) {
     if (box->findText(text) < 0) box->addItem(text);
@@ -240,10 +239,9 @@ bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
   if (line == nullptr || event->type() != QEvent::KeyPress ||
       static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
     return QScrollArea::eventFilter(watched, event);
-  const QString name = editors_.key(line), saved = saved_.value(name);
+  const QString name = editors_.key(line), saved = shown_.value(name);
   if (line->text() == saved && !unsaved_.value(sherd_.value).contains(name)) return false;
   forgetUnsaved(name);
-  shown_.insert(name, saved);
   line->setText(saved);
   return true;
 }
@@ -450,7 +448,6 @@ void SherdDetails::placeRefusal(const std::string& field, const QString& sentenc
   form_->getWidgetPosition(editors_.value(name), &row, &role);
   form_->insertRow(row + 1, refusal_);
   refusal_->show();
-  shown_.insert(name, {});  // the same text may be tried again
   ensureWidgetVisible(refusal_);
 }
 

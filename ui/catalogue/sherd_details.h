@@ -71,8 +71,7 @@ class SherdDetails final : public QScrollArea {
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
   TermWords words_;
-  QHash<QString, QString> shown_;                   ///< what a field showed before it was edited
-  QHash<QString, QString> saved_;                   ///< what the catalogue says
+  QHash<QString, QString> shown_;                   ///< what the catalogue says
   QHash<qint64, QHash<QString, QString>> unsaved_;  ///< sherd -> field -> what was typed
   QWidget* refusal_ = nullptr;
   QLabel* refusal_text_ = nullptr;

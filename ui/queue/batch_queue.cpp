@@ -78,8 +78,9 @@ QString failureWords(const QJsonObject& failure) {
   if (failure[kRemoved].toBool()) return BatchQueue::tr("You took it out of the queue.");
   if (failure[kCancelled].toBool())
     return BatchQueue::tr("You stopped it. What was computed so far is kept.");
-  if (failure[kWhat].toString().isEmpty())
-    return BatchQueue::tr("It did not come to its end; compute it again.");
+  if (!failure.contains(kWhat))  // earlier programs kept the sentence
+    return failure[QLatin1String("sentence")].toString(
+        BatchQueue::tr("It did not come to its end; compute it again."));
   return sentenceOf({ErrorCode::Failed, failure[kWhat].toString().toStdString(),
                      failure[kWhere].toString().toStdString()});
 }
@@ -98,8 +99,9 @@ void readDetails(const catalogue::Project& project, QueueRow& row) {
 // Kept by the job itself: a window that closes in its last seconds does not hear of its end.
 Result<BatchFigures> figuresKept(const Result<BatchFigures>& figures,
                                  const ComputeOptions& options) {
+  if (!figures) return figures;
   if (Result<catalogue::Catalogue> rows = catalogue::Project::connect(options.project))
-    if (figures) (void)keepFigures(*rows, QString::fromStdString(options.number), *figures);
+    (void)keepFigures(*rows, QString::fromStdString(options.number), *figures);
   return figures;
 }
 
@@ -333,11 +335,9 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     log(sentenceOf(Error::cancelled()));
   } else if (figures.error().code != ErrorCode::Cancelled || cancel_asked_) {
     const bool cancelled = figures.error().code == ErrorCode::Cancelled;
-    QJsonObject failure{{kCancelled, cancelled}};
-    if (!cancelled) {
-      failure[kWhat] = QString::fromStdString(figures.error().what);
-      failure[kWhere] = QString::fromStdString(figures.error().where);
-    }
+    const QJsonObject failure{{kCancelled, cancelled},
+                              {kWhat, QString::fromStdString(figures.error().what)},
+                              {kWhere, QString::fromStdString(figures.error().where)}};
     const QString sentence = failureWords(failure);
     keepFailure(number, failure);
     log(sentence);

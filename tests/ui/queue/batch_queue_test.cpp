@@ -45,6 +45,7 @@ class BatchQueueTest : public QObject {
     bench.queue.retry(number);
     QTRY_COMPARE(bench.queue.failed(), 1);
     QVERIFY(!bench.queue.row(0).aside);
+    QCOMPARE(bench.queue.row(0).failure, QStringLiteral("No plate is seen."));
   }
 
   void whatWasSetAsideAtThePlateIsPhotographedOn() {

@@ -1396,6 +1396,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde eingelesen. Um alle zu haben, alle einlesen und %1 in der Warteschlange beiseitelegen.</translation>
     </message>
+    <message>
+      <source>Take this side once more?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Seite noch einmal aufnehmen?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1396,6 +1396,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 έχει ήδη %2 από αυτά τα %3 αρχεία· δεν έγινε εισαγωγή. Για να τα έχετε όλα, εισαγάγετέ τα και παραμερίστε την %1 στην ουρά.</translation>
     </message>
+    <message>
+      <source>Take this side once more?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Να φωτογραφηθεί ξανά αυτή η πλευρά;</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

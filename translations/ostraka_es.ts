@@ -1396,6 +1396,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ya tiene %2 de estos %3 archivos; no se importó nada. Para tenerlos completos, impórtelos todos y aparte %1 en la cola.</translation>
     </message>
+    <message>
+      <source>Take this side once more?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Fotografiar esta cara otra vez?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1396,6 +1396,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a déjà %2 de ces %3 fichiers ; rien n'a été importé. Pour les avoir tous, importez-les et mettez %1 de côté dans la file.</translation>
     </message>
+    <message>
+      <source>Take this side once more?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photographier encore une fois cette face ?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1396,6 +1396,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն արդեն ունի այս %3 ֆայլից %2-ը. ոչինչ չի ներմուծվել։ Բոլորն ունենալու համար ներմուծեք դրանք և %1-ը հերթում մի կողմ դրեք։</translation>
     </message>
+    <message>
+      <source>Take this side once more?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարե՞լ այս կողմը ևս մեկ անգամ</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

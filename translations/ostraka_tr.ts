@@ -1381,6 +1381,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey alınmadı. Hepsini almak için tümünü içe aktarın ve kuyrukta %1 partisini kenara koyun.</translation>
     </message>
+    <message>
+      <source>Take this side once more?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu yüz bir kez daha çekilsin mi?</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -161,9 +161,25 @@ Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int
   return store;
 }
 
+// Set aside in the manifest, but not in the folder yet, when the program ended.
+Result<void> BatchStore::finishAside(const ManifestEntry& entry) const {
+  const fs::path file =
+      batch_ / batch::name(entry.side) /
+      (shotName(entry.camera, entry.stop) + fs::path(entry.file).extension().string());
+  std::error_code absent;
+  if (fs::exists(fileOf(entry), absent) || !fs::exists(file, absent)) return {};
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes || sha256(*bytes) != entry.sha256) return {};
+  return renameToNew(file, fileOf(entry));
+}
+
 Result<void> BatchStore::tidyUp(batch::Side side) {
   for (ManifestEntry& entry : manifest_.entries) {
-    if (!entry.used || entry.side != side) continue;
+    if (entry.side != side) continue;
+    if (!entry.used) {
+      if (const Result<void> finished = finishAside(entry); !finished) return finished;
+      continue;
+    }
     std::error_code absent;
     if (fs::exists(fileOf(entry), absent)) {
       const Result<std::string> bytes = readFile(fileOf(entry));
@@ -173,7 +189,8 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
                    "another folder for the batch.",
                    fileOf(entry).string()};
     }
-    // Between the manifest and the name, or half set aside, when the program ended.
+    // Between the manifest and the name when the program ended; earlier versions set files aside
+    // before they wrote the manifest.
     const std::string aside = asideName(entry.file, entry.take);
     entry.used = false;
     entry.reason = "the file is gone";
@@ -262,16 +279,25 @@ Result<void> BatchStore::commit(std::vector<Arriving> arriving) {
   return {};
 }
 
-Result<void> BatchStore::setAside(int stop, int camera, const std::string& reason) {
-  ManifestEntry* entry = manifest_.find(side_, stop, camera);
-  if (entry == nullptr) return {};
-  const std::string aside = asideName(entry->file, entry->take);
-  if (Result<void> r = renameToNew(batch_ / entry->file, batch_ / aside); !r) return r;
-  if (Result<void> r = syncFolder(batch_ / "set_aside"); !r) return r;
-  entry->file = aside;
-  entry->used = false;
-  entry->reason = reason;
-  return save();
+Result<void> BatchStore::setAside(const std::vector<ShotName>& shots, const std::string& reason) {
+  const std::vector<ManifestEntry> before = manifest_.entries;
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const auto& [stop, camera] : shots) {
+    ManifestEntry* entry = manifest_.find(side_, stop, camera);
+    if (entry == nullptr) continue;
+    names.emplace_back(entry->file, asideName(entry->file, entry->take));
+    entry->file = names.back().second;
+    entry->used = false;
+    entry->reason = reason;
+  }
+  if (names.empty()) return {};
+  if (Result<void> r = save(); !r) {
+    manifest_.entries = before;
+    return r;
+  }
+  for (const auto& [file, aside] : names)
+    if (Result<void> r = renameToNew(batch_ / file, batch_ / aside); !r) return r;
+  return syncFolder(batch_ / "set_aside");
 }
 
 bool BatchStore::holdsElsewhere(const ManifestEntry& entry) const {

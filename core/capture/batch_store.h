@@ -34,8 +34,9 @@ class BatchStore {
                          double angle_deg, const CameraId& id) const;
   /// The manifest first, then the names: all arriving photographs are in the batch.
   Result<void> commit(std::vector<Arriving> arriving);
-  /// A shot that is not kept goes to the folder set_aside.
-  Result<void> setAside(int stop, int camera, const std::string& reason);
+  /// Shots that are not kept go to the folder set_aside: the manifest first, then the names, so
+  /// that all of them are out of the batch or none. Shots that are not there are passed over.
+  Result<void> setAside(const std::vector<ShotName>& shots, const std::string& reason);
   Result<void> save() const { return writeManifest(batch_, manifest_); }
 
   /// Are these very bytes those of another stop, camera or side?
@@ -50,6 +51,7 @@ class BatchStore {
 
  private:
   Result<void> tidyUp(batch::Side side);
+  Result<void> finishAside(const ManifestEntry& entry) const;
 
   std::filesystem::path batch_;
   batch::Side side_ = batch::Side::Front;

@@ -12,6 +12,11 @@
 
 namespace ostraka::capture {
 
+struct ShotName {
+  int stop = 0, camera = 0;
+  bool operator==(const ShotName&) const = default;
+};
+
 /// One photograph that was taken, kept or set aside.
 struct ManifestEntry {
   batch::Side side = batch::Side::Front;

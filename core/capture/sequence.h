@@ -13,6 +13,7 @@
 #include "batch/batch.h"
 #include "capture/camera.h"
 #include "capture/clock.h"
+#include "capture/manifest.h"
 #include "capture/shot_checks.h"
 #include "capture/turntable.h"
 
@@ -59,11 +60,6 @@ struct CaptureEvent {
 
 /// Called one at a time, from threads of the sequence.
 using OnCaptureEvent = std::function<void(const CaptureEvent&)>;
-
-struct ShotName {
-  int stop = 0, camera = 0;
-  bool operator==(const ShotName&) const = default;
-};
 
 struct SideOptions {
   std::filesystem::path batch;  ///< folder; files become <side>/cam0_pos00.jpg

@@ -92,9 +92,8 @@ Result<void> Series::prepare() {
               " to take again: this side has stops 1 to " + std::to_string(options_.stops) +
               " and cameras A to " + batch::cameraLetter(cameras - 1) + ".",
           {}};
-    if (Result<void> r = store_->setAside(again.stop, again.camera, "asked for again"); !r)
-      return r;
   }
+  if (Result<void> r = store_->setAside(options_.retake, "asked for again"); !r) return r;
   for (int s = 0; s < options_.stops; ++s) {
     Task task{s, {}};
     for (int c = 0; c < cameras; ++c)
@@ -258,7 +257,7 @@ Result<void> Series::takeVerdicts() {
 
 Result<void> Series::refuse(const Shot& shot) {
   const std::string why = listed(shot.check);
-  if (Result<void> r = store_->setAside(shot.stop, shot.camera, why); !r) return r;
+  if (Result<void> r = store_->setAside({{shot.stop, shot.camera}}, why); !r) return r;
   progress_.note(NoteLevel::Info,
                  "capture: " + shotWords(shot.stop, shot.camera) + " is taken again: " + why);
   if (tries_[{shot.stop, shot.camera}] < options_.tries_per_shot) return {};

@@ -7,6 +7,8 @@
 // above 50 ms. Beside it how late a bare thread wakes that sleeps for 5 ms, which is what the
 // machine takes; what the window's own thread computed during its latest beats; and the single
 // events that kept it for longer than 10 ms of processor time, which are the window's own stalls.
+#include <sys/resource.h>
+
 #include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
@@ -35,13 +37,19 @@
 namespace {
 
 constexpr int kBeat_ms = 5, kKeyEvery_ms = 200;
-constexpr double kStall_ms = 10;
+constexpr double kStall_ms = 10, kPart_ms = 3;
 
 double ownTime_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
+
+struct Part {
+  double passed_ms, own_ms;
+  long waited, preempted;  // how often for something, and by another thread
+  std::string what;
+};
 
 // What each event of the window's thread computed, outermost events only.
 class Timed final : public QApplication {
@@ -55,14 +63,26 @@ class Timed final : public QApplication {
             .arg(event->type());
     ++depth_;
     const double before = ownTime_ms();
+    rusage from{}, to{};
+    getrusage(RUSAGE_THREAD, &from);
+    QElapsedTimer wall;
+    wall.start();
     const bool taken = QApplication::notify(receiver, event);
     --depth_;
     const double took = ownTime_ms() - before;
     if (took > kStall_ms) stalls.emplace_back(took, what.toStdString());
+    const double passed = 1e-6 * static_cast<double>(wall.nsecsElapsed());
+    getrusage(RUSAGE_THREAD, &to);
+    if (passed > kPart_ms)
+      parts.push_back({passed, took, to.ru_nvcsw - from.ru_nvcsw, to.ru_nivcsw - from.ru_nivcsw,
+                       what.toStdString() + " " + act});
+    act.clear();
     return taken;
   }
   bool counting = false;
+  std::string act;  // of a person, in the present event
   std::vector<std::pair<double, std::string>> stalls;
+  std::vector<Part> parts;  // since the last beat
 
  private:
   int depth_ = 0;
@@ -196,13 +216,19 @@ int main(int argc, char** argv) {
   double computed = ownTime_ms();
   application.counting = true;
   QElapsedTimer last;
-  std::vector<std::pair<double, double>> late;  // when, and by how much
+  struct Late {
+    double at_ms, by_ms;
+    std::vector<Part> parts;  // the events in it
+  };
+  std::vector<Late> late;
   QTimer beat;
   beat.setTimerType(Qt::PreciseTimer);
   QObject::connect(&beat, &QTimer::timeout, &window, [&] {
     beats.push_back(std::max(0.0, static_cast<double>(last.nsecsElapsed()) / 1e6 - kBeat_ms));
     if (beats.back() > 50)
-      late.emplace_back(static_cast<double>(since_start.nsecsElapsed()) / 1e6, beats.back());
+      late.push_back(
+          {static_cast<double>(since_start.nsecsElapsed()) / 1e6, beats.back(), application.parts});
+    application.parts.clear();
     last.restart();
     const double now = ownTime_ms();
     own.push_back(now - computed);
@@ -223,6 +249,7 @@ int main(int argc, char** argv) {
     const auto& [name, act] = acts[pressed++ % acts.size()];
     QElapsedTimer handled;
     handled.start();
+    application.act = name;
     const double before = ownTime_ms();
     act();
     window.repaint();
@@ -241,8 +268,13 @@ int main(int argc, char** argv) {
   over = true;
   sleeper.join();
   print("beats", beats);
-  for (const auto& [at, delay] : late)
-    std::printf("  %.1f ms late, %.1f s after the start\n", delay, at / 1000);
+  for (const Late& beat_late : late) {
+    std::printf("  %.1f ms late, %.1f s after the start\n", beat_late.by_ms,
+                beat_late.at_ms / 1000);
+    for (const Part& part : beat_late.parts)
+      std::printf("    %6.1f ms, own %6.1f, waited %ld times, preempted %ld  %s\n", part.passed_ms,
+                  part.own_ms, part.waited, part.preempted, part.what.c_str());
+  }
   print("a bare thread beside it", bare);
   print("computed by the window's thread between two beats", own);
   print("acts, each handled and painted", keys);

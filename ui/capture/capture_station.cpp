@@ -451,8 +451,9 @@ void CaptureStation::showTrouble() {
   if (wizard_->doubts().isEmpty() || wizard_->fault())
     doubts_->hide();
   else
-    doubts_->showWords(tr("Look at this first"), wizard_->doubts().join(QLatin1Char('\n')),
-                       tr("Photograph again"), tr("R"));
+    doubts_->showWords(
+        wizard_->asksToRepeat() ? tr("Take this side once more?") : tr("Look at this first"),
+        wizard_->doubts().join(QLatin1Char('\n')), tr("Photograph again"), tr("R"));
 }
 
 }  // namespace ostraka::ui

@@ -260,6 +260,12 @@ void CaptureWizard::stop() {
   if (!takeWaitingRig()) fail(Error::cancelled(), {});
 }
 
+QString CaptureWizard::repeatQuestion() {
+  return tr(
+      "Nothing is wrong with the photographs of this side. Photograph again once more "
+      "to put all of them aside and take new ones.");
+}
+
 void CaptureWizard::again() {
   const bool back = phase_ == CapturePhase::Done;
   if ((!back && phase_ != CapturePhase::Flip) || isBusy()) return;
@@ -270,9 +276,7 @@ void CaptureWizard::again() {
       doubts_.size() <= static_cast<qsizetype>(summary->flagged.size()))
     retake = summary->flagged;
   if (retake.empty() && doubts_.isEmpty()) {
-    doubts_ << tr(
-        "Nothing is wrong with the photographs of this side. Photograph again once more "
-        "to put all of them aside and take new ones.");
+    doubts_ << repeatQuestion();
     return emit changed();
   }
   if (retake.empty())  // the whole side: something was moved or lost

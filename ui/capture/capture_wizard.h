@@ -69,6 +69,8 @@ class CaptureWizard final : public QObject {
   bool canDescribe() const;  ///< its bag and its count: until the batch is in the queue
   bool canSetAside() const;  ///< a batch has begun, is in no queue, and nothing is being shot
   QString rigWords() const { return source_.words; }
+  /// R once more puts aside a whole side with which nothing is wrong.
+  bool asksToRepeat() const { return doubts_ == QStringList(repeatQuestion()); }
 
  public slots:
   void setPlace(const ostraka::ui::PlaceText& place);
@@ -90,6 +92,7 @@ class CaptureWizard final : public QObject {
   void said(const QString& sentence);
 
  private:
+  static QString repeatQuestion();
   void changeRig(RigSource source);
   bool takeWaitingRig();
   bool devicesAreForThis() const;

@@ -389,6 +389,35 @@ TEST_F(Sequence, SetsAPhotographAsideThatAPersonWantsAgain) {
   expectWholeSide();
 }
 
+// What was moved lies elsewhere: old photographs among the new ones would be of another plate.
+TEST_F(Sequence, SetsAllPhotographsAsideThatAreWantedAgainOrFinishesItLater) {
+  ASSERT_TRUE(shoot().has_value());
+  std::map<std::pair<int, int>, std::string> before;
+  for (int stop = 0; stop < 3; ++stop)
+    for (int camera = 0; camera < 2; ++camera) {
+      before[{stop, camera}] = note(stop, camera);
+      options_.retake.push_back({stop, camera});
+    }
+  const fs::path in_the_way = folder_ / "set_aside" / "front_cam1_pos01_take1.jpg";
+  std::ofstream(in_the_way) << "in the way";
+  const auto broken_off = shoot();
+  ASSERT_FALSE(broken_off.has_value());
+  EXPECT_EQ(broken_off.error().code, ErrorCode::CannotWrite);
+  fs::remove(in_the_way);
+  options_.retake.clear();
+  ASSERT_TRUE(shoot().has_value());
+  for (const auto& [shot, of_old] : before) {
+    const auto& [stop, camera] = shot;
+    EXPECT_NE(note(stop, camera), of_old) << stop << ", " << camera;
+    const auto aside = readFile(
+        folder_ / "set_aside" /
+        ("front_cam" + std::to_string(camera) + "_pos0" + std::to_string(stop) + "_take1.jpg"));
+    ASSERT_TRUE(aside.has_value()) << stop << ", " << camera;
+    EXPECT_EQ(noteOf(*aside), of_old);
+  }
+  expectWholeSide();
+}
+
 TEST_F(Sequence, NamesTheShotThatCannotBeTakenAgain) {
   options_.retake = {{98, 1}};
   const auto refused = shoot();

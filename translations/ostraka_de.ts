@@ -8525,5 +8525,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde neu aufgenommen, nachdem die Maske verbessert war; die Striche auf der früheren Aufnahme sind weggelassen. Sehen Sie die Maske an.</translation>
     </message>
+    <message>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anpassungen an Zeilen, die nicht eingetragen wurden, sind ausgelassen: %1; die Tabelle erneut einlesen, wenn diese Zeilen berichtigt sind.</translation>
+    </message>
   </context>
 </TS>

@@ -8525,5 +8525,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η %1 ξαναφωτογραφήθηκε αφού διορθώθηκε η μάσκα της· οι πινελιές στην προηγούμενη φωτογραφία παραλείπονται. Κοιτάξτε τη μάσκα της.</translation>
     </message>
+    <message>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι συγκολλήσεις με γραμμές που δεν καταχωρίστηκαν παραλείπονται: %1· εισαγάγετε ξανά τον πίνακα όταν διορθωθούν αυτές οι γραμμές.</translation>
+    </message>
   </context>
 </TS>

@@ -8525,5 +8525,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se tomó de nuevo después de corregir su máscara; los trazos sobre la fotografía anterior se dejan fuera. Revise su máscara.</translation>
     </message>
+    <message>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se omiten las uniones con filas que no entraron: %1; importe la tabla otra vez cuando esas filas estén corregidas.</translation>
+    </message>
   </context>
 </TS>

@@ -8525,5 +8525,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été reprise après la retouche de son masque ; les traits sur la photographie précédente sont laissés de côté. Regardez son masque.</translation>
     </message>
+    <message>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les remontages avec des lignes qui ne sont pas entrées sont omis : %1 ; importez de nouveau le tableau quand ces lignes seront corrigées.</translation>
+    </message>
   </context>
 </TS>

@@ -8525,5 +8525,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը նորից է նկարվել իր դիմակը շտկելուց հետո. նախորդ լուսանկարի վրայի գծերը բաց են թողնված։ Նայեք դրա դիմակը։</translation>
     </message>
+    <message>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չմուտքագրված տողերի հետ կցումները բաց են թողնվել. %1. երբ այդ տողերն ուղղվեն, կրկին ներմուծեք աղյուսակը։</translation>
+    </message>
   </context>
 </TS>

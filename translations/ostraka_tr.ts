@@ -8483,5 +8483,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, maskesi düzeltildikten sonra yeniden çekildi; önceki fotoğraftaki çizgiler dışarıda bırakıldı. Maskesine bakın.</translation>
     </message>
+    <message>
+      <source>Joins with rows that did not enter are left out: %1; import the table again when these rows are mended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
+    </message>
   </context>
 </TS>

@@ -100,6 +100,8 @@ class Catalogue {
   Result<std::vector<Measurement>> measurements(SherdRow) const;  ///< those that count now
   /// Those of them that persons took, by sherd.
   Result<std::vector<Measurement>> measuredByHand(std::span<const SherdRow>) const;
+  /// All values of a kind that the program has taken from the sherd's models, old ones too.
+  Result<std::vector<double>> everComputed(SherdRow, const std::string& kind) const;
 
   // files and history
   Result<FileRow> save(const FileRecord&, const Act&);  ///< row none: by its path

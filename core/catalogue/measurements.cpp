@@ -148,4 +148,15 @@ Result<std::vector<Measurement>> Catalogue::measuredByHand(std::span<const Sherd
   });
 }
 
+Result<std::vector<double>> Catalogue::everComputed(SherdRow sherd, const std::string& kind) const {
+  return database_->door([&] {
+    std::vector<double> values;
+    Statement rows = database_->sql(
+        "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND method "
+        "= 'program'");
+    for (rows.with(sherd, kind); rows.next();) rows >> values.emplace_back();
+    return values;
+  });
+}
+
 }  // namespace ostraka::catalogue

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text.h"
 #include "catalogue/names.h"
 #include "catalogue/values.h"
 #include "exchange/column_meanings.h"
 #include "exchange/csv.h"
 #include "exchange/portions.h"
+#include "exchange/table_joins.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -20,7 +22,6 @@ using catalogue::SherdField;
 using catalogue::SherdRecord;
 using catalogue::SherdRow;
 
-constexpr const char* kClear = "<clear>";
 // Columns that an export writes beside the fields; they say nothing about the sherd itself.
 const std::set<std::string> kBeside = {"measured_by_hand", "model_file",      "image_file",
                                        "drawing_file",     "licence",         "mass_centre_x_mm",
@@ -39,9 +40,11 @@ std::string valueOf(const ImportRow& row, const std::string& name) {
 
 class Importing {
  public:
-  Importing(Catalogue& catalogue, const ImportOptions& options, const Act& act,
-            ImportReport& report)
+  Importing(Catalogue& catalogue, const std::vector<ImportRow>& rows, const ImportOptions& options,
+            const Act& act, ImportReport& report)
       : catalogue_(catalogue),
+        rows_(rows),
+        joins_(rows),
         places_(catalogue, options.unknown_places, act),
         makes_places_(options.unknown_places == UnknownPlaces::Make),
         act_(act),
@@ -50,7 +53,9 @@ class Importing {
       for (const auto& person : *persons) persons_[person.initials] = person.row;
   }
 
-  Result<void> row(const ImportRow& row) {
+  Result<void> row(std::size_t at) {
+    const ImportRow& row = rows_[at];
+    SherdRow entered;
     RowFate fate = RowFate::Same;
     Refusal refusal{row.line, {}, {}, {}};
     done_.clear();
@@ -61,7 +66,8 @@ class Importing {
       const bool fresh = !*sherd;
       Result<SherdRow> target = fresh ? add(row, refusal) : *sherd;
       if (!target) return target.error();
-      const Result<bool> changed = change(row, *target, fresh, refusal);
+      entered = *target;
+      const Result<bool> changed = change(at, entered, fresh, refusal);
       if (!changed) return changed.error();
       fate = fresh ? RowFate::Fresh : *changed ? RowFate::Changed : RowFate::Same;
       return {};
@@ -75,6 +81,7 @@ class Importing {
       report_.rows.emplace_back(row.line, RowFate::Refused);
       return {};
     }
+    joins_.enteredAs(at, entered);
     report_.rows.emplace_back(row.line, fate);
     ++(fate == RowFate::Fresh     ? report_.fresh
        : fate == RowFate::Changed ? report_.changed
@@ -82,6 +89,16 @@ class Importing {
     if (fate != RowFate::Changed) return {};
     report_.changes.insert(report_.changes.end(), done_.begin(), done_.end());
     report_.undo.insert(report_.undo.end(), undo_.rbegin(), undo_.rend());  // turned at the end
+    return {};
+  }
+
+  Result<void> tellLostJoins() {
+    const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
+    if (!lost) return lost.error();
+    if (!lost->empty())
+      report_.warnings.push_back(
+          "Joins with rows that did not enter are left out: " + joined(*lost, ", ") +
+          "; import the table again when these rows are mended.");
     return {};
   }
 
@@ -127,7 +144,8 @@ class Importing {
     return catalogue_.addSherd(record, act_);
   }
 
-  Result<bool> change(const ImportRow& row, SherdRow sherd, bool fresh, Refusal& refusal) {
+  Result<bool> change(std::size_t at, SherdRow sherd, bool fresh, Refusal& refusal) {
+    const ImportRow& row = rows_[at];
     if (makes_places_) {
       const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
       if (!site.empty() && !context.empty()) {
@@ -143,7 +161,7 @@ class Importing {
     if (!now) return now.error();
     std::vector<FieldChange> changes;
     for (const auto& [name, typed] : row.values) {
-      if (typed.empty()) continue;
+      if (typed.empty() || name == "joins") continue;
       const SherdField* field = fieldNamed(name);
       if (field && !field->editable) continue;
       if (name == "number" && catalogue::uniqueKey(typed) == catalogue::uniqueKey(now->number))
@@ -157,14 +175,34 @@ class Importing {
       if (field && field->kind == FieldKind::Number && row.comma_separates)
         if (const Result<void> clear = readsOneWay(value); !clear)
           return refuse(refusal, name, value, clear.error().sentence());
-      if (fresh && field && field->kind == FieldKind::Number && row.by_hand &&
-          !row.by_hand->contains(name) && catalogue::parsedNumber(value)) {
+      const bool by_program =
+          field && field->kind == FieldKind::Number && row.by_hand && !row.by_hand->contains(name);
+      if (by_program && fresh && catalogue::parsedNumber(value)) {
         if (const Result<void> done = measureByProgram({sherd, name, value}, refusal); !done)
           return done.error();
         continue;
       }
+      if (by_program && !fresh) {  // a table of before the latest computation
+        const Result<std::vector<double>> computed = catalogue_.everComputed(sherd, kindOf(name));
+        if (!computed) return computed.error();
+        if (std::any_of(computed->begin(), computed->end(),
+                        [&](double one) { return showsInTable(value, one); }))
+          continue;
+      }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
       if (value != catalogue::textOf(*now, own)) changes.push_back({sherd, own, value});
+    }
+    const auto joins = joins_.of(at, *now, catalogue_);
+    if (!joins) return refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
+    if (*joins && std::set((*joins)->begin(), (*joins)->end()) !=
+                      std::set(now->joins.begin(), now->joins.end())) {
+      std::vector<std::string> ids;
+      for (const SherdRow partner : **joins) {
+        const Result<SherdRecord> other = catalogue_.sherd(partner);
+        if (!other) return other.error();
+        ids.push_back(other->id);
+      }
+      changes.push_back({sherd, "joins", catalogue::joinTerms(ids)});
     }
     bool changed = false;
     if (!changes.empty()) {
@@ -188,16 +226,19 @@ class Importing {
     return changed;
   }
 
+  static std::string kindOf(const std::string& field) {  // rim_pct, beside length_mm
+    return catalogue::unitOf(field).empty() ? field.substr(0, field.rfind('_')) : field;
+  }
+
   // Computed where the table comes from: it gives way to what is computed or measured here.
   Result<void> measureByProgram(const FieldChange& number, Refusal& refusal) {
     const auto shown = catalogue_.preview(std::span(&number, 1));  // as strict as with typed ones
     if (!shown) return shown.error();
     if (!shown->front().refusal.empty())
       return refuse(refusal, number.field, number.value, shown->front().refusal);
-    const bool is_kind = !catalogue::unitOf(number.field).empty();  // rim_pct, beside length_mm
     catalogue::Measurement m;
     m.sherd = number.sherd;
-    m.kind = is_kind ? number.field : number.field.substr(0, number.field.rfind('_'));
+    m.kind = kindOf(number.field);
     m.value = *catalogue::parsedNumber(number.value);
     Act by = act_;
     by.person = {};
@@ -214,6 +255,8 @@ class Importing {
   }
 
   Catalogue& catalogue_;
+  const std::vector<ImportRow>& rows_;
+  TableJoins joins_;
   Places places_;
   bool makes_places_;
   const Act& act_;
@@ -256,10 +299,12 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
                                   const ImportOptions& options, const Act& act, Progress& progress,
                                   std::stop_token stop) {
   ImportReport report;
-  Importing importing(catalogue, options, act, report);
-  const Result<std::size_t> entered =
-      enterInPortions(catalogue, rows.size(), options, progress, stop,
-                      [&](std::size_t i) { return importing.row(rows[i]); });
+  Importing importing(catalogue, rows, options, act, report);
+  const Result<std::size_t> entered = enterInPortions(
+      catalogue, rows.size(), options, progress, stop, [&](std::size_t i) -> Result<void> {
+        Result<void> done = importing.row(i);
+        return done && i + 1 == rows.size() ? importing.tellLostJoins() : done;
+      });
   if (!entered) return entered.error();
   std::reverse(report.undo.begin(), report.undo.end());
   report.not_reached = static_cast<int>(rows.size() - *entered);

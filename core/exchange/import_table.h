@@ -24,8 +24,10 @@ struct ImportOptions {
   std::string source = {};  ///< name of the table, for unfinishedImports()
 };
 
+constexpr const char* kClear = "<clear>";
+
 /// One sherd to be entered: values by the names of sherdFields(); others go to the user's own
-/// fields. A blank value keeps what is there, `<clear>` deletes it.
+/// fields. A blank value keeps what is there, kClear deletes it.
 struct ImportRow {
   int line = 0;
   std::map<std::string, std::string> values;

@@ -105,6 +105,9 @@ Sentences sentencesOfExchange() {
           "ostraka::Error",
           "Joins with sherds that the export does not hold, or that did not enter, are left out: "
           "%1; enter them by hand."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Joins with rows that did not enter are left out: %1; import the table "
+                        "again when these rows are mended."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This file is not among the files of the export."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",

@@ -246,4 +246,10 @@ Result<void> Catalogue::together(const std::function<Result<void>()>& work) {
   });
 }
 
+Result<void> Catalogue::inOneMoment(const std::function<Result<void>()>& work) const {
+  return database_->inOneMoment([&] {
+    if (const Result<void> done = work(); !done) throw Refused(done.error());
+  });
+}
+
 }  // namespace ostraka::catalogue

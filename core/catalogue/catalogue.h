@@ -121,6 +121,8 @@ class Catalogue {
 
   /// Several of the calls above as one transaction: work returns an error to undo them all.
   Result<void> together(const std::function<Result<void>()>& work);
+  /// What `work` reads is of one moment, whatever is written meanwhile; it must not write itself.
+  Result<void> inOneMoment(const std::function<Result<void>()>& work) const;
 
   /// For the other files of this folder.
   Database& database() const { return *database_; }

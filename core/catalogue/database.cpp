@@ -184,10 +184,8 @@ int Database::changes() const {
   return sqlite3_changes(handle_);
 }
 
-Database::Scope::Scope(Database& database) : database_(database) {
-  // Taking the right to write at once: a transaction that reads first and writes later can fail
-  // between the two.
-  database_.exec(database_.depth_ == 0 ? "BEGIN IMMEDIATE" : "SAVEPOINT part");
+Database::Scope::Scope(Database& database, const char* begin) : database_(database) {
+  database_.exec(database_.depth_ == 0 ? begin : "SAVEPOINT part");
   ++database_.depth_;
 }
 

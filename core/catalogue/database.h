@@ -33,17 +33,14 @@ class Database {
   /// One transaction, or a part of the one around it; an exception or an Error undoes it.
   template <class Work>
   auto inTransaction(Work work) -> Result<std::invoke_result_t<Work>> {
-    return door([&] {
-      Scope scope(*this);
-      if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
-        work();
-        scope.commit();
-      } else {
-        auto value = work();
-        scope.commit();
-        return value;
-      }
-    });
+    // Taking the right to write at once: a transaction that reads first and writes later can fail
+    // between the two.
+    return within("BEGIN IMMEDIATE", std::move(work));
+  }
+  /// What is read is of one moment, whatever others write meanwhile; nothing is to be written.
+  template <class Work>
+  auto inOneMoment(Work work) -> Result<std::invoke_result_t<Work>> {
+    return within("BEGIN DEFERRED", std::move(work));
   }
   /// Where failures become Errors.
   template <class Work>
@@ -68,7 +65,7 @@ class Database {
  private:
   class Scope {
    public:
-    explicit Scope(Database& database);
+    Scope(Database& database, const char* begin);
     ~Scope();
     void commit();
 
@@ -76,6 +73,20 @@ class Database {
     Database& database_;
     bool open_ = true;
   };
+  template <class Work>
+  auto within(const char* begin, Work work) -> Result<std::invoke_result_t<Work>> {
+    return door([&] {
+      Scope scope(*this, begin);
+      if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
+        work();
+        scope.commit();
+      } else {
+        auto value = work();
+        scope.commit();
+        return value;
+      }
+    });
+  }
   Database(sqlite3* handle, std::filesystem::path file);
   Error errorOf(const SqlFailure& failure) const;
   void exec(const char* text) const;

@@ -64,7 +64,7 @@ class Plan {
     if (sherd.model_path.empty()) ++without_model;
     want(Form::Ply, sherd, "model", "models/" + name + ".ply", sherd.model_path);
     want(Form::Glb, sherd, "model", "models/" + name + ".glb",
-         options_.deviation_mm > 0 ? sherd.model_path : glb);
+         options_.deviation_mm > 0 || glb.empty() ? sherd.model_path : glb);
     want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
     want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
     if (options_.forms.contains(Form::Drawings)) addDrawing(sherd, name);
@@ -265,16 +265,24 @@ class Exporting {
       if (!lighter) return lighter.error();
       label.deviation_mm = saidOf(lighter->deviation_mm);
       label.farthest_mm = saidOf(lighter->farthest_mm);
-      GlbExtras extras;
-      if (sherd.measures.contains("filled_pct"))
-        extras.filled_percent = sherd.measures.at("filled_pct");
-      bytes = file.form == Form::Glb ? formatGlb(lighter->mesh, extras)
+      bytes = file.form == Form::Glb ? glbOf(lighter->mesh, sherd)
                                      : formatPly(lighter->mesh, "plate_front");
-      if (!bytes) return bytes.error();
+    } else if (file.form == Form::Glb && file.from.extension() == ".ply") {
+      const Result<PlyContents> model = parsePly(*bytes, file.from.string());
+      if (!model) return model.error();
+      bytes = glbOf(model->mesh, sherd);
     }
+    if (!bytes) return bytes.error();
     const Result<std::string> added = labelled(file.form, *bytes, label, file.from.string());
     if (!added) return added.error();
     return bag_.add(file.to, *added);
+  }
+
+  static Result<std::string> glbOf(const TriangleMesh& mesh, const SherdRecord& sherd) {
+    GlbExtras extras;
+    if (sherd.measures.contains("filled_pct"))
+      extras.filled_percent = sherd.measures.at("filled_pct");
+    return formatGlb(mesh, extras);
   }
 
   // A sherd's files come one after the other: its lighter model is made once for all of them.
@@ -473,12 +481,20 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
                               Progress& progress, std::stop_token stop) {
   if (rows.empty())
     return Error{ErrorCode::UnusableInput, "There is no sherd to export; choose some first.", {}};
-  Plan plan(catalogue, project, options);
-  const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
-  if (!sherds) return sherds.error();
-  Result<BagWriter> bag = BagWriter::begin(options.target);
-  if (!bag) return bag.error();
-  return Exporting(catalogue, options, *bag, progress, stop).run(*sherds, plan, rows);
+  Exported exported;
+  // Tables, records and names of files agree, whatever is edited meanwhile.
+  const Result<void> all = catalogue.inOneMoment([&]() -> Result<void> {
+    Plan plan(catalogue, project, options);
+    const Result<std::vector<SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
+    if (!sherds) return sherds.error();
+    Result<BagWriter> bag = BagWriter::begin(options.target);
+    if (!bag) return bag.error();
+    Result<Exported> done =
+        Exporting(catalogue, options, *bag, progress, stop).run(*sherds, plan, rows);
+    if (done) exported = std::move(*done);
+    return done ? Result<void>() : done.error();
+  });
+  return all ? Result<Exported>(std::move(exported)) : all.error();
 }
 
 }  // namespace ostraka::exchange

@@ -48,6 +48,58 @@ class AtTheCheck final : public Progress {
   std::function<void(const fs::path&)> act_;
 };
 
+// Edits once, when the first file is copied.
+class Editing final : public Progress {
+ public:
+  explicit Editing(std::function<void()> edit) : edit_(std::move(edit)) {}
+  void report(std::int64_t, std::int64_t) override {
+    if (edit_) std::exchange(edit_, {})();
+  }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  std::function<void()> edit_;
+};
+
+TEST_F(Export, IsOfOneMomentWhateverIsEditedMeanwhile) {
+  const auto own = Project::connect(project_->folder());
+  ASSERT_TRUE(own);
+  Editing editing([&] {
+    EXPECT_TRUE(set(rows[0], "weight_g", "99"));
+    EXPECT_TRUE(set(rows[0], "note", "edited"));
+  });
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = all;
+  const Result<Exported> done = exportFolder(*own, project_->folder(), rows, options, editing, {});
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_EQ(catalogue().sherd(rows[0])->note, "edited");
+  const auto table = readFile(options.target / "data/sherds.csv");
+  const auto record = readFile(options.target / "data/sherds/ARM1-T3-0012-0001.json");
+  ASSERT_TRUE(table && record);
+  EXPECT_THAT(*table, testing::HasSubstr(",23.4,"));
+  EXPECT_THAT(*record, testing::HasSubstr("23.4"));
+  EXPECT_THAT(*table + *record, testing::Not(testing::HasSubstr("edited")));
+}
+
+TEST_F(Export, MakesAGlbWhereThereIsAPlyAlone) {
+  FileRecord glb;
+  const auto files = catalogue().files(rows[1]);
+  ASSERT_TRUE(files);
+  for (const FileRecord& file : *files)
+    if (file.path.ends_with(".glb")) glb = file;
+  ASSERT_FALSE(glb.path.empty());
+  glb.role = "report";
+  ASSERT_TRUE(catalogue().save(glb, anna));
+  ASSERT_TRUE(exportTo("out", {Form::Glb}));
+  for (const char* number : {"0001", "0002"}) {
+    const auto model = readFile(folder_.path() / "out/data/models" /
+                                ("ARM1-T3-0012-" + std::string(number) + ".glb"));
+    ASSERT_TRUE(model) << number;
+    EXPECT_EQ(model->substr(0, 4), "glTF") << number;
+  }
+}
+
 TEST_F(Export, HasItsNameOnlyWhenItWasReadAgain) {
   ExportOptions options;
   options.target = folder_.path() / "out";

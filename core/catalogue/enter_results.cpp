@@ -75,7 +75,7 @@ class Entering {
   // about one must stay with it, so it is known by its place.
   void scans(std::vector<ScanRecord> found, const pipeline::Decisions& edits) {
     const std::vector<ScanRecord> known = orRefuse(catalogue_.scans(batch_));
-    const std::vector<int> same = samePieces(known, found, edits);
+    const std::vector<int> same = samePieces(known, found, edits, typedOn(catalogue_, batch_));
     for (std::size_t i = 0; i < known.size(); ++i) {
       const bool gone = same[i] < 0;
       if (gone && !known[i].isThere()) continue;

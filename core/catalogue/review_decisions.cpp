@@ -1,13 +1,13 @@
 #include "catalogue/review_decisions.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "base/text.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/database.h"
+#include "catalogue/edited_pieces.h"
 #include "catalogue/kept_models.h"
 #include "catalogue/piece_decisions.h"
 #include "catalogue/project.h"
@@ -158,31 +158,6 @@ Result<void> enterPieces(Catalogue& catalogue, BatchRow batch,
 
 bool isOfPieces(const pipeline::PairDecision& d) {
   return d.kind == DecisionKind::Join || d.kind == DecisionKind::Split;
-}
-
-// Those of the results that followed it: a joined piece has the name of the first, and of a cut one
-// half keeps the name and the other lies nearest.
-std::set<ScanRow> piecesMadeBy(const pipeline::PairDecision& d,
-                               const std::vector<ScanRecord>& scans) {
-  const pipeline::ScanRef& first = d.scans.front();
-  std::set<ScanRow> pieces;
-  const ScanRecord* other = nullptr;
-  double nearest_mm = std::numeric_limits<double>::infinity();
-  for (const ScanRecord& scan : scans) {
-    if (!scan.isThere() || scan.side != first.side) continue;
-    if (scan.name == first.id) {
-      pieces.insert(scan.row);
-    } else if (scan.plate_x_mm && scan.plate_y_mm) {
-      const double off_mm =
-          (Eigen::Vector2d(*scan.plate_x_mm, *scan.plate_y_mm) - first.place_mm).norm();
-      if (off_mm < nearest_mm) {
-        nearest_mm = off_mm;
-        other = &scan;
-      }
-    }
-  }
-  if (d.kind == DecisionKind::Split && other != nullptr) pieces.insert(other->row);
-  return pieces;
 }
 
 // Brings what the catalogue holds of one decisions.json in line with it.
@@ -380,7 +355,8 @@ Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_numbe
                             const std::filesystem::path& output) {
   const auto all = pipeline::readDecisions(output);
   if (!all) return all.error();
-  pipeline::Decisions ended = pipeline::followed(*all, output);
+  const pipeline::Decisions computed_with = pipeline::followed(*all, output);
+  pipeline::Decisions ended = computed_with;
   std::erase_if(ended, [&](const pipeline::PairDecision& d) {
     return !isOfPieces(d) || d.scans.empty() ||
            std::find(withdrawal.replaces.begin(), withdrawal.replaces.end(), d.number) ==
@@ -399,9 +375,12 @@ Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_numbe
     const auto person = catalogue.personByInitials(withdrawal.by, {});
     if (!person) return person.error();
     for (const pipeline::PairDecision& d : ended) {
-      const std::set<ScanRow> pieces = piecesMadeBy(d, *scans);
+      const std::vector<ScanRow> pieces = madeBy(d, computed_with, *scans);
+      const auto isAmong = [&](ScanRow scan) {
+        return scan && std::find(pieces.begin(), pieces.end(), scan) != pieces.end();
+      };
       for (const SherdRecord& sherd : *sherds)
-        if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
+        if (isAmong(sherd.front) || isAmong(sherd.back))
           forgetModel(catalogue, sherd.row, {*person, "window", withdrawal.note});
     }
     return {};

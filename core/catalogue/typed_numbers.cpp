@@ -184,6 +184,19 @@ std::vector<int> placesOf(std::span<const TypedNumber> numbers,
   return found;
 }
 
+std::map<ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue, BatchRow batch) {
+  std::map<std::string, Eigen::Vector2d> places;
+  for (const TypedNumber& typed : orRefuse(typedNumbers(catalogue, batch)))
+    places[uniqueKey(typed.number)] = typed.at_mm;
+  std::map<ScanRow, Eigen::Vector2d> typed_on;
+  if (places.empty()) return typed_on;
+  for (const SherdRecord& sherd : orRefuse(catalogue.sherds(orRefuse(catalogue.sherdRows(batch)))))
+    if (const auto place = places.find(uniqueKey(sherd.number));
+        place != places.end() && sherd.front)
+      typed_on[sherd.front] = place->second;
+  return typed_on;
+}
+
 Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
                                                   const Act& act) {
   return catalogue.database().inTransaction([&] {
@@ -206,6 +219,7 @@ Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow
       });
       if (sherd != sherds.end() && sherd->number.empty() && sherd->state == SherdState::Draft) {
         const SherdRow holder = takenBy(catalogue.database(), typed[i].number).sherd;
+        if (holder == sherd->row) continue;  // a person took it away again
         const SherdRecord known = holder ? orRefuse(catalogue.sherd(holder)) : SherdRecord();
         if (waitsForPhotographs(catalogue, known) &&
             uniqueKey(known.number) == uniqueKey(typed[i].number)) {

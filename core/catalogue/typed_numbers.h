@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,10 +37,14 @@ Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std:
 std::vector<int> placesOf(std::span<const TypedNumber> numbers,
                           std::span<const Eigen::Vector2d> places_mm);
 
+/// Where the numbers of its sherds were typed, by their fronts; others have their numbers from
+/// elsewhere.
+std::map<ScanRow, Eigen::Vector2d> typedOn(const Catalogue& catalogue, BatchRow batch);
+
 /// Gives the sherds of a batch the numbers that were typed on their fronts; a sherd that has a
-/// number already keeps it, and one that waits for photographs under that number takes over what
-/// lies there. Returns the numbers that are left: no sherd lies there, or it has no
-/// context yet. Doing it twice changes nothing.
+/// number already keeps it, one that lost it again to a person stays without, and one that waits
+/// for photographs under that number takes over what lies there. Returns the numbers that are left:
+/// no sherd lies there, or it has no context yet. Doing it twice changes nothing.
 Result<std::vector<std::string>> giveTypedNumbers(Catalogue& catalogue, BatchRow batch,
                                                   const Act& act);
 

@@ -235,6 +235,17 @@ class ResultsOfDecisions : public ReviewDecisions {
   static pipeline::ScanRef back(int i) {
     return {batch::Side::Back, idOf(batch::Side::Back, i), {40.0 * i, 0}, "first"};
   }
+  // The i-th front by its new number and place.
+  ScanRow moved(int i, int number, double x_mm) {
+    for (ScanRecord scan : valueIn(catalogue().scans(batch)))
+      if (scan.row == rows[{batch::Side::Front, i}]) {
+        scan.index = 10 + number;  // out of the way of the other
+        scan.name = idOf(batch::Side::Front, number);
+        scan.plate_x_mm = x_mm;
+        return *catalogue().save(scan, {});
+      }
+    return {};
+  }
   int follow() { return valueIn(followDecisions(catalogue(), "B0001", output)); }
   /// "f1-b2 f2": what counts, fronts first.
   std::string counting() {
@@ -347,8 +358,17 @@ TEST_F(ResultsOfDecisions, AJoinThatWasComputedAndTakenBackLeavesNoModelOfIt) {
   ASSERT_TRUE(writeFileAtomically(
       output / "report.json",
       nlohmann::json({{"format", "ostraka-report/1"}, {"decisions", {join.number}}}).dump()));
+  // One piece now, and called otherwise: a stranger that was found beside it has its name.
+  SherdRecord strange;
+  strange.context = context12;
+  strange.batch = batch;
+  strange.front = moved(2, 1, -80);
+  moved(1, 2, 60);
+  const SherdRow stranger = valueIn(catalogue().addSherd(strange, anna));
+  ASSERT_TRUE(catalogue().setModel(stranger, "models/B0001/2/model.ply", ""));
   ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
   EXPECT_TRUE(catalogue().sherd(sherd)->model_path.empty());
+  EXPECT_FALSE(catalogue().sherd(stranger)->model_path.empty());
 }
 
 TEST_F(ReviewDecisions, TheBatchIsQueuedAgain) {

@@ -39,7 +39,7 @@ TEST(SamePieces, WithoutAPlaceAreKnownByTheirNames) {
   EXPECT_EQ(samePieces({nowhere}, {piece("f001", 0), piece("f002", 50)}, {}), std::vector<int>{1});
 }
 
-TEST(SamePieces, OneThatWasJoinedOrCutKeepsItsNameWhereverItsMeanLiesNow) {
+TEST(SamePieces, OneThatWasJoinedIsKnownByThePlacesOfItsParts) {
   const pipeline::Decisions join = {joinOf("f001", 1, 31)};
   EXPECT_EQ(samePieces({piece("f001", 0), piece("f002", 30)}, {piece("f001", 15)}, join),
             (std::vector<int>{0, -1}));
@@ -51,6 +51,74 @@ TEST(SamePieces, OneThatWasJoinedOrCutKeepsItsNameWhereverItsMeanLiesNow) {
             std::vector<int>{1});
   EXPECT_EQ(samePieces({piece("f003", 60)}, {piece("f003", 80)}, join), std::vector<int>{-1})
       << "the decision is about a piece elsewhere";
+}
+
+// A mask that was mended in the same computation: a new piece comes first and has the old name.
+TEST(SamePieces, AJoinedOneIsNoStrangerOfTheSameName) {
+  const pipeline::Decisions join = {joinOf("f001", 0, 30)};
+  EXPECT_EQ(samePieces({piece("f001", 0), piece("f002", 30)},
+                       {piece("f001", -80), piece("f002", 15)}, join),
+            (std::vector<int>{1, -1}));
+  EXPECT_EQ(samePieces({piece("f001", 0), piece("f002", 30)},
+                       {piece("f001", -12), piece("f002", 15)}, join),
+            (std::vector<int>{1, -1}));
+  EXPECT_EQ(samePieces({piece("f001", 15)},
+                       {piece("f001", -80), piece("f002", 0), piece("f003", 30)}, join),
+            std::vector<int>{1});
+}
+
+TEST(SamePieces, OneThatWasJoinedTwiceLiesBetweenAllThree) {
+  const pipeline::Decisions joins = {joinOf("f001", 0, 30), joinOf("f001", 0, 90)};
+  EXPECT_EQ(samePieces({piece("f001", 0), piece("f002", 30), piece("f003", 90)},
+                       {piece("f001", 45)}, joins),
+            (std::vector<int>{0, -1, -1}));
+}
+
+class CutPieces : public testing::Test {
+ protected:
+  static ScanRecord piece(const char* name, double x_mm, int points, int row = 0) {
+    ScanRecord scan = catalogue::piece(name, x_mm);
+    scan.points = points;
+    scan.row = ScanRow{row};
+    return scan;
+  }
+  CutPieces() {
+    pipeline::PairDecision cut;
+    cut.kind = pipeline::DecisionKind::Split;
+    cut.scans = {{Side::Front, "f001", {40, 0}}};
+    cut.cut_mm = {Eigen::Vector2d(50, -20), Eigen::Vector2d(50, 20)};  // the left is below 50
+    edits = {cut};
+  }
+  pipeline::Decisions edits;
+  // Of 3000 points at 30 and 1000 at 70.
+  const std::vector<ScanRecord> whole = {piece("f001", 40, 4000, 1)};
+  const std::vector<ScanRecord> halves = {piece("f001", 12, 500, 3), piece("f002", 30, 3000, 1),
+                                          piece("f003", 70, 1000, 2)};
+};
+
+TEST_F(CutPieces, GoOnAsTheLargerHalfWhateverTheyAreCalled) {
+  EXPECT_EQ(samePieces(whole, halves, edits), std::vector<int>{1});
+}
+
+TEST_F(CutPieces, GoOnWhereTheNumberWasTyped) {
+  EXPECT_EQ(samePieces(whole, halves, edits, {{ScanRow{1}, Eigen::Vector2d(68, 3)}}),
+            std::vector<int>{2});
+  EXPECT_EQ(samePieces(whole, halves, edits, {{ScanRow{7}, Eigen::Vector2d(68, 3)}}),
+            std::vector<int>{1})
+      << "that number is another's";
+}
+
+TEST_F(CutPieces, AreAgainWhatTheyWereWhenTheCutIsTakenBack) {
+  EXPECT_EQ(samePieces(halves, whole, edits), (std::vector<int>{-1, 0, -1}));
+  std::vector<ScanRecord> other_half = halves;
+  std::swap(other_half[1].row, other_half[2].row);
+  EXPECT_EQ(samePieces(other_half, whole, edits), (std::vector<int>{-1, -1, 0}))
+      << "the half that was known first";
+}
+
+TEST_F(CutPieces, AreKnownByTheirPlacesOnceTheyAreTwo) {
+  EXPECT_EQ(samePieces(halves, halves, edits), (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(samePieces(whole, whole, edits), std::vector<int>{0});
 }
 
 }  // namespace

@@ -62,6 +62,16 @@ TEST_F(TypedNumbers, FollowTheirSherdsByTheirPlaces) {
   EXPECT_TRUE(enter().numbers_left.empty()) << "twice gives once";
 }
 
+TEST_F(TypedNumbers, ThatAPersonTookAwayStayAway) {
+  ASSERT_TRUE(type({{{152, 14}, "A-7"}, {{47, 6}, "A-1"}}));
+  results();
+  enter();
+  ASSERT_TRUE(set(*catalogue().sherdByNumber("A-7"), "number", ""));
+  EXPECT_TRUE(enter().numbers_left.empty());
+  EXPECT_EQ(numberOf("f003"), "");
+  EXPECT_EQ(numberOf("f001"), "A-1");
+}
+
 TEST_F(TypedNumbers, StayWithTheFrontOfADoubtfulPairWhateverIsDecided) {
   ASSERT_TRUE(type({{{50, 10}, "A-1"}, {{100, 10}, "A-2"}}));
   results(true);

@@ -11,6 +11,7 @@
 #include "catalogue/kept_models.h"
 #include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
+#include "catalogue/typed_numbers.h"
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
@@ -162,6 +163,8 @@ void takeOver(Catalogue& catalogue, const SherdRecord& known, const SherdRecord&
   for (const SherdRecord* sherd : {&known, &made}) forgetModel(catalogue, sherd->row, act);
   database.sql("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?").with(made.row).run();
   orRefuse(catalogue.voidSherd(made.row, "photographed again: " + known.number, act));
+  // Else it lay on two plates, and could not be typed on a third.
+  if (known.batch && known.batch != made.batch) forgetTyped(catalogue, known.batch, known.number);
   database.sql("UPDATE sherd SET batch = ?, front = ?, back = ? WHERE row = ?")
       .with(made.batch, made.front, made.back, known.row)
       .run();

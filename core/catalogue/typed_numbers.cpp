@@ -37,6 +37,14 @@ std::vector<TypedNumber> parsed(const std::string& text) {
   return numbers;
 }
 
+std::string textOf(std::span<const TypedNumber> numbers) {
+  json list = json::array();
+  for (const TypedNumber& typed : numbers)
+    list.push_back(
+        {{"x_mm", typed.at_mm.x()}, {"y_mm", typed.at_mm.y()}, {"number", typed.number}});
+  return list.empty() ? std::string() : list.dump();
+}
+
 int nearest(const Eigen::Vector2d& to, std::span<const Eigen::Vector2d> places) {
   int best = -1;
   double least = kReach_mm;
@@ -92,7 +100,6 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
     const std::string key = keyOf(catalogue, batch);
     const std::set<std::string> elsewhere = typedEverywhere(catalogue, key);
     std::set<std::string> seen;
-    json list = json::array();
     for (const TypedNumber& typed : numbers) {
       const std::string number = uniqueKey(typed.number);
       if (!seen.insert(number).second)
@@ -110,11 +117,16 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
               : elsewhere.contains(number);
       if (!may || typed_elsewhere)
         refuse("The number " + typed.number + " belongs to another sherd already.", typed.number);
-      list.push_back(
-          {{"x_mm", typed.at_mm.x()}, {"y_mm", typed.at_mm.y()}, {"number", typed.number}});
     }
-    orRefuse(catalogue.setSetting(key, list.empty() ? std::string() : list.dump()));
+    orRefuse(catalogue.setSetting(key, textOf(numbers)));
   });
+}
+
+void forgetTyped(Catalogue& catalogue, BatchRow batch, const std::string& number) {
+  std::vector<TypedNumber> left = orRefuse(typedNumbers(catalogue, batch));
+  const std::size_t erased = std::erase_if(
+      left, [&](const TypedNumber& typed) { return uniqueKey(typed.number) == uniqueKey(number); });
+  if (erased > 0) orRefuse(catalogue.setSetting(keyOf(catalogue, batch), textOf(left)));
 }
 
 Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,

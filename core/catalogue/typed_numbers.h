@@ -23,6 +23,9 @@ Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchR
 Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
                              std::span<const TypedNumber> numbers);
 
+/// The sherd of this number lies on another plate by now. Throws Refused.
+void forgetTyped(Catalogue& catalogue, BatchRow batch, const std::string& number);
+
 /// The whole number of what was typed or scanned: digits alone are the running number in the
 /// batch's context after the project's scheme, a label's code (OST1:S:...) holds its own. Errors:
 /// UnusableInput, digits without a bag that says the context.

@@ -183,6 +183,13 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
   ASSERT_TRUE(catalogue().decide(back, anna));
   EXPECT_EQ(catalogue().sherd(before.row)->front, after.front);
   EXPECT_EQ(catalogue().sherd(before.row)->model_path, after.model_path);
+  // Those photographs are no good either: once more.
+  reshoot.batch = again;
+  reshoot.front = after.front;
+  reshoot.back = after.back;
+  ASSERT_TRUE(catalogue().decide(reshoot, anna));
+  ASSERT_EQ(toPhotographAgain(catalogue())->size(), 1u);
+  EXPECT_TRUE(setTypedNumbers(catalogue(), newBatch({bag5}), std::span(&typed, 1)));
 }
 
 TEST_F(TypedNumbers, ThatCameAfterADescriptionTakeItAlong) {

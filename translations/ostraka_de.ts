@@ -8530,5 +8530,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anpassungen an Zeilen, die nicht eingetragen wurden, sind ausgelassen: %1; die Tabelle erneut einlesen, wenn diese Zeilen berichtigt sind.</translation>
     </message>
+    <message>
+      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 wurde für eine Scherbe von %2 getippt; diese ist noch nicht berechnet.</translation>
+    </message>
   </context>
 </TS>

@@ -8530,5 +8530,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι συγκολλήσεις με γραμμές που δεν καταχωρίστηκαν παραλείπονται: %1· εισαγάγετε ξανά τον πίνακα όταν διορθωθούν αυτές οι γραμμές.</translation>
     </message>
+    <message>
+      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει υπολογιστεί ακόμη.</translation>
+    </message>
   </context>
 </TS>

@@ -8530,5 +8530,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se omiten las uniones con filas que no entraron: %1; importe la tabla otra vez cuando esas filas estén corregidas.</translation>
     </message>
+    <message>
+      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 se escribió para un fragmento de %2, que aún no está calculado.</translation>
+    </message>
   </context>
 </TS>

@@ -8530,5 +8530,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les remontages avec des lignes qui ne sont pas entrées sont omis : %1 ; importez de nouveau le tableau quand ces lignes seront corrigées.</translation>
     </message>
+    <message>
+      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore calculé.</translation>
+    </message>
   </context>
 </TS>

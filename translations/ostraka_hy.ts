@@ -8530,5 +8530,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չմուտքագրված տողերի հետ կցումները բաց են թողնվել. %1. երբ այդ տողերն ուղղվեն, կրկին ներմուծեք աղյուսակը։</translation>
     </message>
+    <message>
+      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ հաշվարկված չէ։</translation>
+    </message>
   </context>
 </TS>

@@ -8488,5 +8488,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
     </message>
+    <message>
+      <source>The number %1 was typed on a sherd of %2, which is not computed yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarası, henüz hesaplanmamış %2 içindeki bir parçaya yazıldı.</translation>
+    </message>
   </context>
 </TS>

@@ -128,7 +128,7 @@ Result<std::vector<std::string>> Catalogue::proposeNumbers(std::span<const Sherd
     const std::int64_t last = settingNumber(*this, "numbering.last", 999'999'999);
     std::map<std::string, std::int64_t> next;
     std::vector<std::string> numbers;
-    const std::set<std::string> typed = typedEverywhere(*this, {});
+    const std::set<std::string> typed = typedEverywhere(*this);
     for (const SherdRecord& sherd : orRefuse(sherds(rows))) {
       if (!sherd.number.empty()) {
         numbers.push_back(sherd.number);

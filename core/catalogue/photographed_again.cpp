@@ -91,13 +91,12 @@ Result<std::vector<SherdRecord>> toPhotographAgain(const Catalogue& catalogue) {
         asked >> rows.back();
       }
     }
-    std::vector<SherdRecord> waiting = orRefuse(catalogue.sherds(rows));
-    std::erase_if(waiting, [&](const SherdRecord& sherd) {
-      return !waitsForPhotographs(catalogue, sherd) ||
-             typedEverywhere(catalogue, kTypedNumbers + sherd.batch_number)
-                 .contains(uniqueKey(sherd.number));
+    std::vector<SherdRecord> wanted = orRefuse(catalogue.sherds(rows));
+    const std::map<std::string, std::string> lies_again = typedAndWaiting(catalogue);
+    std::erase_if(wanted, [&](const SherdRecord& sherd) {
+      return !waitsForPhotographs(catalogue, sherd) || lies_again.contains(uniqueKey(sherd.number));
     });
-    return waiting;
+    return wanted;
   });
 }
 

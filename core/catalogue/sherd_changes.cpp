@@ -106,7 +106,8 @@ class Examination {
     const auto [earlier, first] = numbers_.emplace(key, sherd.row);
     if (!first && earlier->second != sherd.row)
       refuse("The number " + value + " would be given twice.");
-    if (!taken.sherd || (taken.sherd == sherd.row && !taken.slug_only)) return;
+    if (!taken.sherd) return notOnAPlate(sherd, value);
+    if (taken.sherd == sherd.row && !taken.slug_only) return;
     change.shown.in_the_way = taken.sherd;
     const Result<SherdRecord> other = catalogue_.sherd(taken.sherd);
     if (taken.slug_only)
@@ -115,6 +116,15 @@ class Examination {
     if (other && other->number != taken.number)
       refuse("The number " + value + " was given before and is never used again.");
     refuse("The number " + value + " belongs to another sherd.");
+  }
+
+  // Else it would be written on two sherds.
+  void notOnAPlate(const SherdRecord& sherd, const std::string& number) {
+    if (!waiting_) waiting_ = typedAndWaiting(catalogue_);
+    const auto plate = waiting_->find(uniqueKey(number));
+    if (plate != waiting_->end() && plate->second != sherd.batch_number)
+      refuse("The number " + number + " was typed on a sherd of " + plate->second +
+             ", which is not computed yet.");
   }
 
   // The term itself, also when a label of another language or capitals were typed.
@@ -263,6 +273,8 @@ class Examination {
   const Catalogue& catalogue_;
   std::map<std::string, std::map<std::string, std::string>> vocabularies_;
   std::map<std::string, SherdRow> numbers_;
+  std::optional<std::map<std::string, std::string>>
+      waiting_;  ///< on plates, once they are asked for
 };
 
 struct Batch {

@@ -53,9 +53,12 @@ std::map<std::string, std::string> numberTokens(const Catalogue& catalogue,
 
 /// Settings with the numbers typed on plates: this and the batch's number.
 inline constexpr const char* kTypedNumbers = "typed_numbers.";
-/// Unique keys of all numbers that were typed on plates, but those of one setting.
-std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key,
-                                      const std::string& nor_key = {});
+/// Unique keys of all numbers that were typed on plates.
+std::set<std::string> typedEverywhere(const Catalogue& catalogue);
+/// Those typed on plates that are not computed yet, with the batch's number; such a number is
+/// written on a sherd. Not those of a batch that failed or was set aside: its sherds may lie on
+/// another plate by now.
+std::map<std::string, std::string> typedAndWaiting(const Catalogue& catalogue);
 
 enum class MeasureRank {
   PersonFirst,  ///< what a person measured stays above what the program computes

@@ -73,19 +73,29 @@ bool namesNoNumber(const Catalogue& catalogue, const LabelCode& label) {
 
 }  // namespace
 
-std::set<std::string> typedEverywhere(const Catalogue& catalogue, const std::string& but_key,
-                                      const std::string& nor_key) {
+std::set<std::string> typedEverywhere(const Catalogue& catalogue) {
   std::set<std::string> keys;
   Statement rows = catalogue.database().sql(
-      "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111) AND key <> ?2 AND "
-      "key <> ?3");
-  rows.with(std::string(kTypedNumbers), but_key, nor_key);
-  while (rows.next()) {
+      "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111)");
+  for (rows.with(std::string(kTypedNumbers)); rows.next();) {
     std::string text;
     rows >> text;
     for (const TypedNumber& typed : parsed(text)) keys.insert(uniqueKey(typed.number));
   }
   return keys;
+}
+
+std::map<std::string, std::string> typedAndWaiting(const Catalogue& catalogue) {
+  std::map<std::string, std::string> waiting;
+  Statement rows = catalogue.database().sql(
+      "SELECT b.number, s.value FROM batch b JOIN setting s ON s.key = ? || b.number WHERE b.state "
+      "<> 'failed' AND NOT EXISTS (SELECT 1 FROM scan WHERE scan.batch = b.row)");
+  for (rows.with(std::string(kTypedNumbers)); rows.next();) {
+    std::string batch, text;
+    rows >> batch >> text;
+    for (const TypedNumber& typed : parsed(text)) waiting[uniqueKey(typed.number)] = batch;
+  }
+  return waiting;
 }
 
 Result<std::vector<TypedNumber>> typedNumbers(const Catalogue& catalogue, BatchRow batch) {
@@ -97,28 +107,27 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
                              std::span<const TypedNumber> numbers) {
   Database& database = catalogue.database();
   return database.inTransaction([&] {
-    const std::string key = keyOf(catalogue, batch);
-    const std::set<std::string> elsewhere = typedEverywhere(catalogue, key);
-    std::set<std::string> seen;
+    const std::string own = orRefuse(catalogue.batch(batch)).number;
+    std::set<std::string> stood, seen;
+    for (const TypedNumber& typed : orRefuse(typedNumbers(catalogue, batch)))
+      stood.insert(uniqueKey(typed.number));
+    const std::map<std::string, std::string> waiting = typedAndWaiting(catalogue);
     for (const TypedNumber& typed : numbers) {
       const std::string number = uniqueKey(typed.number);
       if (!seen.insert(number).second)
         refuse("The number " + typed.number + " stands on two sherds of this plate.", typed.number);
+      if (stood.contains(number)) continue;  // what is wrong with it hinders no other
       const Taken taken = takenBy(database, typed.number);
       const SherdRecord holder =
           taken.sherd ? orRefuse(catalogue.sherd(taken.sherd)) : SherdRecord();
-      const bool waits =
-          waitsForPhotographs(catalogue, holder) && uniqueKey(holder.number) == number;
-      const bool may = !taken.sherd || holder.batch == batch || waits;
-      // On the plate where it lay before it was typed, too.
-      const bool typed_elsewhere =
-          waits && holder.batch
-              ? typedEverywhere(catalogue, key, keyOf(catalogue, holder.batch)).contains(number)
-              : elsewhere.contains(number);
-      if (!may || typed_elsewhere)
+      const bool may =
+          !taken.sherd || holder.batch == batch ||
+          (waitsForPhotographs(catalogue, holder) && uniqueKey(holder.number) == number);
+      const auto elsewhere = waiting.find(number);
+      if (!may || (elsewhere != waiting.end() && elsewhere->second != own))
         refuse("The number " + typed.number + " belongs to another sherd already.", typed.number);
     }
-    orRefuse(catalogue.setSetting(key, textOf(numbers)));
+    orRefuse(catalogue.setSetting(keyOf(catalogue, batch), textOf(numbers)));
   });
 }
 

@@ -187,6 +187,8 @@ Sentences sentencesOfCatalogue() {
                         "The files of %1 would have the same names as those of %2."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The number %1 was given before and is never used again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The number %1 was typed on a sherd of %2, which is not computed yet."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The number %1 belongs to another sherd."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",

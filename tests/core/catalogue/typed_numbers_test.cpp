@@ -221,6 +221,35 @@ TEST_F(TypedNumbers, ThatCameAfterADescriptionTakeItAlong) {
   EXPECT_EQ(left.fabric, "coarse") << "still to be read";
 }
 
+TEST_F(TypedNumbers, AreGivenToNobodyElseBeforeTheirPlateIsComputed) {
+  ASSERT_TRUE(type({{{50, 10}, "A-1"}, {{400, 10}, "A-9"}}));
+  const SherdRow other = numbered(context12);
+  const auto refused = set(other, "number", "a-1");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().what,
+            "The number a-1 was typed on a sherd of B0001, which is not computed yet.");
+  const TypedNumber lost{{10, 10}, "A-9"};
+  const BatchRow next = newBatch({bag4});
+  EXPECT_FALSE(setTypedNumbers(catalogue(), next, std::span(&lost, 1)));
+  results();
+  EXPECT_THAT(enter().numbers_left, ElementsAre("A-9"));
+  EXPECT_EQ(numberOf("f001"), "A-1");
+  EXPECT_TRUE(setTypedNumbers(catalogue(), next, std::span(&lost, 1)))
+      << "no sherd lay there: it is laid down once more";
+}
+
+TEST_F(TypedNumbers, OneThatIsTakenMeanwhileHindersNoOther) {
+  ASSERT_TRUE(type({{{50, 10}, "A-1"}}));
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Failed, {}));
+  const SherdRow other = numbered(context12);
+  ASSERT_TRUE(catalogue().setModel(other, "models/B0007/1/model.ply", ""));
+  ASSERT_TRUE(set(other, "number", "A-1"));
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
+  EXPECT_TRUE(type({{{50, 10}, "A-1"}, {{100, 10}, "A-2"}}));
+  EXPECT_TRUE(type({{{100, 10}, "A-2"}})) << "and can be taken away";
+  EXPECT_FALSE(type({{{50, 10}, "A-1"}, {{100, 10}, "A-2"}}));
+}
+
 TEST_F(TypedNumbers, AreNotProposedToOthers) {
   ASSERT_TRUE(type({{{0, 0}, "ARM1-T3-0012-0001"}}));
   const std::vector<SherdRow> rows = {draft(context12)};

@@ -74,12 +74,6 @@ ordered_json toJson(const RegisteredCandidate& c, const CandidateTable& table) {
           {"starts", starts}};
 }
 
-int indexOf(const std::vector<ScanRef>& scans, const std::string& id) {
-  for (std::size_t i = 0; i < scans.size(); ++i)
-    if (scans[i].id == id) return static_cast<int>(i);
-  return -1;
-}
-
 Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTable& table,
                                           const std::string& where) {
   RegisteredCandidate c;
@@ -122,6 +116,12 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
 }
 
 }  // namespace
+
+int indexOf(const std::vector<ScanRef>& scans, const std::string& id) {
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    if (scans[i].id == id) return static_cast<int>(i);
+  return -1;
+}
 
 const pairing::StartPose& RegisteredCandidate::start() const {
   const std::size_t i = static_cast<std::size_t>(std::max(0, registration.start));

@@ -24,6 +24,13 @@ struct RegisteredCandidate {
   const pairing::StartPose& start() const;
 };
 
+/// How the chain registered a pair that a person decided.
+struct RegisteredDecision {
+  int front = -1, back = -1;
+  std::string by, at;  ///< of the decision
+  registration::Registration registration;
+};
+
 /// What the pairs are decided from: all that is left of a batch when its rims were compared.
 struct CandidateTable {
   std::vector<ScanRef> fronts, backs;
@@ -32,9 +39,14 @@ struct CandidateTable {
   double back_scale = 1;  ///< backs and their cameras are brought to the fronts' size by it
   bool has_scale = true;  ///< false: no length is known
   bool on_plate = true;   ///< z = 0 of each side's frame is the plate
+  /// Of results that were read; they go before the pose that the person gave.
+  std::vector<RegisteredDecision> decided;
 
   const RegisteredCandidate* find(int front, int back) const;  ///< nullptr: not compared
 };
+
+/// Of the scan of this id; -1: none has it.
+int indexOf(const std::vector<ScanRef>& scans, const std::string& id);
 
 /// Where a scan lies: its id and mean.
 ScanRef refOf(const scan::Scan& scan, batch::Side side);

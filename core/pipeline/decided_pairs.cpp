@@ -109,6 +109,12 @@ SherdPair decidedPair(const CandidateTable& table, const PairTable& free,
   pair.decided_by = settled.decision.by;
   pair.decided_at = settled.decision.at;
   const RegisteredCandidate* known = table.find(settled.front, settled.back);
+  for (const RegisteredDecision& done : table.decided)
+    if (done.front == settled.front && done.back == settled.back &&
+        done.by == settled.decision.by && done.at == settled.decision.at) {
+      pair.registration = done.registration;
+      return pair;
+    }
   const std::optional<Isometry3d>& given = settled.decision.front_from_back;
   const ScanRef& back = table.backs[static_cast<std::size_t>(settled.back)];
   if (known != nullptr) {

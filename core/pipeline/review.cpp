@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/json.h"
 #include "pipeline/mask_strokes.h"
 
 namespace ostraka::pipeline {
@@ -119,6 +120,34 @@ void nameDecision(ReviewCard& card, const CandidateTable& table, const Decisions
         card.decided_by = d.by;
         card.decided_at = d.at;
       }
+  }
+}
+
+// What cannot be read is shown as it was decided.
+void readDecided(const std::filesystem::path& pairs_file, CandidateTable& table) {
+  const Result<nlohmann::json> pairs = readJson(pairs_file);
+  if (!pairs || !pairs->is_object()) return;
+  try {
+    for (const nlohmann::json& pair : pairs->value("pairs", nlohmann::json::array())) {
+      if (!pair.contains("decided")) continue;
+      RegisteredDecision done;
+      done.front = indexOf(table.fronts, pair.at("front").get<std::string>());
+      done.back = indexOf(table.backs, pair.at("back").get<std::string>());
+      done.by = pair.at("decided").at("by").get<std::string>();
+      done.at = pair.at("decided").at("at").get<std::string>();
+      const auto pose = isometryFromJson(pair.at("T_front_from_back"), pairs_file.string());
+      if (done.front < 0 || done.back < 0 || !pose) continue;
+      done.registration.front_from_back = *pose;
+      done.registration.start = 0;
+      if (pair.at("rim_rms_mm").is_number())
+        done.registration.rim_rms_mm = pair.at("rim_rms_mm").get<double>();
+      done.registration.rim_overlap = pair.at("rim_overlap").get<double>();
+      done.registration.uncertainty_mm = pair.at("uncertainty_mm").get<double>();
+      done.registration.slipped = pair.at("slipped").get<bool>();
+      table.decided.push_back(std::move(done));
+    }
+  } catch (const nlohmann::json::exception&) {
+    table.decided.clear();
   }
 }
 
@@ -252,7 +281,9 @@ Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
                  "The pairs of this batch are not computed yet, or were computed by an older "
                  "program; compute the batch again: what is whole is kept.",
                  output.string()};
-  return readCandidates(file);
+  Result<CandidateTable> table = readCandidates(file);
+  if (table) readDecided(output / "pairs.json", *table);
+  return table;
 }
 
 Result<Review> loadReview(const std::filesystem::path& output) {

@@ -194,6 +194,27 @@ TEST_F(DecidedPairs, TheTableOfCandidatesIsReadBackWhole) {
   EXPECT_EQ(read->fronts[2].place_mm, out_.table.fronts[2].place_mm);
 }
 
+// The rims settled it when it was computed: the review shows that, not what the person began with.
+TEST_F(DecidedPairs, ThatWereComputedAreShownAsTheyWereRegistered) {
+  PairDecision d = pair(0, 0);
+  d.front_from_back = movedByHand(out_.front_from_back[0], out_.table.backs[0],
+                                  Eigen::Vector3d(0, 0, 0.2), Eigen::Vector3d(1, 0, 0));
+  PairTable computed = with({d});
+  computed.pairs[0].registration.front_from_back = out_.front_from_back[0];
+  computed.pairs[0].registration.rim_rms_mm = 0.21;
+  ASSERT_TRUE(writeFileAtomically(out_.output / "pairs.json",
+                                  toJson(computed, out_.table.fronts, out_.table.backs).dump()));
+  const Result<CandidateTable> read = readCandidatesOf(out_.output);
+  fs::remove(out_.output / "pairs.json");
+  ASSERT_TRUE(read.has_value());
+  const Result<Review> review = reviewOf(*read, {d});
+  ASSERT_TRUE(review.has_value());
+  EXPECT_TRUE(review->ofFront(0)->front_from_back.isApprox(out_.front_from_back[0], 1e-6));
+  EXPECT_EQ(review->ofFront(0)->rim_rms_mm, 0.21);
+  d.at = "2026-07-14T09:31:00Z";  // turned once more since
+  EXPECT_TRUE(reviewOf(*read, {d})->ofFront(0)->front_from_back.isApprox(*d.front_from_back, 1e-6));
+}
+
 TEST_F(DecidedPairs, ABatchWithoutCandidatesSaysWhatToDo) {
   const Result<CandidateTable> missing = readCandidatesOf(folder_ / "nothing");
   ASSERT_FALSE(missing.has_value());

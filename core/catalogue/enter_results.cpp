@@ -50,6 +50,8 @@ class Entering {
     scans(read.scans, read.edits);
     orRefuse(followDecisions(catalogue_, orRefuse(catalogue_.batch(batch_)).number, out));
     decide(read);
+    // Before the models: what lies under a number that waited is another record's from here on.
+    entered_.numbers_left = orRefuse(giveTypedNumbers(catalogue_, batch_, act_));
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
       FileRecord record = file.record;
@@ -57,7 +59,6 @@ class Entering {
       orRefuse(catalogue_.save(record, act_));
       ++entered_.files;
     }
-    entered_.numbers_left = orRefuse(giveTypedNumbers(catalogue_, batch_, act_));
     countOpen();
     BatchRecord batch = orRefuse(catalogue_.batch(batch_));
     entered_.decided_meanwhile = pipeline::wantsComputing(out);

@@ -192,6 +192,44 @@ TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
   EXPECT_TRUE(setTypedNumbers(catalogue(), newBatch({bag5}), std::span(&typed, 1)));
 }
 
+// Its request was taken back while the new plate was computed, and made again afterwards.
+TEST_F(TypedNumbers, OfASherdThatIsAskedForAfterItsPlateWasComputedFindItWithItsModel) {
+  results();
+  enter();
+  const SherdRow row = valueIn(catalogue().sherdRows(batch))[0];
+  ASSERT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
+  const SherdRecord before = *catalogue().sherd(row);
+  PairDecision reshoot;
+  reshoot.batch = batch;
+  reshoot.verdict = Verdict::Reshoot;
+  reshoot.front = before.front;
+  reshoot.back = before.back;
+  const DecisionRow asked = valueIn(catalogue().decide(reshoot, anna));
+  const TypedNumber typed{{50, 10}, before.number};
+  const BatchRow again = newBatch({bag4});
+  ASSERT_TRUE(setTypedNumbers(catalogue(), again, std::span(&typed, 1)));
+  PairDecision back;
+  back.batch = batch;
+  back.verdict = Verdict::Withdraw;
+  back.replaces = asked;
+  ASSERT_TRUE(catalogue().decide(back, anna));
+  ResultFolder out(project_->resultsFolder("B0002"), 2);
+  out.places_mm = {{50, 10}, {100, 10}};
+  out.write();
+  const auto compute = [&] {
+    QuietProgress quiet;
+    return enterResults(catalogue(), project_->folder(), again, project_->resultsFolder("B0002"),
+                        {}, quiet, {});
+  };
+  EXPECT_THAT(compute()->numbers_left, ElementsAre(before.number)) << "it has its old pair";
+  ASSERT_TRUE(catalogue().decide(reshoot, anna));
+  EXPECT_TRUE(compute()->numbers_left.empty());
+  const SherdRecord after = *catalogue().sherd(row);
+  EXPECT_EQ(after.batch, again);
+  EXPECT_THAT(after.model_path, testing::StartsWith("models/B0002/"));
+  EXPECT_EQ(after.measures.at("length"), 51);
+}
+
 TEST_F(TypedNumbers, ThatCameAfterADescriptionTakeItAlong) {
   results();
   enter();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "batch/photograph.h"
@@ -31,6 +32,9 @@ using Line = std::vector<Eigen::Vector2d>;
 
 constexpr int kTurnSamples = 200;
 constexpr double kRimReach_mm = 1.5;
+constexpr double kBeside_mm = 1;            // farther than the outline's own roundings
+constexpr std::size_t kTold = 4000;         // points that tell whether anything lies there
+constexpr std::size_t kLeastOfAPart = 200;  // points; fewer make no outline
 
 /// A scan with all that is made from it; each part is made when it is first asked for.
 struct Opened {
@@ -55,6 +59,34 @@ const rig::PosedImage* highest(const std::vector<rig::PosedImage>& images, Side 
     if (best == nullptr || up > best->centre().normalized().z() + 1e-3) best = &image;
   }
   return best;
+}
+
+std::optional<std::vector<Eigen::Vector3d>> outlined(const PointCloud& cloud,
+                                                     const Eigen::Vector3d& up) {
+  const Result<pairing::Contour> contour = pairing::traceContour(cloud, up, {});
+  if (!contour) return std::nullopt;
+  const Isometry3d scan_from_plane = contour->plane_from_scan.inverse();
+  std::vector<Eigen::Vector3d> outline;
+  for (std::size_t i = 0; i < contour->points.size(); ++i)
+    outline.push_back(scan_from_plane * Eigen::Vector3d(contour->points[i].x(),
+                                                        contour->points[i].y(),
+                                                        contour->heights[i]));
+  return outline;
+}
+
+// What lies beside an outline on the plate, of every step-th point.
+PointCloud outsideOf(const std::vector<Eigen::Vector3d>& outline, const PointCloud& cloud,
+                     std::size_t step = 1) {
+  if (outline.empty()) return {};
+  std::vector<cv::Point2f> polygon;
+  for (const Eigen::Vector3d& p : outline)
+    polygon.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
+  std::vector<int> outside;
+  for (std::size_t i = 0; i < cloud.size(); i += step)
+    if (cv::pointPolygonTest(polygon, {cloud.points[i].x(), cloud.points[i].y()}, true) <
+        -kBeside_mm)
+      outside.push_back(static_cast<int>(i));
+  return subset(cloud, outside);
 }
 
 Line flat(const std::vector<Eigen::Vector3d>& line, const Isometry3d& frame_from_line) {
@@ -160,13 +192,7 @@ struct LivePairs::State {
     slot.outline.emplace();
     const Result<scan::Scan>& points = read(slot, side, scan);
     if (!points) return *slot.outline;
-    const Result<pairing::Contour> contour = pairing::traceContour(points->cloud, points->up, {});
-    if (!contour) return *slot.outline;
-    const Isometry3d scan_from_plane = contour->plane_from_scan.inverse();
-    for (std::size_t i = 0; i < contour->points.size(); ++i)
-      slot.outline->push_back(scan_from_plane * Eigen::Vector3d(contour->points[i].x(),
-                                                                contour->points[i].y(),
-                                                                contour->heights[i]));
+    if (auto outline = outlined(points->cloud, points->up)) *slot.outline = std::move(*outline);
     return *slot.outline;
   }
 
@@ -399,14 +425,29 @@ Result<rig::PosedImage> LivePairs::photographed(Side side) const {
   return *image;
 }
 
-Result<std::vector<Eigen::Vector2d>> LivePairs::outlineIn(const rig::PosedImage& photograph,
-                                                          int scan) const {
+Result<std::vector<std::vector<Eigen::Vector2d>>> LivePairs::outlinesIn(
+    const rig::PosedImage& photograph, int scan) const {
   const Result<const scan::Scan*> found = state_->scanOf(photograph.side, scan);
   if (!found) return found.error();
-  std::vector<Eigen::Vector2d> outline;
+  std::vector<std::vector<Eigen::Vector2d>> outlines(1);
   for (const Eigen::Vector3d& p : state_->outlineOf(photograph.side, scan))
-    outline.push_back(photograph.project(p));
-  return outline;
+    outlines[0].push_back(photograph.project(p));
+  // A piece that was joined may lie in several parts. Most are whole, which some points tell.
+  const std::vector<Eigen::Vector3d>& largest = state_->outlineOf(photograph.side, scan);
+  const PointCloud& cloud = (*found)->cloud;
+  const std::size_t step = 1 + cloud.size() / kTold;
+  if (step * outsideOf(largest, cloud, step).size() < kLeastOfAPart) return outlines;
+  PointCloud rest = outsideOf(largest, cloud);
+  while (rest.size() >= kLeastOfAPart) {
+    const auto part = outlined(rest, (*found)->up);
+    if (!part) break;
+    outlines.emplace_back();
+    for (const Eigen::Vector3d& p : *part) outlines.back().push_back(photograph.project(p));
+    PointCloud left = outsideOf(*part, rest);
+    if (left.size() == rest.size()) break;
+    rest = std::move(left);
+  }
+  return outlines;
 }
 
 Result<ScanCloud> LivePairs::cloud(Side side, int scan, std::size_t most_points) const {

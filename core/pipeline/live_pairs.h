@@ -79,8 +79,10 @@ class LivePairs {
   Result<Picture> picture(batch::Side side, int scan, double px_mm) const;
   /// The photograph that a side is shown by, the one from highest above; its file may be gone.
   Result<rig::PosedImage> photographed(batch::Side side) const;
-  /// A scan's outline in that photograph, pixels; empty when it has none.
-  Result<std::vector<Eigen::Vector2d>> outlineIn(const rig::PosedImage& photograph, int scan) const;
+  /// The outlines of a scan's parts in that photograph, pixels, the largest first; that one is
+  /// empty when it has none.
+  Result<std::vector<std::vector<Eigen::Vector2d>>> outlinesIn(const rig::PosedImage& photograph,
+                                                               int scan) const;
   Result<ScanCloud> cloud(batch::Side side, int scan, std::size_t most_points) const;
 
  private:

@@ -1,6 +1,7 @@
 #include "pipeline/plate_map.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace ostraka::pipeline {
 namespace {
@@ -54,17 +55,21 @@ Result<MapSide> sideOf(const LivePairs& live, Side side, std::vector<MapMark> ma
   if (!image) return image.error();
   MapSide map{image->file, image->intrinsics.width, image->intrinsics.height, {}};
   for (MapMark& mark : marks) {
-    Result<std::vector<Eigen::Vector2d>> outline = live.outlineIn(*image, mark.scan);
-    if (!outline) return outline.error();
-    mark.outline = std::move(*outline);
+    auto outlines = live.outlinesIn(*image, mark.scan);
+    if (!outlines) return outlines.error();
     const auto& scans = side == Side::Front ? live.table().fronts : live.table().backs;
     mark.place_mm = scans.at(static_cast<std::size_t>(mark.scan)).place_mm;
-    for (const Eigen::Vector2d& p : mark.outline)
-      mark.at += p / static_cast<double>(mark.outline.size());
-    map.marks.push_back(std::move(mark));
+    for (std::vector<Eigen::Vector2d>& outline : *outlines) {
+      MapMark& part = map.marks.emplace_back(mark);
+      ++mark.part;
+      part.outline = std::move(outline);
+      for (const Eigen::Vector2d& p : part.outline)
+        part.at += p / static_cast<double>(part.outline.size());
+    }
   }
-  std::sort(map.marks.begin(), map.marks.end(),
-            [](const MapMark& a, const MapMark& b) { return a.scan < b.scan; });
+  std::sort(map.marks.begin(), map.marks.end(), [](const MapMark& a, const MapMark& b) {
+    return std::tie(a.scan, a.part) < std::tie(b.scan, b.part);
+  });
   return map;
 }
 

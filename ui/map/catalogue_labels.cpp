@@ -72,7 +72,7 @@ QVector<PlateSherd> sherdsOnPlate(const pipeline::PlateMap& map,
   if (catalogue != nullptr) known.emplace(*catalogue, batch_number.toStdString());
   QVector<PlateSherd> sherds;
   for (const pipeline::MapMark& mark : map.front.marks) {
-    if (mark.number.empty()) continue;
+    if (mark.number.empty() || mark.part > 0) continue;
     PlateSherd sherd;
     sherd.on_plate = QString::fromStdString(mark.number);
     sherd.is_taken_out = isTakenOut(mark);

@@ -37,6 +37,8 @@ QImage photographAt(const fs::path& file) {
 }
 
 Result<MapPicture> readMap(const fs::path& output, const std::stop_token& stop) {
+  // Its scans may be new already, and neither its pairs nor the catalogue.
+  if (const Result<void> whole = pipeline::computedToItsEnd(output); !whole) return whole.error();
   const auto live = pipeline::LivePairs::open(output);
   if (!live) return live.error();
   const Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);

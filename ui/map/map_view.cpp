@@ -74,7 +74,7 @@ QString MapView::numberAt(const QPointF& place) const {
 QStringList MapView::numbers() const {
   QStringList list;
   for (const pipeline::MapMark& mark : picture_.map.front.marks)
-    if (!mark.number.empty()) list << QString::fromStdString(mark.number);
+    if (!mark.number.empty() && mark.part == 0) list << QString::fromStdString(mark.number);
   return list;
 }
 

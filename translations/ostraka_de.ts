@@ -5391,9 +5391,9 @@
       <translation>Eine Datei dieses Namens gibt es schon, sie wird nicht überschrieben; eine andere Ladung nennen.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Ladung wurde auf einem anderen Teller begonnen; für diese einen anderen Ordner nennen.</translation>
+      <translation>Die Ladung wurde auf einem anderen Teller begonnen: mit jenem weitermachen oder eine andere Ladung beginnen.</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>

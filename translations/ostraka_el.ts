@@ -5391,9 +5391,9 @@
       <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα και δεν αντικαθίσταται· δώστε άλλη παρτίδα.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η παρτίδα άρχισε σε άλλον δίσκο· δώστε άλλον φάκελο για αυτήν.</translation>
+      <translation>Η παρτίδα άρχισε σε άλλον δίσκο: συνεχίστε με εκείνον ή αρχίστε άλλη παρτίδα.</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>

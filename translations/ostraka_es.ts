@@ -5391,9 +5391,9 @@
       <translation>Ya hay un archivo con este nombre y no se sobrescribe; indique otra tanda.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La tanda se empezó en otro plato; indique otra carpeta para esta.</translation>
+      <translation>La tanda se empezó en otro plato: siga con aquel o empiece otra tanda.</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>

@@ -5391,9 +5391,9 @@
       <translation>Un fichier de ce nom existe déjà et n’est pas écrasé ; indiquez un autre lot.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le lot a été commencé sur un autre plateau ; indiquez un autre dossier pour celui-ci.</translation>
+      <translation>Le lot a été commencé sur un autre plateau : continuez avec celui-là ou commencez un autre lot.</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>

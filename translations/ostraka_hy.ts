@@ -5391,9 +5391,9 @@
       <translation>Այս անունով ֆայլ արդեն կա և չի վերագրվում. նշեք այլ խմբաքանակ։</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակը սկսվել է այլ սկավառակով. սրա համար նշեք այլ պանակ։</translation>
+      <translation>Խմբաքանակը սկսվել է այլ սկավառակով. շարունակեք դրանով կամ սկսեք այլ խմբաքանակ։</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>

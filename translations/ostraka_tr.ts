@@ -5349,9 +5349,9 @@
       <translation>Bu adda bir dosya zaten var ve üzerine yazılmıyor; başka bir parti belirtin.</translation>
     </message>
     <message>
-      <source>The batch was begun on another plate; name another folder for this one.</source>
+      <source>The batch was begun on another plate: go on with that one, or begin another batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti başka bir tablada başlatılmıştı; bunun için başka bir klasör belirtin.</translation>
+      <translation>Parti başka bir tablada başlatılmıştı: onunla sürdürün ya da başka bir partiye başlayın.</translation>
     </message>
     <message>
       <source>The batch was begun with %1 cameras and %2 stops, not with %3 and %4; name another folder.</source>

@@ -79,22 +79,27 @@ std::string asideName(const std::string& file, int take) {
          path.extension().string();
 }
 
+// Of plate.json, where it is there.
+Result<void> isThisPlate(const fs::path& file, const batch::Plate& plate) {
+  std::error_code absent;
+  if (!fs::exists(file, absent)) return {};
+  const Result<batch::Plate> there = batch::readPlate(file);
+  if (!there) return there.error();
+  bool same =
+      there->dictionary == plate.dictionary && there->markers.size() == plate.markers.size();
+  for (std::size_t i = 0; same && i < plate.markers.size(); ++i)
+    same = there->markers[i].id == plate.markers[i].id &&
+           (there->markers[i].corners[0] - plate.markers[i].corners[0]).norm() < 1e-3;
+  if (same) return {};
+  return Error{ErrorCode::UnusableInput,
+               "The batch was begun on another plate: go on with that one, or begin another batch.",
+               file.string()};
+}
+
 Result<void> keepPlate(const fs::path& folder, const batch::Plate& plate) {
   const fs::path file = folder / "plate.json";
   std::error_code absent;
-  if (fs::exists(file, absent)) {
-    const Result<batch::Plate> there = batch::readPlate(file);
-    if (!there) return there.error();
-    bool same =
-        there->dictionary == plate.dictionary && there->markers.size() == plate.markers.size();
-    for (std::size_t i = 0; same && i < plate.markers.size(); ++i)
-      same = there->markers[i].id == plate.markers[i].id &&
-             (there->markers[i].corners[0] - plate.markers[i].corners[0]).norm() < 1e-3;
-    if (same) return {};
-    return Error{ErrorCode::UnusableInput,
-                 "The batch was begun on another plate; name another folder for this one.",
-                 file.string()};
-  }
+  if (fs::exists(file, absent)) return isThisPlate(file, plate);
   return rig::writePlate(file, plate);
 }
 
@@ -135,6 +140,14 @@ Result<void> renameToNew(const fs::path& from, const fs::path& to) {
   return {};
 }
 
+Result<void> checkPlate(const fs::path& batch, const batch::Plate& plate) {
+  const Result<Manifest> manifest = readManifest(batch);
+  if (!manifest) return manifest.error();
+  const bool taken = std::any_of(manifest->entries.begin(), manifest->entries.end(),
+                                 [](const ManifestEntry& entry) { return entry.used; });
+  return taken ? isThisPlate(batch / "plate.json", plate) : Result<void>();
+}
+
 Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int stops, int cameras,
                                     const batch::Plate& plate) {
   BatchStore store;
@@ -173,9 +186,21 @@ Result<void> BatchStore::finishAside(const ManifestEntry& entry) const {
   return renameToNew(file, fileOf(entry));
 }
 
+// The photograph had its name already when the program ended.
+Result<void> BatchStore::finishRaw(const ManifestEntry& entry) const {
+  for (const std::string& raw : entry.raw) {
+    std::error_code absent;
+    if (fs::exists(batch_ / raw, absent) || !fs::exists(hidden(batch_ / raw), absent)) continue;
+    if (const Result<void> named = renameToNew(hidden(batch_ / raw), batch_ / raw); !named)
+      return named;
+  }
+  return {};
+}
+
 Result<void> BatchStore::tidyUp(batch::Side side) {
   for (ManifestEntry& entry : manifest_.entries) {
     if (entry.side != side) continue;
+    if (const Result<void> finished = finishRaw(entry); !finished) return finished;
     if (!entry.used) {
       if (const Result<void> finished = finishAside(entry); !finished) return finished;
       continue;
@@ -213,6 +238,11 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
                    e.path().string()};
     }
   }
+  const std::string raw_of_side = std::string(".") + batch::name(side) + "_";
+  for (const fs::directory_entry& e : fs::directory_iterator(batch_ / "raw", unread))
+    if (const std::string name = e.path().filename().string();
+        name.starts_with(raw_of_side) && name.ends_with(kArriving))
+      left_over.push_back(e.path());
   for (const fs::path& file : left_over) fs::remove(file, unread);
   return {};
 }

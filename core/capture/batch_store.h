@@ -52,12 +52,16 @@ class BatchStore {
  private:
   Result<void> tidyUp(batch::Side side);
   Result<void> finishAside(const ManifestEntry& entry) const;
+  Result<void> finishRaw(const ManifestEntry& entry) const;
 
   std::filesystem::path batch_;
   batch::Side side_ = batch::Side::Front;
   Manifest manifest_;
 };
 
+/// Before anything of another rig is written into a batch that has photographs. Errors:
+/// UnusableInput: they were taken on another plate than this one.
+Result<void> checkPlate(const std::filesystem::path& batch, const batch::Plate& plate);
 /// Writes a file that must not be there yet, and syncs it. Errors: CannotWrite.
 Result<void> writeNewFile(const std::filesystem::path& path, std::string_view bytes);
 /// Gives a file another name that must not be taken, in the same file system.

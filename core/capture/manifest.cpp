@@ -111,7 +111,9 @@ Result<Manifest> readManifest(const std::filesystem::path& batch) {
     manifest.cameras = json->at("cameras").get<int>();
     for (const nlohmann::json& entry : json->at("photographs")) {
       manifest.entries.push_back(entryFromJson(entry));
-      if (!isOwnName(manifest.entries.back().file)) return unusable;
+      const ManifestEntry& read = manifest.entries.back();
+      if (!isOwnName(read.file) || !std::all_of(read.raw.begin(), read.raw.end(), isOwnName))
+        return unusable;
     }
   } catch (const nlohmann::json::exception&) {
     return unusable;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "batch/batch.h"
+#include "capture/batch_store.h"
 #include "catalogue/project.h"
 #include "ui/capture/doubt_words.h"
 #include "ui/frame/project_session.h"
@@ -353,6 +354,8 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
     uncounted = batch_.files(batch::Side::Front, cameras());
   const auto work = [devices = devices_, source = source_, batch = batch_.index(), options,
                      uncounted](Progress& progress, std::stop_token stop) -> Result<SideTaken> {
+    if (const Result<void> same = capture::checkPlate(options.batch, devices->plate); !same)
+      return same.error();
     if (options.side == batch::Side::Front)
       if (const Result<void> done = source.prepare(options.batch, batch, progress, stop); !done)
         return done.error();

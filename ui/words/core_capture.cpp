@@ -50,8 +50,10 @@ Sentences sentencesOfCapture() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "A file of this name is there already and is not overwritten; name another batch."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The batch was begun on another plate; name another folder for this one."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "The batch was begun on another plate: go on with that one, or begin another "
+          "batch."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The batch was begun with %1 cameras and %2 stops, not with %3 and %4; "
                         "name another folder."),

@@ -7,6 +7,7 @@
 #include "catalogue/database.h"
 #include "catalogue/label_codes.h"
 #include "catalogue/typed_numbers.h"
+#include "rig/plate_print.h"
 #include "ui/queue/batch_queue.h"
 
 using namespace ostraka;
@@ -328,6 +329,33 @@ class CaptureResumeTest : public QObject {
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::NoRig);
     QVERIFY(!bench.wizard.isBusy());
     QVERIFY(!bench.wizard.fault());
+  }
+
+  void aBatchIsNotGoneOnWithOnAnotherPlate() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer.", "rig"};
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.wizard.next();
+    QTRY_VERIFY(bench.wizard.fault().has_value());
+    QCOMPARE(bench.rig.prepared, 1);
+    const std::filesystem::path batch = folder() / "batches" / "B0001";
+    batch::Plate first;
+    first.dictionary = "DICT_5X5_100";
+    first.diameter_mm = 200;
+    first.markers.push_back({1, {{{0, 0, 0}, {10, 0, 0}, {10, -10, 0}, {0, -10, 0}}}});
+    QVERIFY(rig::writePlate(batch / "plate.json", first).has_value());
+    capture::Manifest manifest;
+    manifest.stops = 8;
+    manifest.cameras = 3;
+    manifest.entries.resize(1);
+    manifest.entries[0].file = "front/cam0_pos00.jpg";
+    QVERIFY(capture::writeManifest(batch, manifest).has_value());
+    bench.wizard.next();
+    QTRY_VERIFY(bench.wizard.fault() &&
+                bench.wizard.fault()->what.find("another plate") != std::string::npos);
+    QCOMPARE(bench.rig.prepared, 1);  // which would have written its own plate there
   }
 
   void doubtsAboutABatchOutliveAnotherRig() {

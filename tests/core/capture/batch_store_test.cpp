@@ -1,0 +1,86 @@
+#include "capture/batch_store.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/files.h"
+#include "flat_rig.h"
+
+namespace ostraka::capture {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class Store : public ::testing::Test {
+ protected:
+  Store() {
+    folder_ = fs::temp_directory_path() /
+              ("ostraka_store_" + std::to_string(::getpid()) + "_" +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+  }
+  ~Store() override { fs::remove_all(folder_); }
+
+  Result<BatchStore> open(const batch::Plate& plate) const {
+    return BatchStore::open(folder_, batch::Side::Front, 3, 1, plate);
+  }
+  void take(const std::vector<CameraFile>& files) {
+    Result<BatchStore> store = open(plate_);
+    ASSERT_TRUE(store.has_value()) << store.error().what;
+    const auto arriving = store->stage(files, 0, 0, 0.0, {"folder", "a camera", "1", ""});
+    ASSERT_TRUE(arriving.has_value()) << arriving.error().what;
+    ASSERT_TRUE(store->commit({*arriving}).has_value());
+  }
+  std::string textOf(const char* file) const {
+    const auto bytes = readFile(folder_ / file);
+    return bytes ? *bytes : "none";
+  }
+
+  fs::path folder_;
+  batch::Plate plate_ = testing::makeFlatRig(1).devices.plate;
+};
+
+// The program ended between the names of a photograph and of its raw file.
+TEST_F(Store, NamesTheRawFileOfAPhotographAfterACrash) {
+  take({{"DSC_1.JPG", "\xFF\xD8 a photograph"}, {"DSC_1.NEF", "a raw file"}});
+  ASSERT_EQ(textOf("raw/front_cam0_pos00_take1.nef"), "a raw file");
+  const auto arriving = [&](const std::string& name) {
+    return folder_ / "raw" / ("." + name + ".arriving");
+  };
+  fs::rename(folder_ / "raw/front_cam0_pos00_take1.nef", arriving("front_cam0_pos00_take1.nef"));
+  ASSERT_TRUE(writeFileAtomically(arriving("front_cam0_pos01_take1.nef"), "of no photograph"));
+  ASSERT_TRUE(writeFileAtomically(arriving("back_cam0_pos00_take1.nef"), "the other side's"));
+  ASSERT_TRUE(open(plate_).has_value());
+  EXPECT_EQ(textOf("raw/front_cam0_pos00_take1.nef"), "a raw file");
+  EXPECT_FALSE(fs::exists(arriving("front_cam0_pos00_take1.nef")));
+  EXPECT_FALSE(fs::exists(arriving("front_cam0_pos01_take1.nef")));
+  EXPECT_TRUE(fs::exists(arriving("back_cam0_pos00_take1.nef")));
+  EXPECT_EQ(textOf("front/cam0_pos00.jpg"), "\xFF\xD8 a photograph");
+}
+
+TEST_F(Store, NamesNothingOutsideOfItsFolder) {
+  take({{"DSC_1.JPG", "\xFF\xD8 a photograph"}, {"DSC_1.NEF", "a raw file"}});
+  auto manifest = readManifest(folder_);
+  ASSERT_TRUE(manifest.has_value());
+  manifest->entries[0].raw = {"../elsewhere.nef"};
+  ASSERT_TRUE(writeManifest(folder_, *manifest).has_value());
+  EXPECT_FALSE(open(plate_).has_value());
+}
+
+TEST_F(Store, IsOfAnotherPlateOnlyOnceItHasPhotographs) {
+  batch::Plate other = plate_;
+  other.markers[0].corners[0].x() += 1;
+  EXPECT_TRUE(checkPlate(folder_, plate_).has_value());  // nothing is there
+  ASSERT_TRUE(open(plate_).has_value());
+  EXPECT_TRUE(checkPlate(folder_, other).has_value());  // nothing was taken
+  take({{"DSC_1.JPG", "\xFF\xD8 a photograph"}});
+  EXPECT_TRUE(checkPlate(folder_, plate_).has_value());
+  const Result<void> refused = checkPlate(folder_, other);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(refused.error().what, HasSubstr("begun on another plate"));
+}
+
+}  // namespace
+}  // namespace ostraka::capture

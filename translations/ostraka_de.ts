@@ -1719,6 +1719,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>An den Fotos dieser Seite ist nichts auszusetzen. Noch einmal „Noch einmal aufnehmen“, um alle beiseitezulegen und neue zu machen.</translation>
     </message>
+    <message>
+      <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mehrere Beuteletiketten sind zu sehen: %1. Nur das dieser Scherben liegen lassen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1719,6 +1719,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι φωτογραφίες αυτής της πλευράς δεν έχουν κανένα πρόβλημα. Πατήστε ξανά «Φωτογράφιση ξανά» για να μπουν όλες στην άκρη και να ληφθούν νέες.</translation>
     </message>
+    <message>
+      <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φαίνονται ετικέτες περισσότερων σακουλών: %1. Αφήστε μόνο αυτήν των οστράκων εδώ.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1719,6 +1719,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotos de esta cara no tienen ningún problema. Pulse otra vez «Fotografiar otra vez» para apartarlas todas y hacer otras.</translation>
     </message>
+    <message>
+      <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se ven etiquetas de varias bolsas: %1. Deje solo la de estos fragmentos.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

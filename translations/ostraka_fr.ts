@@ -1719,6 +1719,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photos de cette face n'ont aucun défaut. Demandez encore une fois « Photographier de nouveau » pour les mettre toutes de côté et en prendre d'autres.</translation>
     </message>
+    <message>
+      <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les étiquettes de plusieurs sacs sont visibles : %1. Ne laissez que celle de ces tessons.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1719,6 +1719,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս կողմի լուսանկարներում սխալ չկա։ Եվս մեկ անգամ ընտրեք «Լուսանկարել կրկին», որպեսզի բոլորը մի կողմ դրվեն և նորերն արվեն։</translation>
     </message>
+    <message>
+      <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երևում են մի քանի տոպրակի պիտակներ՝ %1։ Թողեք միայն այս բեկորներինը։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1699,6 +1699,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yüzün fotoğraflarında bir sorun yok. Hepsini bir kenara koyup yenilerini çekmek için bir kez daha «Yeniden çek» deyin.</translation>
     </message>
+    <message>
+      <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birkaç torbanın etiketi görünüyor: %1. Yalnız bu parçalarınkini bırakın.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

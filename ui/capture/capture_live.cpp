@@ -1,4 +1,5 @@
 // What the wizard's cameras see while sherds are laid and turned.
+#include <map>
 #include <utility>
 
 #include "base/files.h"
@@ -13,6 +14,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kBetweenLooks_ms = 150;  // a live picture is looked at again after as short a rest
+constexpr int kLooksUntilGone = 5;     // a hand may hide a label for a moment
 constexpr std::uintmax_t kLargestPhotograph_bytes = std::uintmax_t{200} << 20;
 const QSize kFrontPicture(1800, 1400);  // as large as it is ever shown
 
@@ -91,19 +93,27 @@ void CaptureWizard::lookLive() {
   });
 }
 
-// What was typed stays until another bag's label comes into sight.
+// What was typed stays until another bag's label comes into sight, or this one once more. Of two
+// bags nobody knows whose sherds lie there.
 void CaptureWizard::readLabels(const QStringList& codes) {
   if (phase_ != CapturePhase::Place) return;
-  for (const QString& code : codes) {
-    if (!code.startsWith(QLatin1String("OST1:")) || code == label_) continue;
-    const auto place = findPlaceText(session_->project().catalogue(), code);
-    if (!place) continue;
-    label_ = code;
-    setPlace(*place);
-    emit placeRead();
-    emit said(tr("Read from the label: %1").arg(place->words()));
-    return;
-  }
+  std::map<QString, PlaceText> bags;
+  for (const QString& code : codes)
+    if (code.startsWith(QLatin1String("OST1:")))
+      if (const auto place = findPlaceText(session_->project().catalogue(), code))
+        bags.emplace(place->words(), *place);
+  QStringList seen;
+  for (const auto& [words, place] : bags) seen << words;
+  looks_without_label_ = seen.isEmpty() ? looks_without_label_ + 1 : 0;
+  if (looks_without_label_ == kLooksUntilGone) labels_.clear();
+  if (seen.isEmpty() || seen == labels_) return;
+  labels_ = seen;
+  if (bags.size() > 1)
+    return emit said(tr("Labels of several bags are in sight: %1. Leave the one of these sherds.")
+                         .arg(seen.join(QStringLiteral(", "))));
+  setPlace(bags.begin()->second);
+  emit placeRead();
+  emit said(tr("Read from the label: %1").arg(seen.front()));
 }
 
 void CaptureWizard::lookAtFront() {

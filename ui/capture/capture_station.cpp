@@ -165,7 +165,9 @@ void CaptureStation::buildActions() {
   }
   connect(next_, &QAction::triggered, this, &CaptureStation::goOn);
   connect(stop_, &QAction::triggered, wizard_, &CaptureWizard::stop);
-  connect(again_, &QAction::triggered, wizard_, &CaptureWizard::again);
+  connect(again_, &QAction::triggered, this, [this] {
+    if (namesABag()) wizard_->again();
+  });
   connect(import_photographs_, &QAction::triggered, this,
           [this] { chooseImport(ImportKind::Photographs); });
   connect(import_scans_, &QAction::triggered, this, [this] { chooseImport(ImportKind::Scans); });
@@ -176,15 +178,17 @@ void CaptureStation::buildActions() {
 void CaptureStation::goOn() {
   if (!rig_page_->isHidden()) return rig_page_->goOn();
   if (number_edit_->isVisible() && !number_edit_->keepTyped()) return;
-  // A word that names no bag would leave all its sherds without a context.
-  if (wizard_->canDescribe() && !place_->isUsable()) {
-    place_->choose();
-    emit said(tr("'%1' names no bag: write site-trench-context-bag, or empty the line to go on "
-                 "without one.")
-                  .arg(place_->text()));
-    return;
-  }
-  wizard_->next();
+  if (namesABag()) wizard_->next();
+}
+
+// A word that names no bag would leave all its sherds without a context.
+bool CaptureStation::namesABag() {
+  if (!wizard_->canDescribe() || place_->isUsable()) return true;
+  place_->choose();
+  emit said(tr("'%1' names no bag: write site-trench-context-bag, or empty the line to go on "
+               "without one.")
+                .arg(place_->text()));
+  return false;
 }
 
 QWidget* CaptureStation::buildWorkPage() {
@@ -224,7 +228,7 @@ QWidget* CaptureStation::buildWorkPage() {
   fault_->setObjectName(QStringLiteral("captureFault"));
   fault_->hide();
   connect(fault_, &MessagePanel::acted, this, [this] {
-    if (wizard_->fault()) wizard_->next();
+    if (wizard_->fault()) goOn();
   });
   connect(doubts_, &MessagePanel::acted, again_, &QAction::trigger);
   auto* column = new QVBoxLayout(page);
@@ -303,6 +307,7 @@ void CaptureStation::openProject(ProjectSession& session) {
 }
 
 void CaptureStation::closeProject() {
+  if (session_ != nullptr && !number_edit_->isHidden()) number_edit_->keepTyped();
   wizard_->setLive(false);
   wizard_->setSession(nullptr);
   importer_->setSession(nullptr);

@@ -64,6 +64,7 @@ class CaptureStation final : public Station {
   QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
                   const QKeySequence& key);
   void goOn();
+  bool namesABag();  ///< what is typed; else it says so, and the cursor is there
   void follow();
   void followLive();
   void followNumbers();

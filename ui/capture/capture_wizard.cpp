@@ -38,6 +38,7 @@ void CaptureWizard::setSession(ProjectSession* session) {
   work_ = live_job_ = front_job_ = nullptr;
   after_live_ = {};
   waiting_.reset();
+  labels_.clear();
   if (session_ != nullptr) session_->disconnect(this);
   session_ = session;
   batch_.setSession(session);
@@ -182,6 +183,8 @@ void CaptureWizard::setCounted(int sherds) {
   const bool told = seen && (phase_ == CapturePhase::Flip || phase_ == CapturePhase::Done);
   if (told) doubts_.removeAll(countDoubt(seen->check));
   batch_.setCounted(sherds);
+  // Its own bag: a person may be typing another.
+  if (batch_.isThere() && canDescribe()) keep(batch_.place());
   if (told) doubtCount(seen->check);
   emit changed();
 }
@@ -302,8 +305,11 @@ void CaptureWizard::setAside() {
 
 // Numbers that are typed are of the bag's context.
 void CaptureWizard::keepDescribed() {
-  if (session_ == nullptr || !batch_.isThere() || !canDescribe()) return;
-  if (const Result<void> kept = batch_.begin(place_); !kept) emit said(sentenceOf(kept.error()));
+  if (session_ != nullptr && batch_.isThere() && canDescribe()) keep(place_);
+}
+
+void CaptureWizard::keep(const PlaceText& place) {
+  if (const Result<void> kept = batch_.begin(place); !kept) emit said(sentenceOf(kept.error()));
 }
 
 void CaptureWizard::setState(catalogue::BatchState state) {

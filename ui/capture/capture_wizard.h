@@ -101,6 +101,7 @@ class CaptureWizard final : public QObject {
   void whenCameraIsFree(std::function<void()> act);
   void enter(CapturePhase phase);
   void forgetPlate();
+  void keep(const PlaceText& place);
   void shoot(batch::Side side, std::vector<capture::ShotName> retake);
   void startShooting(batch::Side side, std::vector<capture::ShotName> retake);
   void hear(const capture::CaptureEvent& event);
@@ -138,9 +139,9 @@ class CaptureWizard final : public QObject {
   std::optional<PlatePicture> live_, front_picture_;
   std::optional<capture::SideSummary> summary_[2];
   std::vector<TakenShot> shots_;
-  int camera_ = -1, stop_ = -1, stops_done_ = 0;
+  int camera_ = -1, stop_ = -1, stops_done_ = 0, looks_without_label_ = 0;
   PlaceText place_;
-  QString label_;  ///< of the bag, read last; seen again it says nothing new
+  QStringList labels_;  ///< of bags, seen last; while they lie there they say nothing new
   BatchInHand batch_;
 };
 

@@ -1,0 +1,140 @@
+// The bag by its label, laid under the camera.
+#include <QSignalSpy>
+#include <QtTest>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/objdetect.hpp>
+
+#include "bench.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+using catalogue::BatchState;
+
+namespace {
+
+std::string pictureOfLabels(const std::vector<std::string>& texts) {
+  cv::Mat picture;
+  for (const std::string& text : texts) {
+    cv::Mat code, label;
+    cv::QRCodeEncoder::create()->encode(text, code);
+    cv::resize(code, label, {}, 6, 6, cv::INTER_NEAREST);
+    cv::copyMakeBorder(label, label, 80, 200, 90, 300, cv::BORDER_CONSTANT, 255);
+    if (picture.empty())
+      picture = label;
+    else
+      cv::hconcat(picture, label, picture);
+  }
+  std::vector<uchar> bytes;
+  cv::imencode(".jpg", picture, bytes);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string pictureOfLabel(const std::string& text) {
+  return pictureOfLabels({text});
+}
+
+const char* const kLabel4 = "OST1:B:ARM1-T3-0012-4:7F3K9Q2M";
+const char* const kLabel5 = "OST1:B:ARM1-T3-0012-5:8G4L0R3N";
+
+}  // namespace
+
+class CaptureLabelsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+  void aBagsLabelUnderTheCameraGivesThePlace() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabel(kLabel4);
+    QSignalSpy read(&bench.wizard, &CaptureWizard::placeRead);
+    bench.wizard.setLive(true);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_COMPARE(read.count(), 1);
+    QCOMPARE(bench.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(bench.wizard.place().typed(), QStringLiteral("ARM1-T3-0012-4"));
+    // What is typed now stays, though the label still lies there.
+    bench.wizard.setPlace(*readPlaceText("ARM1-T3-0013-1"));
+    QSignalSpy looked(&bench.wizard, &CaptureWizard::liveChanged);
+    QTRY_VERIFY(looked.count() >= 2);
+    QCOMPARE(bench.wizard.place().context, QStringLiteral("0013"));
+    QCOMPARE(read.count(), 1);
+    bench.wizard.setLive(false);
+  }
+
+  // That of the bag before still lies at the edge of the plate.
+  void ofTwoBagsLabelsNoneIsTaken() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabels({kLabel4, kLabel5});
+    QSignalSpy read(&bench.wizard, &CaptureWizard::placeRead);
+    QSignalSpy said(&bench.wizard, &CaptureWizard::said);
+    bench.wizard.setLive(true);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_VERIFY(bench.wizard.live().has_value());
+    QCOMPARE(bench.wizard.live()->codes.size(), 2);
+    QSignalSpy looked(&bench.wizard, &CaptureWizard::liveChanged);
+    QTRY_VERIFY(looked.count() >= 2);
+    QCOMPARE(read.count(), 0);
+    QVERIFY(bench.wizard.place().isEmpty());
+    QCOMPARE(said.count(), 1);
+    QVERIFY(said[0][0].toString().contains("ARM1 / T3 / 0012 bag 4, ARM1 / T3 / 0012 bag 5"));
+    bench.rig.preview = pictureOfLabel(kLabel5);
+    QTRY_COMPARE(read.count(), 1);
+    QCOMPARE(bench.wizard.place().bag, QStringLiteral("5"));
+  }
+
+  void aLabelThatWasTakenAwayIsReadAgain() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabel(kLabel4);
+    bench.wizard.setLive(true);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    const auto photographAPlate = [&] {
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+      bench.wizard.next();
+      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    };
+    const auto look = [&](int times) {
+      const QSignalSpy looked(&bench.wizard, &CaptureWizard::liveChanged);
+      QTRY_VERIFY(looked.count() >= times);
+    };
+    QTRY_COMPARE(bench.wizard.place().bag, QStringLiteral("4"));
+    bench.wizard.setPlace(*readPlaceText("ARM1-T3-0099-1"));
+    photographAPlate();
+    look(2);  // it lies there all the time: nobody laid it there for this plate
+    QCOMPARE(bench.wizard.place().context, QStringLiteral("0099"));
+    bench.rig.preview = pictureOfLabel("no label");
+    look(6);
+    photographAPlate();
+    QCOMPARE(bench.wizard.place().context, QStringLiteral("0099"));
+    bench.rig.preview = pictureOfLabel(kLabel4);
+    QTRY_COMPARE(bench.wizard.place().context, QStringLiteral("0012"));
+  }
+
+  void anyOtherCodeIsNoPlace() {
+    ThreadedJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabel("https://example.org/ARM1-T3-0012-4");
+    bench.wizard.setLive(true);
+    bench.wizard.setRig(sourceOf(bench.rig));
+    QTRY_VERIFY(bench.wizard.live().has_value());
+    QCOMPARE(bench.wizard.live()->codes.size(), 1);
+    QVERIFY(bench.wizard.place().isEmpty());
+    bench.wizard.setLive(false);
+  }
+
+ private:
+  std::filesystem::path folder() const {
+    return std::filesystem::path(folder_->path().toStdString()) / "project";
+  }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(CaptureLabelsTest)
+#include "capture_labels_test.moc"

@@ -1,0 +1,151 @@
+// What is typed on the capture screen and not yet entered when something else is done.
+#include <QLabel>
+#include <QLineEdit>
+#include <QtTest>
+
+#include "base/files.h"
+#include "bench.h"
+#include "catalogue/label_codes.h"
+#include "catalogue/typed_numbers.h"
+#include "flat_rig.h"
+#include "ui/capture/capture_station.h"
+#include "ui/frame/big_button.h"
+#include "ui/frame/message_panel.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+using catalogue::BatchState;
+
+class CaptureTypingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    bench_ = std::make_unique<Bench>(folder_->filePath("p").toStdString(), jobs_);
+    station_ = std::make_unique<CaptureStation>(&bench_->wizard);
+    station_->resize(1200, 640);
+    station_->openProject(bench_->session);
+    station_->show();
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    station_->setInFront(true);
+    QVERIFY(bagRowOf(rows(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
+  }
+  void cleanup() {
+    station_->closeProject();
+    station_.reset();
+    bench_.reset();
+  }
+
+  void aHalfTypedBagIsNotDroppedByTryingAgain() {
+    RigSource source = sourceOf(bench_->rig);
+    wizard().setRig(source);
+    shootTheFronts();
+    bench_->rig.refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer.", "rig"};
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    auto* fault = child<MessagePanel>("captureFault");
+    QTRY_VERIFY(fault->isVisible());
+    typeHalfABag();
+    const auto asked = bench_->rig.asked.size();
+    QTest::mouseClick(fault->findChild<BigButton*>("messageAct"), Qt::LeftButton);
+    QCOMPARE(bench_->rig.asked.size(), asked);
+    QVERIFY(child<QLineEdit>("capturePlace")->hasFocus());
+    QTest::keyClicks(child<QLineEdit>("capturePlace"), "ARM1-T3-0012-5");
+    QTest::mouseClick(fault->findChild<BigButton*>("messageAct"), Qt::LeftButton);
+    QTRY_COMPARE(bench_->batch().state, BatchState::Queued);
+    QCOMPARE(bagOfTheBatch(), QStringLiteral("5"));
+  }
+
+  void aHalfTypedBagIsNotDroppedByPhotographingAgain() {
+    bench_->rig.back = 8;  // of nine
+    wizard().setRig(sourceOf(bench_->rig));
+    shootTheFronts();
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    auto* doubts = child<MessagePanel>("captureDoubts");
+    QTRY_VERIFY(doubts->isVisible());
+    typeHalfABag();
+    bench_->rig.back = 9;
+    QTest::mouseClick(doubts->findChild<BigButton*>("messageAct"), Qt::LeftButton);
+    QTest::qWait(0);
+    QCOMPARE(bench_->batch().state, BatchState::Back);
+    QCOMPARE(bagOfTheBatch(), QStringLiteral("4"));
+    QTest::keyClicks(child<QLineEdit>("capturePlace"), "ARM1-T3-0012-5");
+    QTest::mouseClick(doubts->findChild<BigButton*>("messageAct"), Qt::LeftButton);
+    QTRY_COMPARE(bench_->batch().state, BatchState::Queued);
+    QCOMPARE(bagOfTheBatch(), QStringLiteral("5"));
+  }
+
+  void aNumberThatStandsInItsLineIsKeptWhenTheProjectCloses() {
+    RigSource source = sourceOf(bench_->rig);
+    source.open = [open = source.open](int batch, const capture::AskPerson& ask,
+                                       std::stop_token stop) {
+      auto devices = open(batch, ask, stop);
+      if (devices) (*devices)->plate = capture::testing::flatPlate();
+      return devices;
+    };
+    source.shoot = [&, shoot = source.shoot](
+                       capture::RigDevices& devices, const capture::SideOptions& options,
+                       const capture::OnCaptureEvent& told, Progress& progress,
+                       std::stop_token stop) -> Result<capture::SideSummary> {
+      const auto photograph = options.batch / "front" / "cam2_pos00.jpg";
+      if (const auto taken = writeFileAtomically(
+              photograph, capture::testing::flatPicture({.width = 1600}, 2, 0, "front"));
+          !taken)
+        return taken.error();
+      return shoot(devices, options, told, progress, stop);
+    };
+    wizard().setRig(source);
+    shootTheFronts();
+    auto* line = child<QLineEdit>("sherdNumber");
+    QTRY_VERIFY(line->isVisible());
+    line->setFocus();
+    QTest::keyClicks(line, "7");
+    const catalogue::BatchRow batch = bench_->batch().row;
+    station_->closeProject();
+    const auto typed = catalogue::typedNumbers(rows(), batch);
+    QVERIFY(typed.has_value());
+    QCOMPARE(typed->size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(typed->front().number), QStringLiteral("ARM1-T3-0012-0007"));
+  }
+
+ private:
+  CaptureWizard& wizard() { return bench_->wizard; }
+  catalogue::Catalogue& rows() { return bench_->session.project().catalogue(); }
+  void shootTheFronts() {
+    QTRY_COMPARE(wizard().phase(), CapturePhase::Place);
+    auto* bag = child<QLineEdit>("capturePlace");
+    bag->setFocus();
+    QTest::keyClicks(bag, "ARM1-T3-0012-4");
+    QTest::keyClick(bag, Qt::Key_Return);
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard().phase(), CapturePhase::Flip);
+    QCOMPARE(bagOfTheBatch(), QStringLiteral("4"));
+  }
+  void typeHalfABag() {
+    auto* bag = child<QLineEdit>("capturePlace");
+    QTRY_VERIFY(bag->isEnabled());
+    bag->setFocus();
+    bag->selectAll();
+    QTest::keyClicks(bag, "ARM1-T3-");
+  }
+  QString bagOfTheBatch() {
+    const auto bags = bench_->batch().bags;
+    if (bags.empty()) return {};
+    const auto place = catalogue::placeOf(rows(), bags.front());
+    return place && *place ? QString::fromStdString((*place)->bag) : QString();
+  }
+  template <class T>
+  T* child(const char* name) {
+    T* found = station_->findChild<T*>(QString::fromLatin1(name));
+    if (found == nullptr) qFatal("there is no %s", name);
+    return found;
+  }
+  InlineJobRunner jobs_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<Bench> bench_;
+  std::unique_ptr<CaptureStation> station_;
+};
+
+QTEST_MAIN(CaptureTypingTest)
+#include "capture_typing_test.moc"

@@ -59,7 +59,8 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
             const QString name = source.section('/', -1);
             edits_->took(tr("changes by the import of %1").arg(name), report.changes, report.undo);
             details_->setVocabularies(session_->project().catalogue());
-            model_->reload();
+            reload();
+            if (report.not_reached > 0) complain(import_->problem());
             emit said(tr("Imported %1: %2").arg(name, import_->summary()));
           });
   connect(bulk_, &BulkEdit::wanted, this, [this](const std::vector<catalogue::FieldChange>& all) {
@@ -289,7 +290,6 @@ void CatalogueStation::forgetImports() {
 }
 
 void CatalogueStation::closeProject() {
-  details_->forgetUnsaved();
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_ = nullptr;
   delete import_dialog_.data();
@@ -300,6 +300,7 @@ void CatalogueStation::closeProject() {
   model_->setCatalogue(nullptr, {}, nullptr);
   bulk_->setSherds(nullptr, {});
   details_->clear();
+  details_->forgetUnsaved();
   model_pane_->clear();
   drawing_->setSherds(nullptr, {});
   complain({});
@@ -316,6 +317,11 @@ void CatalogueStation::showNewRows() {
   if (!stale_ || !session_ || !isVisible()) return;
   const QWidget* typed_in = window()->focusWidget();
   if (details_->isAncestorOf(typed_in) || bulk_->isAncestorOf(typed_in)) return;
+  reload();
+}
+
+// What was chosen stays chosen.
+void CatalogueStation::reload() {
   stale_ = false;
   const std::vector<catalogue::SherdRow> chosen = selected();
   const catalogue::SherdRow current = model_->sherdAt(table_->currentIndex().row());

@@ -47,6 +47,7 @@ class CatalogueStation final : public Station {
   void addActions();
   void showSelection();
   void showNewRows();
+  void reload();
   void choose(const std::vector<catalogue::SherdRow>& sherds, catalogue::SherdRow current);
   void showCount();
   void showModelOf(catalogue::SherdRow sherd);

@@ -95,7 +95,7 @@ void ImportDialog::buildLayout() {
   refusals_ = button("importRefusals", "export", tr("Save what is refused …"));
   connect(refusals_, &QPushButton::clicked, this, &ImportDialog::saveRefusals);
   cancel_ = button("importCancel", "cancel", {});
-  connect(cancel_, &QPushButton::clicked, this, &QDialog::reject);
+  connect(cancel_, &QPushButton::clicked, this, &ImportDialog::leave);
   enter_ = button("importEnter", "check", {});
   enter_->setDefault(true);
   connect(enter_, &QPushButton::clicked, &model_, &ImportModel::enter);
@@ -116,6 +116,12 @@ void ImportDialog::buildLayout() {
   column->addWidget(table_, 1);
   column->addWidget(bar_);
   column->addLayout(last);
+}
+
+// What was stopped says here how far it came.
+void ImportDialog::leave() {
+  if (model_.state() == ImportModel::State::Entering) return model_.cancel();
+  reject();
 }
 
 void ImportDialog::chooseTable() {

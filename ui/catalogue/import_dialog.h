@@ -23,6 +23,7 @@ class ImportDialog final : public QDialog {
   void buildLayout();
   void refresh();
   void fill();
+  void leave();
   void chooseTable();
   void chooseExport();
   void saveRefusals();

@@ -183,7 +183,10 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
       completer->setCaseSensitivity(Qt::CaseInsensitive);
       line->setCompleter(completer);
     }
-    connect(line, &QLineEdit::editingFinished, this, [line, told] { told(line->text()); });
+    connect(line, &QLineEdit::editingFinished, this, [this, name, line, told] {
+      put_[name] = line->text();
+      told(line->text());
+    });
     line->installEventFilter(this);
     editor = line;
   }
@@ -217,9 +220,29 @@ void SherdDetails::setText(const std::string& field, const QString& text) {
   if (auto* box = qobject_cast<QComboBox*>(editor)) {
     if (box->findText(text) < 0) box->addItem(text);
     box->setCurrentText(text);
-  } else if (auto* line = qobject_cast<QLineEdit*>(editor)) {
-    line->setText(text);
+  } else if (auto* line = qobject_cast<QLineEdit*>(editor); line && !isTyping(name)) {
+    put(name, text);
     line->setCursorPosition(0);
+  }
+}
+
+void SherdDetails::put(const QString& field, const QString& text) {
+  auto* line = qobject_cast<QLineEdit*>(editors_.value(field));
+  line->setText(text);
+  put_[field] = line->text();
+}
+
+bool SherdDetails::isTyping(const QString& field) const {
+  const auto* line = qobject_cast<QLineEdit*>(editors_.value(field));
+  return sherd_ && line != nullptr && line->text() != put_.value(field);
+}
+
+// Something else than a person's leaving it takes the sherd away.
+void SherdDetails::keepTyped() {
+  for (auto at = editors_.begin(); at != editors_.end(); ++at) {
+    if (!isTyping(at.key())) continue;
+    put_[at.key()] = qobject_cast<QLineEdit*>(at.value())->text();
+    unsaved_[sherd_.value].insert(at.key(), put_.value(at.key()));
   }
 }
 
@@ -242,7 +265,7 @@ bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
   const QString name = editors_.key(line), saved = shown_.value(name);
   if (line->text() == saved && !unsaved_.value(sherd_.value).contains(name)) return false;
   forgetUnsaved(name);
-  line->setText(saved);
+  put(name, saved);
   return true;
 }
 
@@ -272,7 +295,8 @@ void SherdDetails::showUnsaved() {
   QStringList fields;
   for (auto at = typed.begin(); at != typed.end(); ++at) {
     fields << fieldLabel(at.key().toStdString());
-    if (auto* line = qobject_cast<QLineEdit*>(editors_.value(at.key()))) line->setText(*at);
+    if (qobject_cast<QLineEdit*>(editors_.value(at.key())) && !isTyping(at.key()))
+      put(at.key(), *at);
     if (auto* box = qobject_cast<QComboBox*>(editors_.value(at.key()))) box->setCurrentText(*at);
   }
   if (fields.isEmpty()) return;
@@ -290,6 +314,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     clear();
     return;
   }
+  if (row != sherd_) keepTyped();
   sherd_ = row;
   widget()->setEnabled(true);
   refusal_->hide();
@@ -391,6 +416,7 @@ void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
 }
 
 void SherdDetails::clear() {
+  keepTyped();
   sherd_ = {};
   refusal_->hide();
   give_number_->hide();

@@ -56,6 +56,9 @@ class SherdDetails final : public QScrollArea {
   void addPlace();
   QWidget* editorFor(const catalogue::SherdField& field);
   void setText(const std::string& field, const QString& text);
+  void put(const QString& field, const QString& text);
+  bool isTyping(const QString& field) const;  ///< a person, who has not left it yet
+  void keepTyped();
   void showUnsaved();
   void placeRefusal(const std::string& field, const QString& sentence, const QString& other,
                     const QString& picture);
@@ -72,6 +75,7 @@ class SherdDetails final : public QScrollArea {
   QHash<QString, QWidget*> editors_;
   TermWords words_;
   QHash<QString, QString> shown_;                   ///< what the catalogue says
+  QHash<QString, QString> put_;                     ///< into the lines; what is other is typed
   QHash<qint64, QHash<QString, QString>> unsaved_;  ///< sherd -> field -> what was typed
   QWidget* refusal_ = nullptr;
   QLabel* refusal_text_ = nullptr;

@@ -1,6 +1,7 @@
 // The details of a sherd: what is refused, and what has little room.
 #include "ui/catalogue/sherd_details.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -76,6 +77,32 @@ class DetailsTest : public CatalogueWindow {
     QVERIFY(!child<QLabel>("refusalText")->isVisible());
     type("field_date_edtf", "0027/0030");
     QCOMPARE(sample_->value(0, "date_edtf"), QString("0027/0030"));
+  }
+
+  // Keys and buttons that take the cursor out of no field.
+  void whatIsBeingTypedOutlivesUndoAndNumbers() {
+    filter("state:draft");
+    sample_->addDraft();
+    filter("state:draft");
+    choose(0);
+    auto* ware = child<QLineEdit>("field_ware");
+    ware->setFocus();
+    QTest::keyClicks(ware, "grey");
+    QTest::keyClick(ware, Qt::Key_Return);
+    QCOMPARE(sample_->value(40, "ware"), QString("grey"));
+    auto* note = child<QLineEdit>("field_note");
+    note->setFocus();
+    QTest::keyClicks(note, "half a ");
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(40, "ware"), QString());
+    QCOMPARE(ware->text(), QString());
+    QCOMPARE(note->text(), QString("half a "));
+    child<QAction>("giveNumbers")->trigger();
+    QCOMPARE(sample_->value(40, "state"), QString("numbered"));
+    QVERIFY(note->hasFocus());
+    QTest::keyClicks(note, "sentence");
+    QTest::keyClick(note, Qt::Key_Tab);
+    QCOMPARE(sample_->value(40, "note"), QString("half a sentence"));
   }
 
   void aSherdIsVoidOnlyWhenAPersonSaysSoOnceMore() {

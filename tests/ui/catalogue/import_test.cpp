@@ -2,8 +2,10 @@
 #include <QCheckBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTableWidget>
 #include <QTest>
 
@@ -134,6 +136,58 @@ class ImportTest : public QObject {
     QCOMPARE(child<QLabel>("importProblem")->text(), QString("Stopped; nothing was entered."));
     QCOMPARE(sample_->value(0, "ware"), QString("grey"));
     QCOMPARE(sample_->session().undo().count(), 0);
+  }
+
+  void whoStopsIsToldThatNothingWasEnteredInTheSameWindow() {
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(model_->canEnter());
+    model_->enter();
+    QTest::mouseClick(child<QPushButton>("importCancel"), Qt::LeftButton);
+    QTRY_COMPARE(model_->state(), ImportModel::State::Ready);
+    QVERIFY(child<ImportDialog>("importDialog")->isVisible());
+    QCOMPARE(child<QLabel>("importProblem")->text(), QString("Stopped; nothing was entered."));
+  }
+
+  void oneThatIsStoppedMidwaySaysHowFarItCame() {
+    open();
+    QByteArray many = "number,site,trench,context\r\n";
+    for (int i = 0; i < 3000; ++i)
+      many += "ARM1-T3-0012-" + QByteArray::number(1000 + i) + ",ARM1,T3,0012\r\n";
+    model_->setSource(table(many));
+    QTRY_VERIFY_WITH_TIMEOUT(model_->canEnter(), 60000);
+    connect(model_, &ImportModel::changed, model_, [this] {
+      if (model_->state() == ImportModel::State::Entering && model_->fraction() > 0)
+        child<ImportDialog>("importDialog")->close();  // by Esc, or its cross
+    });
+    model_->enter();
+    QTRY_COMPARE_WITH_TIMEOUT(model_->state(), ImportModel::State::Done, 60000);
+    QVERIFY(model_->report()->not_reached > 0);
+    auto* problem = child<QLabel>("problem");
+    QVERIFY(problem->isVisible());
+    QVERIFY2(problem->text().contains(QString::number(model_->report()->not_reached)),
+             qPrintable(problem->text()));
+  }
+
+  void whatIsBeingTypedOutlivesAnImport() {
+    auto* sherds_table = child<QTableView>("sherds");
+    QTest::mouseClick(sherds_table->viewport(), Qt::LeftButton, {},
+                      sherds_table->visualRect(sherds_table->model()->index(1, 0)).center());
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(model_->canEnter());
+    station_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(station_.get()));
+    auto* note = child<QLineEdit>("field_note");
+    note->setFocus();
+    QTest::keyClicks(note, "half a ");
+    model_->enter();
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QCOMPARE(note->text(), QString("half a "));
+    QVERIFY(child<QLabel>("refusalText")->text().startsWith("Not saved yet: note"));
+    note->setFocus();
+    QTest::keyClick(note, Qt::Key_Return);
+    QCOMPARE(sample_->value(2, "note"), QString("half a"));
   }
 
   void importsThatBrokeOffAreToldWhenTheProjectIsOpened() {

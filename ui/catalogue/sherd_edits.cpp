@@ -170,9 +170,10 @@ QString SherdEdits::assignNumbers(const std::vector<catalogue::SherdRow>& sherds
 
 void SherdEdits::changeMany(const QString& title, const Making& making,
                             std::function<void(const Made&)> then) {
-  const auto work = [folder = session_.folder(), making, act = act()](
+  stop_ = std::stop_source();
+  const auto work = [folder = session_.folder(), making, act = act(), stop = stop_.get_token()](
                         Progress& progress,
-                        std::stop_token stop) -> Result<std::shared_ptr<const Made>> {
+                        std::stop_token) -> Result<std::shared_ptr<const Made>> {
     Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
     if (!catalogue) return catalogue.error();
     Result<Changes> changes = making(*catalogue);
@@ -202,7 +203,7 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
 }
 
 void SherdEdits::stop() {
-  if (job_) job_->cancel();
+  stop_.request_stop();
 }
 
 }  // namespace ostraka::ui

@@ -2,6 +2,7 @@
 #include <QObject>
 #include <QPointer>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "catalogue/catalogue.h"
@@ -12,7 +13,8 @@ namespace ostraka::ui {
 class ProjectSession;
 
 /// Saves changes of sherds at once, so that they can be undone; each step is a row of the history.
-/// Few are saved before the call returns; many by a worker, one such act at a time.
+/// Few are saved before the call returns; many by a worker, one such act at a time, which ends its
+/// work when the project is closed meanwhile.
 class SherdEdits final : public QObject {
   Q_OBJECT
 
@@ -54,6 +56,7 @@ class SherdEdits final : public QObject {
 
   ProjectSession& session_;
   QPointer<JobHandle> job_;
+  std::stop_source stop_;  ///< of what a person stops; what nobody stops is finished
 };
 
 }  // namespace ostraka::ui

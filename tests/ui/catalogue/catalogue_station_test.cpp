@@ -269,6 +269,26 @@ class CatalogueStationTest : public CatalogueWindow {
     QCOMPARE(sample_->value(39, "condition"), QString());
   }
 
+  void manyThatNobodyStoppedAreChangedThoughTheProjectIsClosed() {
+    std::vector<catalogue::FieldChange> changes;
+    for (const catalogue::SherdRow sherd : sample_->sherds())
+      for (const char* field : {"ware", "note", "fabric"})
+        changes.push_back({sherd, field, "as typed"});
+    const auto elsewhere = catalogue::Project::connect(sample_->session().folder());
+    QVERIFY(elsewhere.has_value());
+    elsewhere->database().sql("BEGIN IMMEDIATE").run();
+    auto edits = std::make_unique<SherdEdits>(sample_->session());
+    QCOMPARE(edits->change("many", changes), QString());
+    QVERIFY(edits->isBusy());
+    QTest::qWait(300);  // it waits for the other one
+    edits.reset();
+    elsewhere->database().sql("COMMIT").run();
+    QTRY_COMPARE_WITH_TIMEOUT(sample_->value(39, "note"), QString("as typed"), 30000);
+    QTest::qWait(300);  // nothing is taken back
+    for (const int sherd : {0, 20, 39})
+      QCOMPARE(sample_->value(sherd, "note"), QString("as typed"));
+  }
+
   void veryManyAreChangedByAWorkerAndCanBeStopped() {
     SampleProject large(400);
     station_->openProject(large.session());

@@ -319,23 +319,29 @@ void DrawingPage::refresh() {
   enter_->setVisible(count == 1 && mouth());
 }
 
+// What is shown may become another drawing while somebody chooses where this one goes.
 void DrawingPage::save() {
+  const std::shared_ptr<const Drawn> drawn = drawn_;
   const QString name =
       sherds_.size() > 1
           ? tr("plates")
-          : QString::fromStdString(catalogue::slug(drawn_->sherds.drawings.front().id));
+          : QString::fromStdString(catalogue::slug(drawn->sherds.drawings.front().id));
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the drawing"), QDir::home().filePath(name + ".pdf"),
       tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));
-  if (!file.isEmpty()) saveTo(file);
+  if (!file.isEmpty()) saveAs(file, drawn);
 }
 
 void DrawingPage::saveTo(const QString& file) {
+  saveAs(file, drawn_);
+}
+
+void DrawingPage::saveAs(const QString& file, const std::shared_ptr<const Drawn>& drawn) {
   QString named = file;
   if (!named.endsWith(".svg", Qt::CaseInsensitive) && !named.endsWith(".pdf", Qt::CaseInsensitive))
     named += ".pdf";
   write(
-      tr("Saving a drawing"),
+      drawn, tr("Saving a drawing"),
       [named](const std::vector<Page>& pages) -> Result<void> {
         const auto files = drawing::writeSheets(named.toStdString(), pages);
         if (!files) return files.error();
@@ -350,10 +356,10 @@ void DrawingPage::print() {
   printer->setFullPage(true);
   auto* dialog = new QPrintDialog(printer.get(), this);  // knows printing into a PDF file, too
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, printer] {
+  connect(dialog, &QDialog::accepted, this, [this, printer, drawn = drawn_] {
     const QString file = printer->outputFileName();
     write(
-        tr("Printing"),
+        drawn, tr("Printing"),
         [printer](const std::vector<Page>& pages) { return printSheets(*printer, pages); },
         file.isEmpty() ? tr("The drawing is sent to the printer; print it at 100 %.")
                        : tr("Saved: %1").arg(file));
@@ -361,11 +367,11 @@ void DrawingPage::print() {
   dialog->open();
 }
 
-void DrawingPage::write(const QString& title,
+void DrawingPage::write(const std::shared_ptr<const Drawn>& drawn, const QString& title,
                         std::function<Result<void>(const std::vector<Page>&)> work,
                         const QString& done) {
-  if (!drawn_ || !session_ || writing_) return;
-  const auto job = [drawn = drawn_, work = std::move(work)](Progress&, std::stop_token) {
+  if (!drawn || !session_ || writing_) return;
+  const auto job = [drawn, work = std::move(work)](Progress&, std::stop_token) {
     return work(drawn->pages);
   };
   writing_ = session_->jobs().start(makeJob(title, job), this);

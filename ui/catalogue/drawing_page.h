@@ -69,8 +69,9 @@ class DrawingPage final : public QWidget {
   QString words() const;
   void save();
   void print();
-  void write(const QString& title, std::function<Result<void>(const std::vector<Page>&)> work,
-             const QString& done);
+  void saveAs(const QString& file, const std::shared_ptr<const Drawn>& drawn);
+  void write(const std::shared_ptr<const Drawn>& drawn, const QString& title,
+             std::function<Result<void>(const std::vector<Page>&)> work, const QString& done);
   void enterRim();
 
   ProjectSession* session_ = nullptr;

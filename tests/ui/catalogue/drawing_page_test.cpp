@@ -1,14 +1,17 @@
 // The drawing of what is chosen, in a real window: one at once, many on demand.
 #include "ui/catalogue/drawing_page.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLocale>
 #include <QPdfWriter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QTranslator>
 #include <cmath>
 
@@ -176,6 +179,24 @@ class DrawingPageTest : public QObject {
     page_->saveTo(sample_->folder() + "/one.svg/within.pdf");  // a file is no folder
     QTRY_VERIFY(words().contains("one.svg"));
     QCOMPARE(said.count(), 2);
+  }
+
+  // A batch was entered meanwhile, say, and the table is read again.
+  void whatIsSavedIsWhatWasShownWhenAPersonPressedSave() {
+    show({1});
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    const QString file = sample_->folder() + "/kept.pdf";
+    QTimer::singleShot(0, page_.get(), [&] {
+      show({});
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      QVERIFY(dialog != nullptr);
+      dialog->selectFile(file);
+      static_cast<QDialog*>(dialog)->accept();
+    });
+    const QSignalSpy said(page_.get(), &DrawingPage::said);
+    QTest::mouseClick(child<QPushButton>("saveDrawing"), Qt::LeftButton);
+    QTRY_COMPARE(said.count(), 1);
+    QVERIFY(bytesOf(file).startsWith("%PDF"));
   }
 
   // A sherd of 3 cm on A4 is not shown as a stamp.

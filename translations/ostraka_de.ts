@@ -8540,5 +8540,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde für eine Scherbe von %2 getippt; diese ist noch nicht berechnet.</translation>
     </message>
+    <message>
+      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Blatt einer früheren Zeichnung ist da und wird nicht überschrieben; einen anderen Namen wählen oder es entfernen.</translation>
+    </message>
   </context>
 </TS>

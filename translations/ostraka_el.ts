@@ -8540,5 +8540,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει υπολογιστεί ακόμη.</translation>
     </message>
+    <message>
+      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει φύλλο παλαιότερου σχεδίου και δεν αντικαθίσταται· διαλέξτε άλλο όνομα ή αφαιρέστε το.</translation>
+    </message>
   </context>
 </TS>

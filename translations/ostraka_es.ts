@@ -8540,5 +8540,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 se escribió para un fragmento de %2, que aún no está calculado.</translation>
     </message>
+    <message>
+      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay una hoja de un dibujo anterior y no se sobrescribe; elija otro nombre o quítela.</translation>
+    </message>
   </context>
 </TS>

@@ -8540,5 +8540,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore calculé.</translation>
     </message>
+    <message>
+      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une feuille d’un dessin antérieur est déjà là et n’est pas écrasée ; choisissez un autre nom ou retirez-la.</translation>
+    </message>
   </context>
 </TS>

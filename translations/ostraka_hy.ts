@@ -8540,5 +8540,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ հաշվարկված չէ։</translation>
     </message>
+    <message>
+      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ գծանկարի թերթ արդեն կա և չի վերագրվում. ընտրեք այլ անուն կամ հեռացրեք այն։</translation>
+    </message>
   </context>
 </TS>

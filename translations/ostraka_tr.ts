@@ -8498,5 +8498,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası, henüz hesaplanmamış %2 içindeki bir parçaya yazıldı.</translation>
     </message>
+    <message>
+      <source>A sheet of an earlier drawing is there and is not overwritten; choose another name, or remove it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Daha önceki bir çizimin bir sayfası var ve üzerine yazılmaz; başka bir ad seçin ya da onu kaldırın.</translation>
+    </message>
   </context>
 </TS>

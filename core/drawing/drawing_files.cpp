@@ -11,6 +11,13 @@ bool isSvg(const fs::path& file) {
   return file.extension() == ".svg" || file.extension() == ".SVG";
 }
 
+fs::path sheetOf(const fs::path& file, std::size_t index) {
+  fs::path name = file;
+  if (index > 0)
+    name.replace_filename(file.stem().string() + "-" + std::to_string(index + 1) + ".svg");
+  return name;
+}
+
 }  // namespace
 
 Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vector<Page>& pages) {
@@ -20,13 +27,23 @@ Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vecto
       return r.error();
     return std::vector<fs::path>{file};
   }
+  for (std::size_t i = 1; i <= pages.size(); ++i) {
+    std::error_code absent;
+    if (const fs::path further = sheetOf(file, i); fs::exists(further, absent))
+      return Error{ErrorCode::CannotWrite,
+                   "A sheet of an earlier drawing is there and is not overwritten; choose another "
+                   "name, or remove it.",
+                   further.string()};
+  }
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < pages.size(); ++i) {
-    fs::path name = file;
-    if (i > 0) name.replace_filename(file.stem().string() + "-" + std::to_string(i + 1) + ".svg");
+    const fs::path name = sheetOf(file, i);
     if (const Result<void> r = writeFileAtomically(name, formatSvg(pages[i], name.stem().string()));
-        !r)
+        !r) {
+      std::error_code stays;
+      for (std::size_t k = 1; k < files.size(); ++k) fs::remove(files[k], stays);
       return r.error();
+    }
     files.push_back(name);
   }
   return files;

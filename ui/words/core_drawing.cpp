@@ -18,6 +18,9 @@ Sentences sentencesOfDrawing() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "What was taken for the lip may be a break (%1 % that it is the lip), and "
                         "the diameter wrong; check how the sherd stands."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A sheet of an earlier drawing is there and is not overwritten; choose "
+                        "another name, or remove it."),
       // What drawings say beside numbers.
       QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Ø %1 cm (95 %: %2 to %3)"),

@@ -62,25 +62,39 @@ void ExportModel::setWatched(bool watched) {
 
 void ExportModel::setAll() {
   what_ = What::All;
-  measureSize();
+  chooseAnew();
 }
 
 void ExportModel::setFilter(const QString& line) {
   what_ = What::Filtered;
   filter_ = line;
-  measureSize();
+  chooseAnew();
 }
 
 void ExportModel::setChosen(std::vector<catalogue::SherdRow> sherds) {
+  if (what_ == What::Chosen && sherds == chosen_) return;
   what_ = What::Chosen;
   chosen_ = std::move(sherds);
-  measureSize();
+  chooseAnew();
 }
 
 void ExportModel::offerChosen(std::vector<catalogue::SherdRow> sherds) {
+  if (sherds == chosen_) return;
   chosen_ = std::move(sherds);
-  if (what_ == What::Chosen) return measureSize();
+  if (what_ == What::Chosen) return chooseAnew();
   emit changed();
+}
+
+void ExportModel::chooseAnew() {
+  forgetDone();
+  measureSize();
+}
+
+// What was exported before is told until somebody wants something else.
+void ExportModel::forgetDone() {
+  if (state_ == State::Running) return;
+  state_ = State::Choosing;
+  done_.reset();
 }
 
 void ExportModel::setForm(exchange::Form form, bool wanted) {
@@ -88,23 +102,23 @@ void ExportModel::setForm(exchange::Form form, bool wanted) {
     forms_.insert(form);
   else
     forms_.erase(form);
-  measureSize();
+  chooseAnew();
 }
 
 void ExportModel::setDrawingScale(std::optional<double> scale) {
   drawing_scale_ = scale;
-  if (state_ != State::Running) state_ = State::Choosing;
+  forgetDone();
   emit changed();
 }
 
 void ExportModel::setDeviation(double deviation_mm) {
   deviation_mm_ = deviation_mm;
-  measureSize();
+  chooseAnew();
 }
 
 void ExportModel::setTarget(const QString& folder) {
   target_ = folder.trimmed();
-  if (state_ != State::Running) state_ = State::Choosing;
+  forgetDone();
   emit changed();
 }
 
@@ -123,7 +137,7 @@ void ExportModel::measureSize() {
   delete sizing_.data();
   size_.reset();
   problem_.clear();
-  if (state_ != State::Running) state_ = State::Choosing;
+  if (state_ == State::Failed) state_ = State::Choosing;
   if (session_ && watched_) {
     const auto work = [folder = session_->folder(), what = what_, line = filter_, chosen = chosen_,
                        options = options()](Progress&,

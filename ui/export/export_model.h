@@ -59,6 +59,8 @@ class ExportModel final : public QObject {
   void finished();
 
  private:
+  void chooseAnew();
+  void forgetDone();
   void measureSize();
   void ended(const Result<exchange::Exported>& done);
   exchange::ExportOptions options() const;

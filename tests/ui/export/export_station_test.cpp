@@ -137,6 +137,16 @@ class ExportStationTest : public QObject {
     QVERIFY(QFileInfo::exists(sample_->folder() + "/out/data/images/ARM1-T3-0012-0001.png"));
     QCOMPARE(said.count(), 1);
     QVERIFY2(!child<QPushButton>("start")->isEnabled(), "never over a folder that is there");
+    // Edits since do not take back that it is there; another wish does.
+    sample_->addDraft();
+    sample_->session().tellSherdsChanged();
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("41 sherd(s)"));
+    QVERIFY(child<QLabel>("closing")->isVisible());
+    QVERIFY(child<QLabel>("closing")->text().startsWith("40 sherd(s), "));
+    QVERIFY(child<QPushButton>("open")->isVisible());
+    toFolder("next");
+    QVERIFY(!child<QLabel>("closing")->isVisible());
+    QVERIFY(!child<QPushButton>("open")->isVisible());
   }
 
   void drawingsGoBesideTheModels() {

@@ -283,7 +283,8 @@ void MainWindow::closeProject() {
   settings_page_->setSession(nullptr);
   undo_->removeStack(&session_->undo());
   session_.reset();
-  if (queue_->isLeaving()) leaving_lock_ = std::move(lock_);
+  // One project leaves at a time: nothing is computed before it has left.
+  if (queue_->isLeaving() && leaving_lock_ == nullptr) leaving_lock_ = std::move(lock_);
   lock_.reset();
   setWindowTitle(tr("Ostraka"));
   start_->setRecent(settings_.recent, settings_.titles);

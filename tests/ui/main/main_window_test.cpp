@@ -6,6 +6,8 @@
 #include <QPushButton>
 #include <QTableView>
 #include <QUndoStack>
+#include <atomic>
+#include <thread>
 
 #include "catalogue/project.h"
 #include "catalogue/sherd.h"
@@ -14,7 +16,9 @@
 #include "ui/frame/station.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
+#include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
+#include "ui/queue/batch_queue.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -108,6 +112,43 @@ class MainWindowTest : public QObject {
     }
     const auto project = catalogue::Project::open(folder_.toStdString());
     QCOMPARE(project->catalogue().sherd(row)->ware, std::string("red slip"));
+  }
+
+  void aProjectThatStillLeavesStaysLockedWhenAnotherIsClosed() {
+    {
+      auto project = catalogue::Project::open(folder_.toStdString());
+      catalogue::BatchRecord batch;
+      batch.state = catalogue::BatchState::Queued;
+      QVERIFY(project->catalogue().addBatch(batch, {}).has_value());
+    }
+    const QString other = home_->path(QStringLiteral("Ostraka/p2"));
+    catalogue::ProjectRecord record;
+    record.code = "P2";
+    record.title = "Another";
+    QVERIFY(catalogue::Project::create(other.toStdString(), record).has_value());
+    const auto computing = std::make_shared<std::atomic<bool>>(false);
+    const auto may_end = std::make_shared<std::atomic<bool>>(false);
+    const auto at_the_end = qScopeGuard([may_end] { *may_end = true; });
+    MainWindow window(jobs_);
+    window.queue()->setWork(
+        [=](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
+          *computing = true;
+          while (!*may_end) std::this_thread::yield();  // a stage that ends its work
+          return Error::cancelled();
+        });
+    activate(window);
+    window.openProject(folder_);
+    QTRY_VERIFY(computing->load());
+    window.closeProject();
+    window.openProject(other);
+    QVERIFY(window.session() != nullptr);
+    window.closeProject();
+    QVERIFY(window.queue()->isLeaving());
+    QVERIFY(ProjectLock::take(folder_) == nullptr);
+    QVERIFY(ProjectLock::take(other) != nullptr);
+    *may_end = true;
+    QTRY_VERIFY(!window.queue()->isLeaving());
+    QVERIFY(ProjectLock::take(folder_) != nullptr);
   }
 
   void theLogIsShownFromEveryPage() {

@@ -15,6 +15,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
+constexpr double kSamePose = 1e-9;  // relative: what was written and read again
 
 struct KindName {
   DecisionKind kind;
@@ -166,17 +167,31 @@ Decisions followed(const Decisions& all, const fs::path& output) {
   return none || decided > computed ? Decisions() : standing(all);
 }
 
+bool saysTheSame(const PairDecision& a, const PairDecision& b) {
+  const bool posed = a.front_from_back.has_value();
+  return a.kind == b.kind && a.settle == b.settle &&
+         (a.kind != DecisionKind::Split || a.cut_mm == b.cut_mm) &&
+         std::equal(a.scans.begin(), a.scans.end(), b.scans.begin(), b.scans.end(),
+                    [](const ScanRef& x, const ScanRef& y) {
+                      return x.side == y.side && x.place_mm == y.place_mm &&
+                             x.photographs == y.photographs;
+                    }) &&
+         posed == b.front_from_back.has_value() &&
+         (!posed || a.front_from_back->isApprox(*b.front_from_back, kSamePose));
+}
+
+bool isSaidIn(const Decisions& list, const PairDecision& d) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const PairDecision& other) { return saysTheSame(other, d); });
+}
+
 Decisions changedSince(const Decisions& all, const Decisions& followed) {
   Decisions changed;
   const Decisions now = standing(all);
-  const auto without = [&](const Decisions& list, const Decisions& other) {
-    for (const PairDecision& d : list)
-      if (std::none_of(other.begin(), other.end(),
-                       [&](const PairDecision& o) { return o.number == d.number; }))
-        changed.push_back(d);
-  };
-  without(now, followed);
-  without(followed, now);
+  for (const PairDecision& d : now)
+    if (!isSaidIn(followed, d)) changed.push_back(d);
+  for (const PairDecision& d : followed)
+    if (!isSaidIn(now, d)) changed.push_back(d);
   return changed;
 }
 

@@ -11,8 +11,14 @@ DecideCommand::DecideCommand(PairReviewModel& model, pipeline::PairDecision deci
       before_(model.trial()),
       live_(model.live()) {}
 
+// Who sits here now, not whoever decided first.
+std::string DecideCommand::person() const {
+  return model_->person().isEmpty() ? decision_.by : model_->person().toStdString();
+}
+
 void DecideCommand::redo() {
   if (!model_ || number_ != 0) return;
+  decision_.by = person();
   pipeline::PairDecision written = decision_;
   if (model_->write(output_, written))
     number_ = written.number;
@@ -24,7 +30,7 @@ void DecideCommand::undo() {
   if (!model_ || number_ == 0) return;
   pipeline::PairDecision withdrawal;
   withdrawal.kind = pipeline::DecisionKind::Withdraw;
-  withdrawal.by = decision_.by;
+  withdrawal.by = person();
   withdrawal.scans = decision_.scans;
   withdrawal.replaces = {number_};
   const Result<void> written = model_->write(output_, withdrawal);

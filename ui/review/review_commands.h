@@ -15,6 +15,8 @@ class DecideCommand final : public QUndoCommand {
   void undo() override;
 
  private:
+  std::string person() const;
+
   QPointer<PairReviewModel> model_;
   pipeline::PairDecision decision_;
   std::filesystem::path output_;

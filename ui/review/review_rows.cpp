@@ -50,8 +50,7 @@ void markPieces(std::vector<ReviewRow>& rows, const pipeline::CandidateTable& ta
   for (const pipeline::PairDecision& d : pipeline::standing(all)) {
     const bool join = d.kind == pipeline::DecisionKind::Join;
     if (!join && d.kind != pipeline::DecisionKind::Split) continue;
-    const auto is_this = [&](const pipeline::PairDecision& o) { return o.number == d.number; };
-    if (std::any_of(followed.begin(), followed.end(), is_this)) continue;
+    if (pipeline::isSaidIn(followed, d)) continue;
     for (ReviewRow& row : rows) {
       bool here = false;
       QStringList others;

@@ -183,6 +183,29 @@ TEST_F(DecisionsOf, FindTheirScanByItsPlaceWhenItsIdChanged) {
   EXPECT_EQ(resolved({Side::Back, "b001", {0, 0}}, now), -1);
 }
 
+TEST_F(DecisionsOf, SayTheSameWhoeverTookThemAndWhenever) {
+  PairDecision one = pair(1, 1);
+  one.front_from_back = Eigen::Isometry3d(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
+  PairDecision other = append(one);
+  other.by = "MH";
+  EXPECT_TRUE(saysTheSame(one, other));
+  other.front_from_back->translation().x() += 0.01;
+  EXPECT_FALSE(saysTheSame(one, other)) << "another pose";
+  other.front_from_back.reset();
+  EXPECT_FALSE(saysTheSame(one, other)) << "a pose that the program finds";
+  PairDecision cut;
+  cut.kind = DecisionKind::Split;
+  cut.scans = {front(1)};
+  cut.cut_mm = {Eigen::Vector2d(40, 0), Eigen::Vector2d(60, 0)};
+  PairDecision elsewhere = cut;
+  EXPECT_TRUE(saysTheSame(cut, elsewhere));
+  elsewhere.cut_mm[1].y() = 5;
+  EXPECT_FALSE(saysTheSame(cut, elsewhere));
+  PairDecision photographed_again = cut;
+  photographed_again.scans[0].photographs = "second";
+  EXPECT_FALSE(saysTheSame(cut, photographed_again));
+}
+
 // What the results follow is told by their report, not by the age of files.
 TEST_F(DecisionsOf, WhatChangedSinceTheResultsIsKnown) {
   const auto changed = [&] {
@@ -205,6 +228,14 @@ TEST_F(DecisionsOf, WhatChangedSinceTheResultsIsKnown) {
   back.replaces = {1};
   append(back);
   EXPECT_EQ(changed(), std::vector<int>{1}) << "followed, and holds no more";
+  PairDecision again = pair(1, 1);
+  again.by = "MH";
+  again.note = "after all";
+  append(again);
+  EXPECT_TRUE(changed().empty()) << "done again: the results are of this pair still";
+  again.scans[1] = DecisionsOf::back(3);
+  append(again);
+  EXPECT_EQ(changed(), (std::vector<int>{5, 1})) << "another back";
   ASSERT_TRUE(writeFileAtomically(out_ / "report.json", R"({"format": "of an earlier program"})"));
   EXPECT_TRUE(changed().empty());
 }

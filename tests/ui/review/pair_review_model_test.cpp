@@ -7,6 +7,7 @@
 #include <QTest>
 #include <csignal>
 
+#include "base/files.h"
 #include "review_model.h"
 
 namespace ostraka::ui {
@@ -24,6 +25,8 @@ class PairReviewModelTest : public ReviewModel {
   void theMostDoubtfulIsInHandWithItsReason();
   void anotherCandidateIsAcceptedAndTheOthersFollow();
   void undoIsAWithdrawalAndRedoADecisionAgain();
+  void whoTakesADecisionBackIsNamed();
+  void whatIsDoneAgainIsComputedAlready();
   void nobodyDecidesNothing();
   void aBackGivenToAnotherFrontMovesTheOneThatHeldIt();
   void settingAsideAndShootingAgainAreDecisions();
@@ -92,6 +95,40 @@ void PairReviewModelTest::undoIsAWithdrawalAndRedoADecisionAgain() {
   QCOMPARE(cardOf(0).back, 0);
   QCOMPARE(onDisk().size(), std::size_t{3});
   QCOMPARE(onDisk()[2].kind, DecisionKind::Pair);
+}
+
+// One decides; another sits down and takes it back.
+void PairReviewModelTest::whoTakesADecisionBackIsNamed() {
+  model_->accept();
+  model_->setPerson("MH");
+  undo_->undo();
+  undo_->redo();
+  model_->setPerson({});
+  undo_->undo();
+  QCOMPARE(onDisk().size(), std::size_t{4});
+  QCOMPARE(onDisk()[0].by, std::string("AP"));
+  QCOMPARE(onDisk()[1].by, std::string("MH"));
+  QCOMPARE(onDisk()[2].by, std::string("MH"));
+  QCOMPARE(onDisk()[3].by, std::string("MH"));  // nobody has said another name since
+}
+
+void PairReviewModelTest::whatIsDoneAgainIsComputedAlready() {
+  const std::string report = *readFile(out_.output / "report.json");
+  model_->select(0);
+  model_->choose(1);
+  model_->accept();
+  QVERIFY(model_->wantsComputing());
+  // As the computation leaves it that followed the decision.
+  QVERIFY(writeFileAtomically(out_.output / "report.json", R"({"decisions": [1]})").has_value());
+  const auto batch = openBatch(out_.output);
+  QVERIFY(batch.has_value());
+  model_->open(*batch);
+  QVERIFY(!model_->wantsComputing());
+  undo_->undo();  // of the choice of its back nothing is left to take back
+  QVERIFY(model_->wantsComputing());
+  undo_->redo();
+  QVERIFY(!model_->wantsComputing());
+  QVERIFY(writeFileAtomically(out_.output / "report.json", report).has_value());
 }
 
 void PairReviewModelTest::nobodyDecidesNothing() {

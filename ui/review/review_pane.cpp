@@ -302,6 +302,8 @@ void ReviewPane::showCard() {
   if (row >= 0 && cards_->currentIndex().row() != row) cards_->setCurrentIndex(model_.index(row));
   QMetaObject::invokeMethod(this, &ReviewPane::markCard, Qt::QueuedConnection);
   if (!model_.isOpen()) {
+    cut_->setChecked(false);  // what is opened next is asked anew
+    joining_->leave();
     view_->clear();
     plot_->clear();
     pictures_->setPictures({}, {}, {});

@@ -26,6 +26,7 @@ class TwoBatchesTest : public ReviewWindow {
   void aDecisionOnAnotherBatchIsTakenBackThere();
   void twoBatchesTakenBackAtOnceBothWantAPersonAgain();
   void enterInTheListOfBatchesOnlyChooses();
+  void joiningAndCuttingEndWithTheBatch();
 
  private:
   pipeline::SyntheticOut addBatch(const std::string& number);
@@ -179,6 +180,30 @@ void TwoBatchesTest::enterInTheListOfBatchesOnlyChooses() {
   batches->setFocus(Qt::TabFocusReason);  // the list is closed: there is nothing to choose
   QTest::keyClick(window_->windowHandle(), Qt::Key_Return);
   QVERIFY(standingOnDisk().empty() && pipeline::readDecisions(second.output)->empty());
+}
+
+// Enter means another thing in each of them.
+void TwoBatchesTest::joiningAndCuttingEndWithTheBatch() {
+  open(4, true);
+  const pipeline::SyntheticOut second = addBatch("B0002");
+  const auto isOn = [this](const char* mode) {
+    return station_->findChild<QAction*>(mode)->isChecked();
+  };
+  key(Qt::Key_K);
+  QVERIFY(isOn("cut"));
+  station_->showItem("B0002");
+  QTRY_COMPARE(shown(), QStringLiteral("B0002"));
+  QVERIFY(!isOn("cut"));
+  key(Qt::Key_J);
+  QVERIFY(isOn("join"));
+  session_->tellBatchChanged("B0002");  // nothing of it is new
+  QVERIFY(isOn("join"));
+  station_->showItem("B0001");
+  QTRY_COMPARE(shown(), QStringLiteral("B0001"));
+  QVERIFY(!isOn("join"));
+  key(Qt::Key_Return);
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  QCOMPARE(standingOnDisk()[0].kind, pipeline::DecisionKind::Pair);
 }
 
 }  // namespace ostraka::ui

@@ -387,21 +387,4 @@ Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_numbe
   });
 }
 
-Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
-                        const std::string& person) {
-  const auto batch = catalogue.batchByNumber(batch_number);
-  if (!batch) return batch.error();
-  if (batch->state <= BatchState::Back)
-    return Error{ErrorCode::UnusableInput,
-                 "This batch is being photographed; it is computed when that is done.",
-                 batch_number};
-  Act act;
-  if (!person.empty()) {
-    const auto row = catalogue.personByInitials(person, {});
-    if (!row) return row.error();
-    act.person = *row;
-  }
-  return catalogue.setBatchState(batch->row, BatchState::Queued, act);
-}
-
 }  // namespace ostraka::catalogue

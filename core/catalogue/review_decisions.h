@@ -41,8 +41,4 @@ Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_numbe
                             const pipeline::PairDecision& withdrawal,
                             const std::filesystem::path& output);
 
-/// The batch is to be computed again; the queue sees it.
-Result<void> queueAgain(Catalogue& catalogue, const std::string& batch_number,
-                        const std::string& person);
-
 }  // namespace ostraka::catalogue

@@ -2,17 +2,17 @@
 
 #include <QDir>
 #include <QHash>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTime>
 #include <algorithm>
 
+#include "catalogue/computed_again.h"
 #include "catalogue/project.h"
-#include "catalogue/words.h"
+#include "catalogue/review_decisions.h"
 #include "pipeline/mask_strokes.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "ui/queue/batch_failure.h"
 #include "ui/queue/batch_figures.h"
 #include "ui/words/sentence.h"
 
@@ -24,13 +24,6 @@ using catalogue::BatchState;
 constexpr int kKeptLogLines = 2000;
 constexpr const char* kPausedKey = "queue.paused";
 constexpr const char* kDraftsKey = "queue.drafts";
-
-constexpr QLatin1String kCancelled("cancelled"), kAside("aside"), kWas("was"), kRemoved("removed"),
-    kWhat("what"), kWhere("where");
-
-std::string failureKey(const QString& number) {
-  return "queue.failure." + number.toStdString();
-}
 
 QueueState stateOf(BatchState state) {
   switch (state) {
@@ -52,16 +45,6 @@ QueueState stateOf(BatchState state) {
   return QueueState::Waiting;
 }
 
-QString jsonText(const QJsonObject& object) {
-  return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
-}
-
-QJsonObject jsonSetting(const catalogue::Catalogue& rows, const std::string& key) {
-  const Result<std::string> text = rows.setting(key);
-  if (!text || text->empty()) return {};
-  return QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object();
-}
-
 // The highest camera sees most of the plate.
 QString pictureOf(const std::filesystem::path& batch) {
   const QDir front(QString::fromStdString((batch / "front").string()));
@@ -71,26 +54,12 @@ QString pictureOf(const std::filesystem::path& batch) {
 }
 
 // What stands in the catalogue and on the disk beside the state.
-// Kept as what happened, worded in the language of who reads it.
-QString failureWords(const QJsonObject& failure) {
-  if (failure[kAside].toBool())
-    return BatchQueue::tr("You set it aside. Its photographs are kept; R takes it up again.");
-  if (failure[kRemoved].toBool()) return BatchQueue::tr("You took it out of the queue.");
-  if (failure[kCancelled].toBool())
-    return BatchQueue::tr("You stopped it. What was computed so far is kept.");
-  if (!failure.contains(kWhat))  // earlier programs kept the sentence
-    return failure[QLatin1String("sentence")].toString(
-        BatchQueue::tr("It did not come to its end; compute it again."));
-  return sentenceOf({ErrorCode::Failed, failure[kWhat].toString().toStdString(),
-                     failure[kWhere].toString().toStdString()});
-}
-
 void readDetails(const catalogue::Project& project, QueueRow& row) {
   if (row.state == QueueState::Failed) {
-    const QJsonObject failure = jsonSetting(project.catalogue(), failureKey(row.number));
-    row.failure = failureWords(failure);
-    row.cancelled = failure[kCancelled].toBool();
-    row.aside = failure[kAside].toBool();
+    const BatchFailure failure = keptFailure(project.catalogue(), row.number);
+    row.failure = wordsOf(failure);
+    row.cancelled = failure.cancelled;
+    row.aside = failure.aside;
   }
   row.figures = shownFigures(project.catalogue(), row.number);
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
@@ -334,14 +303,11 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   } else if (isPhotographed(number)) {
     log(sentenceOf(Error::cancelled()));
   } else if (figures.error().code != ErrorCode::Cancelled || cancel_asked_) {
-    const bool cancelled = figures.error().code == ErrorCode::Cancelled;
-    const QJsonObject failure{{kCancelled, cancelled},
-                              {kWhat, QString::fromStdString(figures.error().what)},
-                              {kWhere, QString::fromStdString(figures.error().where)}};
-    const QString sentence = failureWords(failure);
-    keepFailure(number, failure);
-    log(sentence);
-    if (!cancelled) emit batchFailed(number, sentence);
+    const BatchFailure failure{.error = figures.error(),
+                               .cancelled = figures.error().code == ErrorCode::Cancelled};
+    fail(number, failure);
+    log(wordsOf(failure));
+    if (!failure.cancelled) emit batchFailed(number, wordsOf(failure));
   }
   emit workChanged();
   if (figures) {
@@ -360,12 +326,12 @@ bool BatchQueue::isPhotographed(const QString& number) const {
   return batch && stateOf(batch->state) == QueueState::Shooting;
 }
 
-void BatchQueue::keepFailure(const QString& number, const QJsonObject& failure) {
+void BatchQueue::fail(const QString& number, const BatchFailure& failure) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  Result<void> kept = rows.setSetting(failureKey(number), jsonText(failure).toStdString());
+  Result<void> kept = keepFailure(rows, number, failure);
   if (const QueueRow* row = find(number); kept && row != nullptr)
-    kept = rows.setBatchState({row->batch_row}, BatchState::Failed,
-                              session_->act(failureWords(failure)));
+    kept =
+        rows.setBatchState({row->batch_row}, BatchState::Failed, session_->act(wordsOf(failure)));
   // What still counts as queued would be computed again and again.
   if (!kept) stopFor(kept.error());
 }
@@ -409,7 +375,31 @@ void BatchQueue::cancel(const QString& number) {
   }
   const QueueRow* row = find(number);
   if (row == nullptr || row->state != QueueState::Waiting) return;
-  keepFailure(number, {{kCancelled, true}, {kRemoved, true}});
+  const BatchFailure removed{.cancelled = true, .removed = true};
+  // What was computed once, and only waits to be computed again, is what it was before.
+  const catalogue::Project& project = session_->project();
+  const Result<bool> as_before = catalogue::takeOutOfQueue(
+      session_->project().catalogue(), number.toStdString(),
+      project.resultsFolder(number.toStdString()), session_->act(wordsOf(removed)));
+  if (!as_before) return stopFor(as_before.error());
+  if (*as_before) return settle(number);
+  fail(number, removed);
+  session_->tellBatchChanged(number);
+}
+
+// What was decided while it waited counts.
+void BatchQueue::settle(const QString& number) {
+  JobHandle* job = session_->jobs().start(
+      makeJob(tr("Batch %1").arg(number),
+              [project = session_->folder(), number = number.toStdString(),
+               person = session_->initials().toStdString()](Progress&, std::stop_token) {
+                return catalogue::settleByResults(project, number, person);
+              }),
+      session_);
+  connect(job, &JobHandle::finished, session_, [job, session = session_, number] {
+    job->deleteLater();
+    session->tellBatchChanged(number);
+  });
   session_->tellBatchChanged(number);
 }
 
@@ -417,26 +407,24 @@ void BatchQueue::setAside(const QString& number) {
   QueueRow* row = find(number);
   if (session_ == nullptr || row == nullptr || row->aside) return;
   if (row->state != QueueState::Failed && row->state != QueueState::Shooting) return;
-  QJsonObject how{{kCancelled, true}, {kAside, true}};
+  BatchFailure how{.cancelled = true, .aside = true};
   const auto batch = session_->project().catalogue().batch({row->batch_row});
   if (!batch) return;
-  if (row->state == QueueState::Shooting)
-    how[kWas] = QString::fromLatin1(catalogue::wordOf(batch->state));
-  keepFailure(number, how);
+  if (row->state == QueueState::Shooting) how.was = batch->state;
+  fail(number, how);
   row->state = QueueState::Waiting;  // so that its details are read anew
   session_->tellBatchChanged(number);
 }
 
 void BatchQueue::retry(const QString& number) {
   const QueueRow* row = find(number);
-  if (session_ == nullptr || row == nullptr || row->state == QueueState::Busy ||
-      row->state == QueueState::Shooting)
-    return;
+  if (session_ == nullptr || row == nullptr || row->state == QueueState::Shooting) return;
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const std::string was = jsonSetting(rows, failureKey(number))[kWas].toString().toStdString();
-  const BatchState next = was.empty() ? BatchState::Queued : catalogue::fromWord<BatchState>(was);
-  Result<void> asked = rows.setBatchState({row->batch_row}, next, session_->act(tr("again")));
-  if (asked) asked = rows.setSetting(failureKey(number), "");
+  const catalogue::Act act = session_->act(tr("again"));
+  const std::optional<BatchState> was = keptFailure(rows, number).was;
+  Result<void> asked = was ? rows.setBatchState({row->batch_row}, *was, act)
+                           : catalogue::queueAgain(rows, number.toStdString(), act);
+  if (asked) asked = forgetFailure(rows, number);
   if (!asked) stopFor(asked.error());
   session_->tellBatchChanged(number);
 }

@@ -1,7 +1,6 @@
 #pragma once
 #include <QAbstractListModel>
 #include <QDateTime>
-#include <QJsonObject>
 #include <QPointer>
 #include <QStringList>
 #include <optional>
@@ -17,6 +16,7 @@ struct BatchRecord;
 namespace ostraka::ui {
 
 class ProjectSession;
+struct BatchFailure;
 
 enum class QueueState {
   Shooting,  ///< its photographs are not whole yet
@@ -38,8 +38,7 @@ struct QueueRow {
   bool cancelled = false;
   bool aside = false;         ///< Failed, and nobody wants it
   bool masks_mended = false;  ///< Review: since its results were computed
-  QString
-      scale_doubts;  ///< known lengths contradict the plate, a sentence a line: no measure is sure
+  QString scale_doubts;       ///< why no measure is sure, a sentence a line
   std::optional<BatchFigures> figures;
   QString picture;  ///< a photograph of the front; empty when there is none
 };
@@ -118,7 +117,8 @@ class BatchQueue final : public QAbstractListModel {
   void makeWayForADraft();
   QueueRow* nextToCompute();
   void finish(QString number, const JobOutcome& outcome);
-  void keepFailure(const QString& number, const QJsonObject& failure);
+  void fail(const QString& number, const BatchFailure& failure);
+  void settle(const QString& number);
   void stopFor(const Error& error);
   bool isPhotographed(const QString& number) const;  ///< or again
   void touch(const QString& number);

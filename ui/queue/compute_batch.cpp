@@ -6,6 +6,7 @@
 #include <functional>
 #include <system_error>
 
+#include "catalogue/computed_again.h"
 #include "catalogue/enter_results.h"
 #include "catalogue/project.h"
 #include "pipeline/more_candidates.h"
@@ -121,6 +122,8 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   const fs::path batch = project->batchFolder(options.number);
   const fs::path output = project->resultsFolder(options.number);
 
+  if (const Result<void> begun = catalogue::beginComputing(rows, options.number); !begun)
+    return begun.error();
   const bool scans = pipeline::holdsScans(batch);
   Result<BatchFigures> figures = computed(options, batch, output, progress, stop);
   if (!figures) return figures.error();
@@ -150,6 +153,8 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   const Result<catalogue::EnteredResults> entered =
       catalogue::enterResults(rows, project->folder(), record->row, output, act, progress, stop);
   if (!entered) return entered.error();
+  const Result<bool> again = catalogue::queueIfAsked(rows, options.number, act);
+  if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
   for (const std::string& number : entered->numbers_left)
     progress.note(NoteLevel::Warning,
                   QCoreApplication::translate(
@@ -158,7 +163,7 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
                       "there; give it in the catalogue.")
                       .arg(QString::fromStdString(number))
                       .toStdString());
-  if (entered->decided_meanwhile)
+  if (entered->decided_meanwhile && !(again && *again))
     progress.note(NoteLevel::Warning,
                   QCoreApplication::translate(
                       "ComputeBatch",

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "catalogue/computed_again.h"
 #include "catalogue/enter_results.h"
 #include "catalogue/plate_sherds.h"
 #include "catalogue/project.h"
@@ -229,8 +230,8 @@ void ReviewStation::openOutput(const QString& batch) {
 // The queue computes; this only says that the batch wants it.
 void ReviewStation::compute() {
   if (!session_ || !session_->hasProject()) return;
-  const Result<void> queued = catalogue::queueAgain(
-      session_->project().catalogue(), batch_.toStdString(), session_->initials().toStdString());
+  const Result<void> queued =
+      catalogue::queueAgain(session_->project().catalogue(), batch_.toStdString(), session_->act());
   if (!queued) return say(sentenceOf(queued.error()));
   compute_->hide();
   say(tr("%1 waits to be computed; only what changed is done again.").arg(batch_));

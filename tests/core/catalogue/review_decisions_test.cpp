@@ -371,14 +371,6 @@ TEST_F(ResultsOfDecisions, AJoinThatWasComputedAndTakenBackLeavesNoModelOfIt) {
   EXPECT_FALSE(catalogue().sherd(stranger)->model_path.empty());
 }
 
-TEST_F(ReviewDecisions, TheBatchIsQueuedAgain) {
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
-  EXPECT_FALSE(queueAgain(catalogue(), "B0001", "AP")) << "its back is being photographed again";
-  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
-  ASSERT_TRUE(queueAgain(catalogue(), "B0001", "AP"));
-  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Queued);
-}
-
 TEST_F(ReviewDecisions, ABatchIsSettledUnlessItsScaleIsInDoubt) {
   ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "base/files.h"
+#include "catalogue/computed_again.h"
 #include "catalogue/project.h"
 #include "synthetic_out.h"
 
@@ -84,6 +85,50 @@ class ComputeBatchTest : public QObject {
     QCOMPARE(figures->sherds, 1);
     QCOMPARE(figures->ask, 1);
     QCOMPARE(project->catalogue().batch(*batch)->state, catalogue::BatchState::Review);
+  }
+
+  // In its midst somebody decides, and wants that computed, too.
+  void whatIsAskedWhileABatchIsComputedIsQueuedAgain() {
+    class Asking final : public Progress {
+     public:
+      explicit Asking(std::filesystem::path project) : project_(std::move(project)) {}
+      void begin(std::string_view stage, double) override {
+        if (stage != "pairs") return;
+        auto rows = catalogue::Project::connect(project_);
+        asked = rows && catalogue::queueAgain(*rows, "B0001", {}).has_value();
+      }
+      void report(std::int64_t, std::int64_t) override {}
+      void note(NoteLevel, std::string_view) override {}
+      bool asked = false;
+
+     private:
+      std::filesystem::path project_;
+    };
+    const QTemporaryDir folder;
+    const std::filesystem::path place = folder.path().toStdString();
+    catalogue::ProjectRecord record;
+    record.code = "ARM";
+    record.title = "Trial";
+    auto project = catalogue::Project::create(place / "project", record);
+    QVERIFY(project.has_value());
+    catalogue::BatchRecord queued;
+    queued.state = catalogue::BatchState::Queued;
+    const auto batch = project->catalogue().addBatch(queued, {});
+    QVERIFY(batch.has_value());
+    const auto truth =
+        pipeline::writeSyntheticOut(place / "truth", {.sherds = 2, .swapped_look_alikes = false});
+    std::filesystem::create_directories(project->batchFolder("B0001"));
+    for (const char* side : {"front", "back"})
+      std::filesystem::copy(truth.output / "work" / (std::string("scans_") + side),
+                            project->batchFolder("B0001") / side);
+    Asking progress(place / "project");
+    const auto figures = computeBatch({place / "project", "B0001"}, progress, {});
+    QVERIFY2(figures.has_value(), figures ? "" : figures.error().sentence().c_str());
+    QVERIFY(progress.asked);
+    QCOMPARE(project->catalogue().batch(*batch)->state, catalogue::BatchState::Queued);
+    QuietProgress quiet;
+    QVERIFY(computeBatch({place / "project", "B0001"}, quiet, {}).has_value());
+    QVERIFY(project->catalogue().batch(*batch)->state != catalogue::BatchState::Queued);
   }
 
   // 48 batches must not become 529 when a first, small one has been computed, nor grow with each.

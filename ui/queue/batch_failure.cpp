@@ -1,0 +1,68 @@
+#include "ui/queue/batch_failure.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "catalogue/catalogue.h"
+#include "catalogue/words.h"
+#include "ui/queue/batch_queue.h"
+#include "ui/words/sentence.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr QLatin1String kCancelled("cancelled"), kAside("aside"), kWas("was"), kRemoved("removed"),
+    kWhat("what"), kWhere("where"), kSentence("sentence");
+
+std::string failureKey(const QString& number) {
+  return "queue.failure." + number.toStdString();
+}
+
+}  // namespace
+
+BatchFailure keptFailure(const catalogue::Catalogue& rows, const QString& number) {
+  const Result<std::string> text = rows.setting(failureKey(number));
+  if (!text || text->empty()) return {};
+  const QJsonObject kept = QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object();
+  BatchFailure failure;
+  failure.error = {ErrorCode::Failed, kept[kWhat].toString().toStdString(),
+                   kept[kWhere].toString().toStdString()};
+  failure.cancelled = kept[kCancelled].toBool();
+  failure.removed = kept[kRemoved].toBool();
+  failure.aside = kept[kAside].toBool();
+  failure.sentence = kept[kSentence].toString();
+  if (const std::string was = kept[kWas].toString().toStdString(); !was.empty())
+    failure.was = catalogue::fromWord<catalogue::BatchState>(was);
+  return failure;
+}
+
+Result<void> keepFailure(catalogue::Catalogue& rows, const QString& number,
+                         const BatchFailure& failure) {
+  QJsonObject kept{{kCancelled, failure.cancelled}};
+  if (failure.removed) kept[kRemoved] = true;
+  if (failure.aside) kept[kAside] = true;
+  if (failure.was) kept[kWas] = QString::fromLatin1(catalogue::wordOf(*failure.was));
+  if (!failure.error.what.empty()) {
+    kept[kWhat] = QString::fromStdString(failure.error.what);
+    kept[kWhere] = QString::fromStdString(failure.error.where);
+  }
+  return rows.setSetting(failureKey(number),
+                         QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());
+}
+
+Result<void> forgetFailure(catalogue::Catalogue& rows, const QString& number) {
+  return rows.setSetting(failureKey(number), {});
+}
+
+QString wordsOf(const BatchFailure& failure) {
+  if (failure.aside)
+    return BatchQueue::tr("You set it aside. Its photographs are kept; R takes it up again.");
+  if (failure.removed) return BatchQueue::tr("You took it out of the queue.");
+  if (failure.cancelled) return BatchQueue::tr("You stopped it. What was computed so far is kept.");
+  if (!failure.error.what.empty()) return sentenceOf(failure.error);
+  return failure.sentence.isEmpty()
+             ? BatchQueue::tr("It did not come to its end; compute it again.")
+             : failure.sentence;
+}
+
+}  // namespace ostraka::ui

@@ -12,11 +12,13 @@
 #include "catalogue/piece_decisions.h"
 #include "catalogue/project.h"
 #include "catalogue/sherd_columns.h"
+#include "pipeline/decided_pairs.h"
 #include "pipeline/review.h"
 
 namespace ostraka::catalogue {
 namespace {
 
+namespace fs = std::filesystem;
 using pipeline::DecisionKind;
 
 // Rows that stand for a decision say its number in the file, so that a withdrawal finds them, and
@@ -109,6 +111,12 @@ const ScanRecord* scanOf(const std::vector<ScanRecord>& scans, const pipeline::S
 
 // What the program calls the results: none where an earlier one left no such table.
 using Table = std::optional<pipeline::CandidateTable>;
+
+Result<Table> tableOf(const fs::path& output) {
+  Result<pipeline::CandidateTable> read = pipeline::readCandidatesOf(output);
+  if (read) return Table(std::move(*read));
+  return read.error().code == ErrorCode::Missing ? Result<Table>(Table()) : read.error();
+}
 
 // The scan that is meant in these results, as the chain understood it.
 const ScanRecord* scanIn(const Table& table, const std::vector<ScanRecord>& scans,
@@ -285,7 +293,10 @@ class Following {
 }  // namespace
 
 Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
-                           const pipeline::PairDecision& decision) {
+                           const pipeline::PairDecision& decision, const fs::path& output) {
+  const bool finds_scans = decision.kind != DecisionKind::Withdraw && !isOfPieces(decision);
+  const Result<Table> table = finds_scans ? tableOf(output) : Table();
+  if (!table) return table.error();
   return catalogue.together([&]() -> Result<void> {
     const auto batch = catalogue.batchByNumber(batch_number);
     if (!batch) return batch.error();
@@ -294,35 +305,46 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
     const Act act{*person, "window", decision.note};
     if (decision.kind == DecisionKind::Withdraw)
       return withdraw(catalogue, batch->row, decision, act);
-    if (decision.kind == DecisionKind::Join || decision.kind == DecisionKind::Split)
-      return enterPieces(catalogue, batch->row, decision, act);
+    if (isOfPieces(decision)) return enterPieces(catalogue, batch->row, decision, act);
+    if (*table)  // of earlier photographs, or about a piece that is gone
+      if (const auto meant = pipeline::settledBy({decision}, **table); !meant.warnings.empty())
+        return Error{ErrorCode::Missing, meant.warnings.front(), batch_number};
     const auto scans = catalogue.scans(batch->row);
     if (!scans) return scans.error();
     for (const pipeline::ScanRef& ref : decision.scans)
-      if (scanOf(*scans, ref) == nullptr)
+      if (scanIn(*table, *scans, ref) == nullptr)
         return Error{ErrorCode::Missing,
                      "The decision is saved with the batch, but " + ref.id +
                          " is not in the catalogue yet; it is entered with the next results.",
                      batch_number};
-    for (const PairDecision& row : rowsFor(batch->row, decision, {}, *scans))
+    for (const PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
       if (const auto entered = catalogue.decide(row, act); !entered) return entered.error();
     return {};
   });
 }
 
 Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
-                            const std::filesystem::path& output) {
+                            const fs::path& output) {
   const Result<pipeline::Decisions> all = pipeline::readDecisions(output);
   if (!all) return all.error();
-  Table table;
-  if (Result<pipeline::CandidateTable> read = pipeline::readCandidatesOf(output))
-    table = std::move(*read);
-  else if (read.error().code != ErrorCode::Missing)
-    return read.error();
+  const Result<Table> table = tableOf(output);
+  if (!table) return table.error();
   const auto batch = catalogue.batchByNumber(batch_number);
   if (!batch) return batch.error();
   return catalogue.database().inTransaction(
-      [&] { return Following(catalogue, batch->row, *all, table).rows(); });
+      [&] { return Following(catalogue, batch->row, *all, *table).rows(); });
+}
+
+Result<int> catchUp(const fs::path& project, const std::string& batch_number,
+                    const fs::path& output) {
+  if (!pipeline::computedToItsEnd(output)) return 0;
+  Result<Catalogue> catalogue = Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  const Result<BatchRecord> batch = catalogue->batchByNumber(batch_number);
+  if (!batch) return 0;  // nothing of it is entered
+  const bool computed = batch->state == BatchState::Review || batch->state == BatchState::Done;
+  if (!computed) return 0;  // what computes it enters them with its results
+  return followDecisions(*catalogue, batch_number, output);
 }
 
 Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
@@ -334,16 +356,17 @@ Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
     const BatchState state =
         nothing_to_do && batch.scale_doubts.empty() ? BatchState::Done : BatchState::Review;
     if (state == batch.state) return;
-    const PersonRow row = orRefuse(catalogue.personByInitials(person, {}));
-    orRefuse(catalogue.setBatchState(batch.row, state, {row, "window", {}}));
+    Act act{{}, "window", {}};
+    if (!person.empty()) act.person = orRefuse(catalogue.personByInitials(person, {}));
+    orRefuse(catalogue.setBatchState(batch.row, state, act));
   });
 }
 
-Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
+Result<void> settleByResults(const fs::path& project, const std::string& batch_number,
                              const std::string& person) {
   Result<Catalogue> catalogue = Project::connect(project);
   if (!catalogue) return catalogue.error();
-  const std::filesystem::path output = project / "results" / batch_number;
+  const fs::path output = project / "results" / batch_number;
   const Result<pipeline::Review> review = pipeline::loadReview(output);
   if (!review) return review.error();
   return settleBatch(*catalogue, batch_number, person,

@@ -11,9 +11,11 @@ class Catalogue;
 
 /// Enters what a person decided into the catalogue's append-only list, so that the sherds follow.
 /// A decision about several scans becomes a row each; joins and cuts go into the list of pieces.
-/// Errors: Missing when the batch or its scans are not entered yet.
+/// Errors: Missing when the batch or its scans are not entered yet, and when the decision has no
+/// effect on the results in OUT: it is about earlier photographs, or about a piece that is gone.
 Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number,
-                           const pipeline::PairDecision& decision);
+                           const pipeline::PairDecision& decision,
+                           const std::filesystem::path& output);
 
 /// What the catalogue holds of OUT/decisions.json follows the file and these results: rows are
 /// added for decisions that hold in them and are not there (taken while the batch was computed,
@@ -26,6 +28,13 @@ Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_numbe
 
 /// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
 /// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
+/// The same for a batch that is opened again: whoever decides writes the file first, and may not
+/// come to the catalogue (a crash, a full disk). Opens the project by itself: callable in any
+/// thread. Nothing for one that is not in the catalogue, or neither done nor to be reviewed: what
+/// computes it enters them, too.
+Result<int> catchUp(const std::filesystem::path& project, const std::string& batch_number,
+                    const std::filesystem::path& output);
+
 /// as it is.
 Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do);

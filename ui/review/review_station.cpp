@@ -211,20 +211,33 @@ void ReviewStation::openOutput(const QString& batch) {
   message_->clear();
   showScale();
   if (opening_) opening_->drop();
-  opening_ = session_->jobs().start(
-      makeJob(tr("Opening %1").arg(batch),
-              [output = outputOf(batch)](Progress&, std::stop_token) { return openBatch(output); }),
-      this);
+  const fs::path rows = session_->hasProject() ? session_->project().folder() : fs::path();
+  opening_ =
+      session_->jobs().start(makeJob(tr("Opening %1").arg(batch),
+                                     [output = outputOf(batch), rows](Progress&, std::stop_token) {
+                                       return openBatch(output, rows);
+                                     }),
+                             this);
   connect(opening_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     const auto opened = outcomeAs<OpenedBatch>(outcome);
     if (!opened) return say(sentenceOf(opened.error()));
-    model_->open(*opened);
-    showScale();
-    nameSherds();
-    compute_->setVisible(model_->wantsComputing());
-    if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
-    for (const std::string& warning : model_->review().warnings) say(wordsOf(warning));
+    showOpened(*opened);
   });
+}
+
+void ReviewStation::showOpened(const OpenedBatch& opened) {
+  model_->open(opened);
+  showScale();
+  nameSherds();
+  compute_->setVisible(model_->wantsComputing());
+  if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
+  for (const std::string& warning : model_->review().warnings) say(wordsOf(warning));
+  if (!opened.caught_up) say(sentenceOf(opened.caught_up.error()));
+  if (!opened.caught_up || *opened.caught_up == 0) return;
+  settle(batch_, session_->initials().toStdString(),
+         {figuresOf(model_->review()), model_->wantsComputing()});
+  session_->tellBatchChanged(batch_);
+  session_->tellSherdsChanged();
 }
 
 // The queue computes; this only says that the batch wants it.
@@ -241,20 +254,17 @@ void ReviewStation::compute() {
 void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& decision) {
   const QString batch = QString::fromStdString(output.filename().string());
   const bool shown = model_->shows(output);
+  const QString joined = joinedWords(batch, decision);
+  const Result<void> entered = enterInto(output, batch, decision);
   if (!shown) openOutput(batch);  // so that one sees what was done there
   const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
                       decision.kind == pipeline::DecisionKind::Split;
-  const QString joined = joinedWords(batch, decision);
   say(!joined.isEmpty() ? joined
       : pieces          ? tr("Saved. The pairs of the new pieces come when it is computed.")
       : decision.kind == pipeline::DecisionKind::Withdraw
           ? tr("Taken back. Both are kept in the history.")
           : tr("Saved, with your name."));
   if (session_->hasProject()) {
-    catalogue::Catalogue& rows = session_->project().catalogue();
-    Result<void> entered = catalogue::enterDecision(rows, batch.toStdString(), decision);
-    if (entered && decision.kind == pipeline::DecisionKind::Withdraw)
-      entered = catalogue::forgetPiecesOf(rows, batch.toStdString(), decision, output);
     if (shown) {
       compute_->setVisible(model_->wantsComputing());
       settle(batch, decision.by, {figuresOf(model_->review()), model_->wantsComputing()});
@@ -265,6 +275,17 @@ void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& 
     sayIfTwice(batch, decision);
   }
   session_->tellBatchChanged(batch);
+}
+
+// Before the batch is opened: what its file says and the catalogue does not would be entered there.
+Result<void> ReviewStation::enterInto(const fs::path& output, const QString& batch,
+                                      const pipeline::PairDecision& decision) {
+  if (!session_->hasProject()) return {};
+  catalogue::Catalogue& rows = session_->project().catalogue();
+  const Result<void> entered =
+      catalogue::enterDecision(rows, batch.toStdString(), decision, output);
+  if (!entered || decision.kind != pipeline::DecisionKind::Withdraw) return entered;
+  return catalogue::forgetPiecesOf(rows, batch.toStdString(), decision, output);
 }
 
 // One sherd would stand in the catalogue twice: with what was photographed again, and with this.

@@ -51,8 +51,11 @@ class ReviewStation final : public Station {
  private:
   void listBatches();
   void openOutput(const QString& batch);
+  void showOpened(const OpenedBatch& opened);
   void compute();
   void enter(const std::filesystem::path& output, const pipeline::PairDecision& decision);
+  Result<void> enterInto(const std::filesystem::path& output, const QString& batch,
+                         const pipeline::PairDecision& decision);
   void settle(const QString& batch, const std::string& person, const BatchStanding& standing);
   void restoreModels(const QString& batch);
   void settleUnseen(const std::filesystem::path& output, const std::string& person);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "catalogue/review_decisions.h"
 #include "cloud/ply.h"
 #include "pipeline/more_candidates.h"
 
@@ -22,14 +23,18 @@ QImage imageOf(const pipeline::Picture& picture) {
       .copy();
 }
 
-Result<OpenedBatch> openBatch(const std::filesystem::path& output) {
+Result<OpenedBatch> openBatch(const std::filesystem::path& output,
+                              const std::filesystem::path& rows) {
   if (const Result<void> whole = pipeline::computedToItsEnd(output); !whole) return whole.error();
   Result<pipeline::Decisions> decisions = pipeline::readDecisions(output);
   if (!decisions) return decisions.error();
   const auto live = pipeline::LivePairs::open(output);
   if (!live) return live.error();
   pipeline::Decisions followed = pipeline::followed(*decisions, output);
-  return OpenedBatch{*live, std::move(*decisions), std::move(followed)};
+  OpenedBatch opened{*live, std::move(*decisions), std::move(followed)};
+  if (!rows.empty())
+    opened.caught_up = catalogue::catchUp(rows, output.filename().string(), output);
+  return opened;
 }
 
 Result<BatchStanding> standingOf(const std::filesystem::path& output) {

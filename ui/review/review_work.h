@@ -21,9 +21,12 @@ struct OpenedBatch {
   LivePairsPtr live;
   pipeline::Decisions decisions;  ///< all ever taken
   pipeline::Decisions followed;   ///< by the results as they are
+  Result<int> caught_up = 0;      ///< rows of decisions that the catalogue lacked
 };
-/// Missing while it is computed, and where that was stopped.
-Result<OpenedBatch> openBatch(const std::filesystem::path& output);
+/// rows: the folder of the project whose catalogue follows the decisions first; none: it is not
+/// asked. Missing while the batch is computed, and where that was stopped.
+Result<OpenedBatch> openBatch(const std::filesystem::path& output,
+                              const std::filesystem::path& rows = {});
 
 /// How a batch stands, whether it is shown or not; from its files alone.
 struct BatchStanding {

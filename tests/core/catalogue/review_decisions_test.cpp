@@ -36,7 +36,7 @@ class ReviewDecisions : public SmallProject {
     return d;
   }
   Result<void> enter(const pipeline::PairDecision& d) {
-    return enterDecision(catalogue(), "B0001", d);
+    return enterDecision(catalogue(), "B0001", d, project_->resultsFolder("B0001"));
   }
   BatchRow batch;
 };
@@ -93,7 +93,7 @@ TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
   const Result<void> refused = enter(d);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().sentence().find("b009"), std::string::npos);
-  EXPECT_FALSE(enterDecision(catalogue(), "B0077", d));
+  EXPECT_FALSE(enterDecision(catalogue(), "B0077", d, project_->resultsFolder("B0077")));
 }
 
 // The pieces were numbered anew between the decision and its entry.
@@ -297,6 +297,41 @@ TEST_F(ResultsOfDecisions, WhatWasSaidOfAPieceThatIsGoneDoesNotCount) {
   EXPECT_EQ(counting(), "-b2 f2");
 }
 
+// Taken back, photographed again, done again: at its places other sherds lie by now.
+TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPairsNobody) {
+  const pipeline::PairDecision pair = taken(DecisionKind::Pair, {front(1), back(2)});
+  ASSERT_TRUE(enter(pair));
+  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {pair.number})));
+  computed("second", {40, 80});
+  const Result<void> again = enter(taken(DecisionKind::Pair, pair.scans));
+  ASSERT_FALSE(again);
+  EXPECT_NE(again.error().what.find("photographed again"), std::string::npos);
+  EXPECT_EQ(counting(), "");
+  EXPECT_EQ(follow(), 0) << "the chain says the same";
+  pipeline::ScanRef now = back(2);
+  now.photographs = "second";
+  pipeline::ScanRef with = front(1);
+  with.photographs = "second";
+  EXPECT_TRUE(enter(taken(DecisionKind::Pair, {with, now})));
+  EXPECT_EQ(counting(), "f1-b2");
+}
+
+// The program ended between the file and the catalogue.
+TEST_F(ResultsOfDecisions, WhatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened) {
+  const auto caught = [this] { return valueIn(catchUp(project_->folder(), "B0001", output)); };
+  taken(DecisionKind::Pair, {front(1), back(1)});
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  EXPECT_EQ(caught(), 0) << "its results are not whole";
+  ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Flipped, {}));
+  EXPECT_EQ(caught(), 0) << "its back is being photographed again";
+  ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
+  EXPECT_EQ(caught(), 1);
+  EXPECT_EQ(counting(), "f1-b1");
+  EXPECT_EQ(caught(), 0);
+  EXPECT_EQ(valueIn(catchUp(project_->folder(), "B0077", output)), 0) << "not in the catalogue";
+}
+
 TEST_F(ResultsOfDecisions, WhatALaterDecisionStandsAboveCountsAgainWhenThatIsTakenBack) {
   ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
   ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
@@ -375,7 +410,7 @@ TEST_F(ReviewDecisions, ABatchIsSettledUnlessItsScaleIsInDoubt) {
   ASSERT_TRUE(catalogue().setBatchState(batch, BatchState::Review, {}));
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
   EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Done);
-  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", false));
+  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "", false)) << "nobody said a name";
   EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
   BatchRecord doubtful = *catalogue().batch(batch);
   doubtful.scale_doubts = "The scale is not right: 50 mm measure 49.5 mm.";

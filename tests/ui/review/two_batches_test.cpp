@@ -27,6 +27,7 @@ class TwoBatchesTest : public ReviewWindow {
   void twoBatchesTakenBackAtOnceBothWantAPersonAgain();
   void enterInTheListOfBatchesOnlyChooses();
   void joiningAndCuttingEndWithTheBatch();
+  void whatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened();
 
  private:
   pipeline::SyntheticOut addBatch(const std::string& number);
@@ -204,6 +205,29 @@ void TwoBatchesTest::joiningAndCuttingEndWithTheBatch() {
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   QCOMPARE(standingOnDisk()[0].kind, pipeline::DecisionKind::Pair);
+}
+
+// The program ended between decisions.json and the catalogue, at the last two questions.
+void TwoBatchesTest::whatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened() {
+  open(4, true);
+  BatchQueue queue;
+  queue.setSession(session_.get());
+  for (const pipeline::ReviewCard& card : model()->review().cards) {
+    if (card.state != pipeline::CardState::Ask) continue;
+    pipeline::PairDecision confirmed;
+    confirmed.by = "AP";
+    confirmed.scans = {out_.table.fronts.at(static_cast<std::size_t>(card.front)),
+                       out_.table.backs.at(static_cast<std::size_t>(card.back))};
+    confirmed.front_from_back = card.front_from_back;
+    QVERIFY(pipeline::appendDecision(out_.output, confirmed).has_value());
+  }
+  QCOMPARE(entered("B0001"), std::size_t{0});
+  station_->showItem("B0001");
+  QTRY_COMPARE(entered("B0001"), std::size_t{2});
+  QTRY_COMPARE(batchState(), catalogue::BatchState::Done);
+  QCOMPARE(queue.row(0).state, QueueState::Done);
+  QCOMPARE(queue.row(0).figures->decided, 2);
+  queue.setSession(nullptr);
 }
 
 }  // namespace ostraka::ui

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -41,17 +42,22 @@ bool sameWord(const PairDecision& a, const PairDecision& b) {
          samePose(a.front_from_back, b.front_from_back);
 }
 
+// What the results say of the batch as a whole, and whether it wants a person.
+enum class BatchItself { Settled, LeftAsItIs };
+
 class Entering {
  public:
   Entering(Catalogue& catalogue, BatchRow batch, const Act& act)
       : catalogue_(catalogue), batch_(batch), act_{{}, "process", act.why} {}
 
-  EnteredResults enter(const ReadResults& read, const fs::path& out) {
+  EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
     scans(read.scans, read.edits);
     orRefuse(followDecisions(catalogue_, orRefuse(catalogue_.batch(batch_)).number, out));
     decide(read);
     // Before the models: what lies under a number that waited is another record's from here on.
     entered_.numbers_left = orRefuse(giveTypedNumbers(catalogue_, batch_, act_));
+    taken_back_ = orRefuse(piecesTakenBack(catalogue_, batch_, out));
+    orRefuse(forgetModelsOf(catalogue_, batch_, taken_back_, act_));
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
       FileRecord record = file.record;
@@ -60,18 +66,22 @@ class Entering {
       ++entered_.files;
     }
     countOpen();
-    BatchRecord batch = orRefuse(catalogue_.batch(batch_));
     entered_.decided_meanwhile = pipeline::wantsComputing(out);
+    if (then == BatchItself::Settled) settle(read);
+    return entered_;
+  }
+
+ private:
+  void settle(const ReadResults& read) {
+    BatchRecord batch = orRefuse(catalogue_.batch(batch_));
     const bool open = entered_.open > 0 || entered_.decided_meanwhile;
     batch.state = open || !read.scale_doubts.empty() ? BatchState::Review : BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
     batch.scale_error_pct = read.scale_error_pct;
     batch.scale_doubts = read.scale_doubts;
     orRefuse(catalogue_.saveBatch(batch, act_));
-    return entered_;
   }
 
- private:
   // Pieces are numbered anew by each computation, in the order of their places; what a person said
   // about one must stay with it, so it is known by its place.
   void scans(std::vector<ScanRecord> found, const pipeline::Decisions& edits) {
@@ -147,9 +157,10 @@ class Entering {
     for (const PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
   }
 
-  // The sherd of this pair, if the pair is what counts now.
+  // The sherd of this pair, if the pair is what counts now, of pieces that still hold.
   SherdRow sherdOf(const std::string& front, const std::string& back) {
     const ScanRow f = scan(front), b = scan(back);
+    if (taken_back_.contains(f) || taken_back_.contains(b)) return {};
     Statement row = catalogue_.database().sql("SELECT row FROM sherd WHERE front = ? AND back = ?");
     SherdRow sherd;
     if (row.with(f, b).next()) row >> sherd;
@@ -188,15 +199,14 @@ class Entering {
   BatchRow batch_;
   Act act_;
   std::map<std::string, ScanRow> rows_;
+  std::set<ScanRow> taken_back_;  // pieces that nobody wants joined or cut so any more
   std::vector<PairDecision> current_;
   EnteredResults entered_;
 };
 
-}  // namespace
-
-Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
-                                    const fs::path& out, const Act& act, Progress& progress,
-                                    std::stop_token stop) {
+Result<EnteredResults> entered(Catalogue& catalogue, const fs::path& project, BatchRow batch,
+                               const fs::path& out, const Act& act, BatchItself then,
+                               Progress& progress, std::stop_token stop) {
   // Models that one entering has kept and not entered yet are in use by nobody for another one.
   static std::mutex one_by_one;
   const std::scoped_lock alone(one_by_one);
@@ -208,7 +218,16 @@ Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& projec
       catalogue.database().door([&] { return readResults(project, *record, out, progress, stop); });
   if (!read) return read.error();
   return catalogue.database().inTransaction(
-      [&] { return Entering(catalogue, batch, act).enter(*read, out); });
+      [&] { return Entering(catalogue, batch, act).enter(*read, out, then); });
+}
+
+}  // namespace
+
+Result<EnteredResults> enterResults(Catalogue& catalogue, const fs::path& project, BatchRow batch,
+                                    const fs::path& out, const Act& act, Progress& progress,
+                                    std::stop_token stop) {
+  return entered(catalogue, project, batch, out, act, BatchItself::Settled, progress,
+                 std::move(stop));
 }
 
 Result<bool> enterLostModels(const fs::path& project, const std::string& batch, Progress& progress,
@@ -228,10 +247,12 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
         return sherd.front && sherd.back && sherd.model_path.empty();
       }))
     return false;
-  const Result<EnteredResults> entered =
-      enterResults(*catalogue, project, record->row, out, {{}, "process", {}}, progress, stop);
-  if (!entered) return entered.error();
-  return entered->models > 0;
+  // The batch may wait to be computed again, or lie under the cameras: that is not theirs to say.
+  const Result<EnteredResults> again =
+      entered(*catalogue, project, record->row, out, {{}, "process", {}}, BatchItself::LeftAsItIs,
+              progress, std::move(stop));
+  if (!again) return again.error();
+  return again->models > 0;
 }
 
 Result<int> enterPhotographs(Catalogue& catalogue, const fs::path& project, BatchRow batch,

@@ -27,7 +27,8 @@ Result<EnteredResults> enterResults(Catalogue& catalogue, const std::filesystem:
                                     const Act& act, Progress& progress, std::stop_token stop);
 
 /// Enters the results of a batch again if a sherd with both sides has no model in the catalogue, as
-/// after a pair was given up and taken back. False: none lacks one, or there are no whole results.
+/// after a pair was given up and taken back; the batch's own state stays what it is. False: none
+/// lacks one, or there are no whole results.
 Result<bool> enterLostModels(const std::filesystem::path& project, const std::string& batch,
                              Progress& progress, std::stop_token stop);
 

@@ -373,41 +373,45 @@ Result<void> settleByResults(const fs::path& project, const std::string& batch_n
                      review->waiting() == 0 && !pipeline::wantsComputing(output));
 }
 
-Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
-                            const pipeline::PairDecision& withdrawal,
-                            const std::filesystem::path& output) {
+Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow batch,
+                                          const fs::path& output) {
   const auto all = pipeline::readDecisions(output);
   if (!all) return all.error();
+  const auto scans = catalogue.scans(batch);
+  if (!scans) return scans.error();
+  const pipeline::Decisions hold = pipeline::standing(*all);
+  std::set<ScanRow> pieces;
   const pipeline::Decisions computed_with = pipeline::followed(*all, output);
-  pipeline::Decisions ended = computed_with;
-  std::erase_if(ended, [&](const pipeline::PairDecision& d) {
-    return !isOfPieces(d) || d.scans.empty() ||
-           std::find(withdrawal.replaces.begin(), withdrawal.replaces.end(), d.number) ==
-               withdrawal.replaces.end();
-  });
-  if (ended.empty()) return {};
+  for (const pipeline::PairDecision& d : computed_with)
+    if (isOfPieces(d) && !d.scans.empty() && !pipeline::isSaidIn(hold, d))
+      for (const ScanRow scan : madeBy(d, computed_with, *scans)) pieces.insert(scan);
+  return pieces;
+}
+
+Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
+                            const Act& act) {
+  if (pieces.empty()) return {};
   return catalogue.together([&]() -> Result<void> {
-    const auto batch = catalogue.batchByNumber(batch_number);
-    if (!batch) return batch.error();
-    const auto scans = catalogue.scans(batch->row);
-    if (!scans) return scans.error();
-    const auto rows = catalogue.sherdRows(batch->row);
+    const auto rows = catalogue.sherdRows(batch);
     if (!rows) return rows.error();
     const auto sherds = catalogue.sherds(*rows);
     if (!sherds) return sherds.error();
-    const auto person = catalogue.personByInitials(withdrawal.by, {});
-    if (!person) return person.error();
-    for (const pipeline::PairDecision& d : ended) {
-      const std::vector<ScanRow> pieces = madeBy(d, computed_with, *scans);
-      const auto isAmong = [&](ScanRow scan) {
-        return scan && std::find(pieces.begin(), pieces.end(), scan) != pieces.end();
-      };
-      for (const SherdRecord& sherd : *sherds)
-        if (isAmong(sherd.front) || isAmong(sherd.back))
-          forgetModel(catalogue, sherd.row, {*person, "window", withdrawal.note});
-    }
+    for (const SherdRecord& sherd : *sherds)
+      if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
+        forgetModel(catalogue, sherd.row, act);
     return {};
   });
+}
+
+Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
+                            const pipeline::PairDecision& withdrawal, const fs::path& output) {
+  const auto batch = catalogue.batchByNumber(batch_number);
+  if (!batch) return batch.error();
+  const auto pieces = piecesTakenBack(catalogue, batch->row, output);
+  if (!pieces) return pieces.error();
+  const auto person = catalogue.personByInitials(withdrawal.by, {});
+  if (!person) return person.error();
+  return forgetModelsOf(catalogue, batch->row, *pieces, {*person, "window", withdrawal.note});
 }
 
 }  // namespace ostraka::catalogue

@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "base/result.h"
+#include "catalogue/records.h"
 #include "pipeline/decisions.h"
 
 namespace ostraka::catalogue {
@@ -26,8 +28,6 @@ Result<void> enterDecision(Catalogue& catalogue, const std::string& batch_number
 Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_number,
                             const std::filesystem::path& output);
 
-/// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
-/// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
 /// The same for a batch that is opened again: whoever decides writes the file first, and may not
 /// come to the catalogue (a crash, a full disk). Opens the project by itself: callable in any
 /// thread. Nothing for one that is not in the catalogue, or neither done nor to be reviewed: what
@@ -35,6 +35,8 @@ Result<int> followDecisions(Catalogue& catalogue, const std::string& batch_numbe
 Result<int> catchUp(const std::filesystem::path& project, const std::string& batch_number,
                     const std::filesystem::path& output);
 
+/// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
+/// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
 /// as it is.
 Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do);
@@ -44,8 +46,14 @@ Result<void> settleBatch(Catalogue& catalogue, const std::string& batch_number,
 Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
                              const std::string& person);
 
-/// A join or cut that the results of OUT followed and that is taken back: the sherds of its pieces
-/// lose the models and measures that were made of them. Nothing where it was not computed.
+/// The pieces that were made by joins and cuts which the results of OUT followed, and which hold no
+/// more: they were taken back since, or while it was computed.
+Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow batch,
+                                          const std::filesystem::path& output);
+/// The sherds of these pieces lose the models and measures that were made of them.
+Result<void> forgetModelsOf(Catalogue& catalogue, BatchRow batch, const std::set<ScanRow>& pieces,
+                            const Act& act);
+/// Both, after a withdrawal. Nothing where what it ended was not computed.
 Result<void> forgetPiecesOf(Catalogue& catalogue, const std::string& batch_number,
                             const pipeline::PairDecision& withdrawal,
                             const std::filesystem::path& output);

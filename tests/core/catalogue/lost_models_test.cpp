@@ -1,0 +1,153 @@
+// Models that a sherd lost with its pair or its pieces, and that come back with them.
+#include <gmock/gmock.h>
+
+#include "base/json.h"
+#include "catalogue/database.h"
+#include "catalogue/enter_results.h"
+#include "catalogue/review_decisions.h"
+#include "pipeline/review.h"
+#include "result_folder.h"
+#include "small_project.h"
+
+namespace ostraka::catalogue {
+namespace {
+
+using pipeline::DecisionKind;
+
+// Three sherds, computed without any decision; those at 40 and 70 mm are fragments of one.
+class LostModels : public SmallProject {
+ protected:
+  LostModels()
+      : batch(newBatch({bag4})), output(project_->resultsFolder("B0001")), results(output, 3) {
+    results.photographs = "first";
+    apart();
+    enter();
+  }
+  EnteredResults enter() {
+    return valueIn(enterResults(catalogue(), project_->folder(), batch, output, {}, quiet, {}));
+  }
+  bool lost() { return valueIn(enterLostModels(project_->folder(), "B0001", quiet, {})); }
+  void apart() {
+    results.places_mm = {{40, 0}, {70, 0}, {120, 0}};
+    results.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}};
+    results.gone.clear();
+    write({});
+  }
+  void joined(const std::vector<int>& decisions) {
+    results.places_mm[0] = {55, 0};
+    results.pairs() = {{1, 1, false}, {3, 3, false}};
+    results.gone = {2};
+    write(decisions);
+  }
+  // Results that follow these decisions of the file.
+  void write(const std::vector<int>& decisions) {
+    results.write();
+    nlohmann::json report = valueIn(readJson(output / "report.json"));
+    report["decisions"] = decisions;
+    ASSERT_TRUE(writeFileAtomically(output / "report.json", report.dump()));
+  }
+  pipeline::PairDecision taken(DecisionKind kind, std::vector<pipeline::ScanRef> scans,
+                               std::vector<int> replaces = {}) {
+    pipeline::PairDecision d;
+    d.kind = kind;
+    d.by = "AP";
+    d.scans = std::move(scans);
+    d.replaces = std::move(replaces);
+    d = valueIn(pipeline::appendDecision(output, d));
+    const Result<void> entered = enterDecision(catalogue(), "B0001", d, output);
+    EXPECT_TRUE(entered) << entered.error().sentence();
+    if (kind == DecisionKind::Withdraw) {
+      EXPECT_TRUE(forgetPiecesOf(catalogue(), "B0001", d, output));
+    }
+    return d;
+  }
+  int join(batch::Side side) {
+    const std::string c = side == batch::Side::Front ? "f" : "b";
+    return taken(DecisionKind::Join,
+                 {{side, c + "001", {40, 0}, "first"}, {side, c + "002", {70, 0}, "first"}})
+        .number;
+  }
+  std::vector<SherdRecord> sherds() {
+    return valueIn(catalogue().sherds(valueIn(catalogue().sherdRows(batch))));
+  }
+  /// With the piece at 40 mm, or with what it was joined to; a draft without a back is void.
+  SherdRecord first() {
+    for (const ScanRecord& scan : valueIn(catalogue().scans(batch)))
+      if (scan.name == "f001")
+        for (const SherdRecord& sherd : sherds())
+          if (sherd.front == scan.row) return sherd;
+    return {};
+  }
+  std::int64_t historyLength() { return catalogue().historyLength(); }
+  BatchRow batch;
+  std::filesystem::path output;
+  ResultFolder results;
+  QuietProgress quiet;
+};
+
+// It waits to be computed again, or its back lies under the cameras again.
+TEST_F(LostModels, ComeBackWithoutChangingWhatBecomesOfTheBatch) {
+  for (const BatchState state :
+       {BatchState::Queued, BatchState::Flipped, BatchState::Failed, BatchState::Done}) {
+    const int pair = taken(DecisionKind::Pair, {{batch::Side::Front, "f001", {40, 0}, "first"},
+                                                {batch::Side::Back, "b003", {120, 0}, "first"}})
+                         .number;
+    taken(DecisionKind::Withdraw, {}, {pair});
+    ASSERT_EQ(first().model_path, "");
+    ASSERT_TRUE(catalogue().setBatchState(batch, state, {}));
+    EXPECT_TRUE(lost());
+    EXPECT_NE(first().model_path, "");
+    EXPECT_EQ(catalogue().batch(batch)->state, state);
+  }
+}
+
+// The same pair is decided again: what was computed of it is its model still.
+TEST_F(LostModels, ComeBackWithADecisionThatIsDoneAgain) {
+  const std::vector<pipeline::ScanRef> scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
+                                                {batch::Side::Back, "b002", {70, 0}, "first"}};
+  const int pair = taken(DecisionKind::Pair, scans).number;
+  results.pairs() = {{1, 2, false, "AP"}, {3, 3, false}};
+  write({pair});
+  enter();
+  ASSERT_NE(first().model_path, "");
+  taken(DecisionKind::Withdraw, {}, {pair});
+  EXPECT_EQ(first().model_path, "");
+  EXPECT_TRUE(pipeline::wantsComputing(output));
+  taken(DecisionKind::Pair, scans);
+  EXPECT_FALSE(pipeline::wantsComputing(output)) << "so that the review lets models come back";
+  EXPECT_TRUE(lost());
+  EXPECT_NE(first().model_path, "");
+  EXPECT_TRUE(first().measures.contains("length"));
+}
+
+TEST_F(LostModels, AreThoseOfAJoinThatWasTakenBackWhileItWasComputed) {
+  ASSERT_TRUE(set(first().row, "number", "A-1"));
+  const int fronts = join(batch::Side::Front), backs = join(batch::Side::Back);
+  std::filesystem::remove(output / "report.json");  // it is being computed
+  taken(DecisionKind::Withdraw, {}, {fronts});
+  taken(DecisionKind::Withdraw, {}, {backs});
+  joined({fronts, backs});
+  EXPECT_TRUE(enter().decided_meanwhile);
+  ASSERT_EQ(first().number, "A-1");
+  EXPECT_EQ(first().model_path, "") << "of two pieces that nobody wants joined";
+  EXPECT_FALSE(first().measures.contains("length"));
+  EXPECT_TRUE(catalogue().files(first().row)->empty());
+  EXPECT_EQ(catalogue().batch(batch)->state, BatchState::Review);
+  for (const SherdRecord& sherd : sherds())
+    if (sherd.state != SherdState::Void && sherd.number.empty()) {
+      EXPECT_NE(sherd.model_path, "") << "that of the third";
+    }
+  const std::int64_t before = historyLength();
+  enter();
+  EXPECT_EQ(historyLength(), before) << "entered and forgotten each time";
+
+  join(batch::Side::Front);
+  join(batch::Side::Back);
+  EXPECT_FALSE(pipeline::wantsComputing(output)) << "the results are of this join still";
+  EXPECT_TRUE(lost());
+  EXPECT_NE(first().model_path, "");
+  EXPECT_TRUE(first().measures.contains("length"));
+}
+
+}  // namespace
+}  // namespace ostraka::catalogue

@@ -120,6 +120,16 @@ bool shareAScan(const PairDecision& a, const PairDecision& b) {
   return false;
 }
 
+// Both sides of a sherd were taken out of the pairs: what is said of one of them is said of the
+// other, which would be without a partner otherwise.
+void takeAlong(PairDecision& decision, const PairDecision& replaced) {
+  if (decision.kind == DecisionKind::Pair || replaced.kind == DecisionKind::Pair) return;
+  for (const ScanRef& scan : replaced.scans)
+    if (std::none_of(decision.scans.begin(), decision.scans.end(),
+                     [&](const ScanRef& other) { return other.side == scan.side; }))
+      decision.scans.push_back(scan);
+}
+
 Result<void> checked(const PairDecision& d) {
   const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
   if (d.by.empty()) return bad("A decision needs the name of the person who takes it.");
@@ -300,6 +310,10 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
     for (const PairDecision& other : holding)
       if (aboutPartners(decision.kind) && aboutPartners(other.kind) && shareAScan(decision, other))
         decision.replaces.push_back(other.number);
+    for (const PairDecision& other : holding)
+      if (std::find(decision.replaces.begin(), decision.replaces.end(), other.number) !=
+          decision.replaces.end())
+        takeAlong(decision, other);
   }
   decision.number = decisions->empty() ? 1 : decisions->back().number + 1;
   decision.at = utcNow();

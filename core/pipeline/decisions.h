@@ -70,7 +70,8 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
 
 /// Writes the decision behind the others, atomically, with its number and time, and with what it
 /// replaces: the standing ones about the same scans (Pair, Aside, Reshoot), or those named already
-/// (Withdraw). Returns it as written. Errors: those of readDecisions, CannotWrite; UnusableInput
+/// (Withdraw). What takes one side of a sherd out that was taken out with its other side is about
+/// both. Returns it as written. Errors: those of readDecisions, CannotWrite; UnusableInput
 /// without a person's name, with the wrong number of scans, or for a withdrawal of what does not
 /// stand.
 Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDecision decision);

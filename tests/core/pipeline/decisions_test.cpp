@@ -116,6 +116,23 @@ TEST_F(DecisionsOf, SettingAsideReplacesAPairAndAPairBringsItBack) {
   EXPECT_EQ(standingNumbers(), (std::vector<int>{3}));
 }
 
+TEST_F(DecisionsOf, ASherdThatWasTakenOutStaysOutWithBothItsSides) {
+  PairDecision again;
+  again.kind = DecisionKind::Reshoot;
+  again.by = "AP";
+  again.scans = {front(1), pair(1, 2).scans[1]};
+  append(again);
+  again.scans = {front(1)};  // once more, where its card shows the front alone
+  append(again);
+  EXPECT_EQ(standingNumbers(), (std::vector<int>{2}));
+  EXPECT_EQ(standing(*readDecisions(out_))[0].scans.size(), 2u);
+  again.kind = DecisionKind::Aside;
+  append(again);
+  EXPECT_EQ(standing(*readDecisions(out_))[0].scans.size(), 2u);
+  append(pair(1, 3));
+  EXPECT_EQ(standing(*readDecisions(out_))[0].scans[1].id, pair(1, 3).scans[1].id);
+}
+
 TEST_F(DecisionsOf, NobodyAreRefused) {
   PairDecision d = pair(1, 1);
   d.by.clear();

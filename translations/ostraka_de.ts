@@ -52,6 +52,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Während die Ladung berechnet wurde, wurden Paare entschieden oder Masken ausgebessert; dafür noch einmal berechnen.</translation>
     </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: diese Nummer wurde auf der Platte getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>
@@ -1064,6 +1069,11 @@
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; ist %2 noch dieselbe Scherbe? Sie maß %3 mm, jetzt %4 mm</translation>
+    </message>
+    <message>
+      <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; die Nummer %2 wurde auf seiner Platte getippt, und keine seiner Scherben hat sie</translation>
     </message>
   </context>
   <context>

@@ -52,6 +52,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όσο υπολογιζόταν η παρτίδα, αποφασίστηκαν ζεύγη ή διορθώθηκαν μάσκες· υπολογίστε την ξανά γι' αυτά.</translation>
     </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: ο αριθμός αυτός πληκτρολογήθηκε στην πλάκα, αλλά ανήκει σε άλλο όστρακο· δείτε ποιο από τα δύο τον φέρει και δώστε στο άλλο νέο αριθμό.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>
@@ -1064,6 +1069,11 @@
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1· είναι το %2 το ίδιο όστρακο; Μετρούσε %3 mm, τώρα %4 mm</translation>
+    </message>
+    <message>
+      <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1· ο αριθμός %2 πληκτρολογήθηκε στην πλάκα της, και κανένα όστρακό της δεν τον έχει</translation>
     </message>
   </context>
   <context>

@@ -52,6 +52,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mientras se calculaba la tanda se decidieron pares o se corrigieron máscaras; calcúlela de nuevo para ellos.</translation>
     </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: este número se escribió en la placa, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>
@@ -1064,6 +1069,11 @@
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; ¿es %2 el mismo fragmento? Medía %3 mm, ahora %4 mm</translation>
+    </message>
+    <message>
+      <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; el número %2 se escribió en su placa y ninguno de sus fragmentos lo tiene</translation>
     </message>
   </context>
   <context>

@@ -52,6 +52,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Des paires ont été décidées ou des masques retouchés pendant le calcul du lot ; recalculez-le pour en tenir compte.</translation>
     </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : ce numéro a été saisi sur le plateau, mais c&apos;est celui d&apos;un autre tesson ; regardez lequel des deux le porte et donnez à l&apos;autre un nouveau numéro.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>
@@ -1064,6 +1069,11 @@
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ; %2 est-il bien le même tesson ? Il mesurait %3 mm, maintenant %4 mm</translation>
+    </message>
+    <message>
+      <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ; le numéro %2 a été saisi sur son plateau, et aucun de ses tessons ne l&apos;a</translation>
     </message>
   </context>
   <context>

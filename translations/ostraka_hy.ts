@@ -52,6 +52,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակի հաշվարկի ընթացքում զույգեր են որոշվել կամ դիմակներ ուղղվել. դրանց համար նորից հաշվարկեք։</translation>
     </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. այս համարը գրվել է սալի վրա, բայց այլ բեկորինն է. նայեք՝ երկուսից որն է կրում այն, և մյուսին նոր համար տվեք։</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>
@@ -1064,6 +1069,11 @@
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; %2-ը նույն բեկո՞րն է։ Չափում էր %3 մմ, այժմ՝ %4 մմ</translation>
+    </message>
+    <message>
+      <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; %2 համարը գրվել է նրա սալի վրա, և նրա բեկորներից ոչ մեկը չունի այն</translation>
     </message>
   </context>
   <context>

@@ -51,6 +51,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti hesaplanırken çiftlere karar verildi ya da maskeler düzeltildi; bunlar için yeniden hesaplayın.</translation>
     </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: bu numara plakada yazıldı, ama başka bir parçanın; ikisinden hangisinin taşıdığına bakın ve ötekine yeni bir numara verin.</translation>
+    </message>
   </context>
   <context>
     <name>Fields</name>
@@ -1052,6 +1057,11 @@
       <source>%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; %2 aynı parça mı? %3 mm idi, şimdi %4 mm</translation>
+    </message>
+    <message>
+      <source>%1; the number %2 was typed on its plate, and none of its sherds has it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1; %2 numarası plakasında yazıldı, ama parçalarının hiçbirinde yok</translation>
     </message>
   </context>
   <context>

@@ -168,6 +168,16 @@ bool isOfPieces(const pipeline::PairDecision& d) {
   return d.kind == DecisionKind::Join || d.kind == DecisionKind::Split;
 }
 
+// It stands, and has no effect since its side was photographed again.
+bool isOfOtherPhotographs(const pipeline::PairDecision& d, const pipeline::CandidateTable& table) {
+  if (d.scans.empty()) return false;
+  const pipeline::ScanRef& ref = d.scans.front();
+  const std::vector<pipeline::ScanRef>& now =
+      ref.side == batch::Side::Front ? table.fronts : table.backs;
+  return !now.empty() && !now.front().photographs.empty() && !ref.photographs.empty() &&
+         now.front().photographs != ref.photographs;
+}
+
 // Brings what the catalogue holds of one decisions.json in line with it.
 class Following {
  public:
@@ -381,7 +391,9 @@ Result<std::set<ScanRow>> piecesTakenBack(const Catalogue& catalogue, BatchRow b
   if (!scans) return scans.error();
   const pipeline::Decisions hold = pipeline::standing(*all);
   std::set<ScanRow> pieces;
-  const pipeline::Decisions computed_with = pipeline::followed(*all, output);
+  pipeline::Decisions computed_with = pipeline::followed(*all, output);
+  if (const Result<pipeline::CandidateTable> table = pipeline::readCandidatesOf(output))
+    std::erase_if(computed_with, [&](const auto& d) { return isOfOtherPhotographs(d, *table); });
   for (const pipeline::PairDecision& d : computed_with)
     if (isOfPieces(d) && !d.scans.empty() && !pipeline::isSaidIn(hold, d))
       for (const ScanRow scan : madeBy(d, computed_with, *scans)) pieces.insert(scan);

@@ -44,15 +44,24 @@ std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& rows, const 
                               sherd[QStringLiteral("before_mm")].toDouble(),
                               sherd[QStringLiteral("now_mm")].toDouble()});
   }
+  for (const QJsonValue& value : kept[QStringLiteral("numbers_left")].toArray())
+    figures.numbers_left.push_back(value.toString().toStdString());
   return figures;
 }
 
 std::optional<BatchFigures> shownFigures(const catalogue::Catalogue& rows, const QString& number) {
   std::optional<BatchFigures> figures = keptFigures(rows, number);
-  if (!figures || figures->reshoot == 0) return figures;
-  if (const auto batch = rows.batchByNumber(number.toStdString()))
+  const auto batch = rows.batchByNumber(number.toStdString());
+  if (!figures || !batch) return figures;
+  if (figures->reshoot > 0)
     if (const auto again = catalogue::photographedAgain(rows, batch->row))
       figures->reshoot = std::max(0, figures->reshoot - static_cast<int>(again->size()));
+  std::erase_if(figures->numbers_left, [&](const std::string& left) {
+    const auto row = rows.sherdByNumber(left);
+    if (!row || !*row) return false;
+    const auto sherd = rows.sherd(*row);
+    return sherd && sherd->batch == batch->row;  // a person gave it since
+  });
   return figures;
 }
 
@@ -81,6 +90,10 @@ Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
                               {QStringLiteral("before_mm"), sherd.before_mm},
                               {QStringLiteral("now_mm"), sherd.now_mm}});
   kept[QStringLiteral("unlike")] = unlike;
+  QJsonArray left;
+  for (const std::string& number_left : figures.numbers_left)
+    left.append(QString::fromStdString(number_left));
+  kept[QStringLiteral("numbers_left")] = left;
   return rows.setSetting(keyOf(number),
                          QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());
 }

@@ -12,7 +12,7 @@ namespace ostraka::ui {
 
 /// The figures that the queue shows of a batch outlive the window: they are kept in the catalogue.
 std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& rows, const QString& number);
-/// Less what was photographed again since.
+/// Less what was photographed again, and the numbers that were given, since.
 std::optional<BatchFigures> shownFigures(const catalogue::Catalogue& rows, const QString& number);
 Result<void> keepFigures(catalogue::Catalogue& rows, const QString& number,
                          const BatchFigures& figures);

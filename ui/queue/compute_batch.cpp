@@ -99,14 +99,28 @@ Result<void> hasSpace(const fs::path& project) {
                project.string()};
 }
 
-// A sherd that was on the plate and is in no scan would be missed by nobody.
-int countedOtherwise(const catalogue::Catalogue& rows, const catalogue::BatchRecord& batch) {
-  const auto scans = rows.scans(batch.row);
-  if (!scans || batch.counted == 0) return 0;
+// As many as lay on the plate, though some found no partner.
+int piecesOf(const catalogue::Catalogue& rows, catalogue::BatchRow batch) {
+  const auto scans = rows.scans(batch);
   int found[2] = {0, 0};
-  for (const catalogue::ScanRecord& scan : *scans)
-    if (scan.isThere()) ++found[scan.side == batch::Side::Front ? 0 : 1];
-  return std::max(found[0], found[1]) == batch.counted ? 0 : batch.counted;
+  if (scans)
+    for (const catalogue::ScanRecord& scan : *scans)
+      if (scan.isThere()) ++found[scan.side == batch::Side::Front ? 0 : 1];
+  return std::max(found[0], found[1]);
+}
+
+QString leftWords(const catalogue::Catalogue& rows, const std::string& number) {
+  const auto holder = rows.sherdByNumber(number);
+  return (holder && *holder
+              ? QCoreApplication::translate(
+                    "ComputeBatch",
+                    "%1: this number was typed on the plate, but is another sherd's; look which of "
+                    "the two bears it, and give the other one a new number.")
+              : QCoreApplication::translate(
+                    "ComputeBatch",
+                    "%1: this number was typed on the plate, but no sherd with a context lies "
+                    "there; give it in the catalogue."))
+      .arg(QString::fromStdString(number));
 }
 
 }  // namespace
@@ -156,13 +170,8 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   const Result<bool> again = catalogue::queueIfAsked(rows, options.number, act);
   if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
   for (const std::string& number : entered->numbers_left)
-    progress.note(NoteLevel::Warning,
-                  QCoreApplication::translate(
-                      "ComputeBatch",
-                      "%1: this number was typed on the plate, but no sherd with a context lies "
-                      "there; give it in the catalogue.")
-                      .arg(QString::fromStdString(number))
-                      .toStdString());
+    progress.note(NoteLevel::Warning, leftWords(rows, number).toStdString());
+  figures->numbers_left = entered->numbers_left;
   if (entered->decided_meanwhile && !(again && *again))
     progress.note(NoteLevel::Warning,
                   QCoreApplication::translate(
@@ -171,7 +180,9 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
                       "again for them.")
                       .toStdString());
   if (auto unlike = catalogue::unlikeBefore(rows, record->row)) figures->unlike = *unlike;
-  figures->counted = countedOtherwise(rows, *record);
+  // A sherd that was on the plate and is in no scan would be missed by nobody.
+  figures->sherds = piecesOf(rows, record->row);
+  if (figures->sherds != record->counted) figures->counted = record->counted;
   if (figures->counted > 0)
     progress.note(NoteLevel::Warning,
                   QCoreApplication::translate(

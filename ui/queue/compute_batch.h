@@ -33,6 +33,7 @@ struct BatchFigures {
   std::vector<pipeline::MovedCamera> moved{};
   /// Sherds that were photographed again and are of another size now.
   std::vector<catalogue::UnlikeBefore> unlike{};
+  std::vector<std::string> numbers_left{};  ///< typed on the plate; none of its sherds has them
 };
 
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the

@@ -65,6 +65,9 @@ QString figuresWords(const BatchFigures& figures) {
                .arg(told, QString::fromStdString(sherd.number),
                     QLocale().toString(sherd.before_mm, 'f', 1),
                     QLocale().toString(sherd.now_mm, 'f', 1));
+  for (const std::string& number : figures.numbers_left)
+    told = BatchQueue::tr("%1; the number %2 was typed on its plate, and none of its sherds has it")
+               .arg(told, QString::fromStdString(number));
   if (figures.uncertainty_mm <= 0) return told;
   return BatchQueue::tr("%1; joined to %2 mm")
       .arg(told, QLocale().toString(figures.uncertainty_mm, 'f', 2));

@@ -3,6 +3,7 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -173,6 +174,7 @@ void ReviewStation::closeProject() {
   message_->clear();
   compute_->hide();
   scale_->hide();
+  emit waitingChanged();
 }
 
 fs::path ReviewStation::outputOf(const QString& batch) const {
@@ -328,6 +330,10 @@ void ReviewStation::nameSherds() {
   for (std::size_t i = 0; i < fronts.size(); ++i)
     if (const auto* sherd = sherds.at(fronts[i].place_mm); sherd && !sherd->number.empty())
       numbers.insert(static_cast<int>(i), QString::fromStdString(sherd->number));
+    else if (const auto* again = sherds.again(fronts[i].place_mm))
+      numbers.insert(static_cast<int>(i), QCoreApplication::translate("ostraka::ui", "%1 in %2")
+                                              .arg(QString::fromStdString(again->number),
+                                                   QString::fromStdString(again->batch_number)));
   model_->setNumbers(numbers);
 }
 

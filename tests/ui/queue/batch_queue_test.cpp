@@ -129,6 +129,7 @@ class BatchQueueTest : public QObject {
             BatchFigures figures;
             figures.sherds = figures.sure = 3;
             figures.counted = 4;
+            figures.numbers_left = {"A-7"};
             return figures;
           });
       bench.queue.setSession(&bench.session);
@@ -140,7 +141,7 @@ class BatchQueueTest : public QObject {
     again.queue.setSession(&again.session);
     QCOMPARE(again.queue.row(0).state, QueueState::Review);
     const QString figures = figuresWords(*again.queue.row(0).figures);
-    QVERIFY2(figures.contains(QLatin1String("but 4 counted")), qPrintable(figures));
+    QVERIFY2(figures.contains("4 counted on the plate; the number A-7"), qPrintable(figures));
     QVERIFY(stateWords(again.queue.row(0)).contains(QLatin1String("scale")));
     QVERIFY(again.computed.isEmpty());
   }

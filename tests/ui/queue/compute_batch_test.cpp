@@ -82,7 +82,8 @@ class ComputeBatchTest : public QObject {
     QuietProgress quiet;
     const auto figures = computeBatch({place / "project", number}, quiet, {});
     QVERIFY2(figures.has_value(), figures ? "" : figures.error().sentence().c_str());
-    QCOMPARE(figures->sherds, 1);
+    QCOMPARE(figures->sherds, 2);
+    QCOMPARE(figures->sure, 1);
     QCOMPARE(figures->ask, 1);
     QCOMPARE(project->catalogue().batch(*batch)->state, catalogue::BatchState::Review);
   }

@@ -22,6 +22,7 @@ class TwoBatchesTest : public ReviewWindow {
   void theNameIsAskedForUntilItIsThere();
   void nothingIsDecidedWhileAnotherBatchOpens();
   void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
+  void nothingWaitsWhereTheProjectIsClosed();
   void aBatchThatIsBeingComputedIsNotOpened();
   void aDecisionOnAnotherBatchIsTakenBackThere();
   void twoBatchesTakenBackAtOnceBothWantAPersonAgain();
@@ -72,6 +73,16 @@ void TwoBatchesTest::nothingIsDecidedWhileAnotherBatchOpens() {
   QTRY_COMPARE(pipeline::readDecisions(second.output)->size(), std::size_t{1});
   QCOMPARE(entered("B0002"), std::size_t{1});
   QCOMPARE(entered("B0001"), std::size_t{0});
+}
+
+// The rail would show the questions of one project in the next.
+void TwoBatchesTest::nothingWaitsWhereTheProjectIsClosed() {
+  open(4, true);
+  QVERIFY(station_->waiting() > 0);
+  int waiting = -1;
+  connect(station_, &Station::waitingChanged, this, [&] { waiting = station_->waiting(); });
+  station_->closeProject();
+  QCOMPARE(waiting, 0);
 }
 
 void TwoBatchesTest::aBatchThatDoesNotOpenLeavesNoPairsToDecideOn() {

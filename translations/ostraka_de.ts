@@ -3736,6 +3736,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf %1 ist keine Länge bekannt: Keine Zahl und keine Länge hier ist in Millimetern.</translation>
     </message>
+    <message>
+      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Beim Berechnen geht die Nummer %1 an die Hälfte, auf der sie getippt wurde, sonst an die größere. Rückgängig macht sie wieder zu einer.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>

@@ -3736,6 +3736,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στην %1 δεν είναι γνωστό κανένα μήκος: κανένας αριθμός και κανένα μήκος εδώ δεν είναι σε χιλιοστά.</translation>
     </message>
+    <message>
+      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Κατά τον υπολογισμό ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα ενώνει πάλι.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>

@@ -3736,6 +3736,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En %1 no se conoce ninguna longitud: ninguna cifra ni longitud mostrada aquí está en milímetros.</translation>
     </message>
+    <message>
+      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Al calcular, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>

@@ -3736,6 +3736,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune longueur n'est connue sur %1 : aucun chiffre ni aucune longueur affichés ici ne sont en millimètres.</translation>
     </message>
+    <message>
+      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Au calcul, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les réunit.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>

@@ -3736,6 +3736,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ում ոչ մի երկարություն հայտնի չէ. այստեղ ցույց տրված ոչ մի թիվ և երկարություն միլիմետրով չէ։</translation>
     </message>
+    <message>
+      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Հաշվարկելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիացնի դրանք։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>

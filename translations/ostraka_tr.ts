@@ -3698,6 +3698,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 üzerinde bilinen bir uzunluk yok: burada gösterilen hiçbir sayı ve uzunluk milimetre değildir.</translation>
     </message>
+    <message>
+      <source>Saved. When it is computed the number %1 goes to the half that it was typed on, or else to the larger one. Undo makes them one again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. Hesaplanınca %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::RigPage</name>

@@ -256,12 +256,12 @@ void ReviewStation::compute() {
 void ReviewStation::enter(const fs::path& output, const pipeline::PairDecision& decision) {
   const QString batch = QString::fromStdString(output.filename().string());
   const bool shown = model_->shows(output);
-  const QString joined = joinedWords(batch, decision);
+  const QString edited = editedWords(batch, decision);
   const Result<void> entered = enterInto(output, batch, decision);
   if (!shown) openOutput(batch);  // so that one sees what was done there
   const bool pieces = decision.kind == pipeline::DecisionKind::Join ||
                       decision.kind == pipeline::DecisionKind::Split;
-  say(!joined.isEmpty() ? joined
+  say(!edited.isEmpty() ? edited
       : pieces          ? tr("Saved. The pairs of the new pieces come when it is computed.")
       : decision.kind == pipeline::DecisionKind::Withdraw
           ? tr("Taken back. Both are kept in the history.")
@@ -306,10 +306,18 @@ void ReviewStation::sayIfTwice(const QString& batch, const pipeline::PairDecisio
 }
 
 // A number that loses its piece is said when it is done, not found later in the table.
-QString ReviewStation::joinedWords(const QString& batch, const pipeline::PairDecision& join) const {
+QString ReviewStation::editedWords(const QString& batch, const pipeline::PairDecision& edit) const {
   if (!session_->hasProject()) return {};
   const catalogue::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
-  const catalogue::JoinedNumbers numbers = sherds.afterJoin(join);
+  if (edit.kind == pipeline::DecisionKind::Split) {
+    const pipeline::ScanRef& cut = edit.scans.front();
+    const auto* sherd = cut.side == batch::Side::Front ? sherds.at(cut.place_mm) : nullptr;
+    if (sherd == nullptr || sherd->number.empty()) return {};
+    return tr("Saved. When it is computed the number %1 goes to the half that it was typed on, or "
+              "else to the larger one. Undo makes them one again.")
+        .arg(QString::fromStdString(sherd->number));
+  }
+  const catalogue::JoinedNumbers numbers = sherds.afterJoin(edit);
   if (numbers.left.empty()) return {};
   const QString left = QString::fromStdString(numbers.left);
   return numbers.kept.empty()

@@ -65,7 +65,7 @@ class ReviewStation final : public Station {
   void say(const QString& sentence);
   void nameSherds();
   void sayIfTwice(const QString& batch, const pipeline::PairDecision& decision);
-  QString joinedWords(const QString& batch, const pipeline::PairDecision& join) const;
+  QString editedWords(const QString& batch, const pipeline::PairDecision& edit) const;
   QWidget* buildScale();
   void showScale();
   std::filesystem::path outputOf(const QString& batch) const;

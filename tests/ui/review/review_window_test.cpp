@@ -38,7 +38,7 @@ class ReviewWindowTest : public ReviewWindow {
   void theQueueFollowsWhatIsDecided();
   void whatIsOnlyConfirmedNeedsNoComputing();
   void aJoinThatWasComputedAndIsTakenBackWantsComputing();
-  void aJoinOfTwoNumberedSherdsNamesBothNumbers();
+  void joinsAndCutsOfNumberedSherdsNameTheirNumbers();
   void aBatchOfDoubtfulScaleSaysSoAboveItsPairs();
   void whatDecidesIsInSightHoweverLargeTheLetters();
   void everyControlHasAName();
@@ -260,7 +260,7 @@ void ReviewWindowTest::aLoneBackIsDraggedOntoItsFront() {
   QCOMPARE(model()->rowCount(), 4);
 }
 
-void ReviewWindowTest::aJoinOfTwoNumberedSherdsNamesBothNumbers() {
+void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   open(4, true);
   catalogue::Catalogue& rows = session_->project().catalogue();
   catalogue::SiteRecord site;
@@ -292,6 +292,13 @@ void ReviewWindowTest::aJoinOfTwoNumberedSherdsNamesBothNumbers() {
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
   QVERIFY(station_->findChild<QLabel*>("message")->text().startsWith("Taken back"));
+  model()->select(2);
+  QTRY_VERIFY(model()->fit().rim_rms_mm > 0);
+  key(Qt::Key_K);
+  key(Qt::Key_Return);
+  QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
+  const QString cut = station_->findChild<QLabel*>("message")->text();
+  QVERIFY2(cut.contains("the number ARM1-0012-2 goes to the half"), qPrintable(cut));
 }
 
 void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {

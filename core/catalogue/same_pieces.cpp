@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstdlib>
 
 #include "catalogue/edited_pieces.h"
 
@@ -35,6 +36,7 @@ class Matching {
       const int whole = at(known_, ref);
       if (whole < 0) return;
       const ScanRecord& cut = known_[static_cast<std::size_t>(whole)];
+      if (!areHalves(found_[now->first], found_[now->second], cut)) return;
       const auto typed = typed_mm.find(cut.row);
       const Eigen::Vector2d to = typed == typed_mm.end() ? *placeOf(cut) : typed->second;
       const bool first = between_mm(found_[now->first], to) <= between_mm(found_[now->second], to);
@@ -42,7 +44,9 @@ class Matching {
     } else if (before && !now) {
       const int whole = at(found_, ref);
       if (whole < 0) return;
-      const bool first = known_[before->first].row < known_[before->second].row;
+      const ScanRecord &one = known_[before->first], &other = known_[before->second];
+      if (!areHalves(one, other, found_[static_cast<std::size_t>(whole)])) return;
+      const bool first = one.row < other.row;
       match(first ? before->first : before->second, static_cast<std::size_t>(whole));
     }
   }
@@ -88,6 +92,13 @@ class Matching {
   const std::vector<int>& same() const { return same_; }
 
  private:
+  // Not the piece itself beside a small neighbour that was not there, or is gone.
+  static bool areHalves(const ScanRecord& a, const ScanRecord& b, const ScanRecord& whole) {
+    if (!a.points || !b.points || !whole.points) return true;
+    const int larger = std::max(*a.points, *b.points);
+    return std::abs(*whole.points - *a.points - *b.points) < std::abs(*whole.points - larger);
+  }
+
   // The piece that is whole there, -1 when it is not.
   static int at(const std::vector<ScanRecord>& scans, const pipeline::ScanRef& ref) {
     int nearest = -1;

@@ -116,6 +116,14 @@ TEST_F(CutPieces, AreAgainWhatTheyWereWhenTheCutIsTakenBack) {
       << "the half that was known first";
 }
 
+// A cut that was taken back, and a chip that lay beside the piece and is masked out now.
+TEST_F(CutPieces, AreNoNeighboursThatCameOrWent) {
+  const std::vector<ScanRecord> beside = {piece("f001", 40, 4000, 2), piece("f002", 80, 150, 1)};
+  EXPECT_EQ(samePieces(beside, whole, edits), (std::vector<int>{0, -1}));
+  EXPECT_EQ(samePieces(whole, beside, edits, {{ScanRow{1}, Eigen::Vector2d(79, 0)}}),
+            std::vector<int>{0});
+}
+
 TEST_F(CutPieces, AreKnownByTheirPlacesOnceTheyAreTwo) {
   EXPECT_EQ(samePieces(halves, halves, edits), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(samePieces(whole, whole, edits), std::vector<int>{0});

@@ -75,6 +75,13 @@
         <numerusform>%1; but %n counted on the plate</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n to be photographed again</source>
+      <translation>
+        <numerusform>%1; %n to be photographed again</numerusform>
+        <numerusform>%1; %n to be photographed again</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BulkEdit</name>
@@ -263,6 +270,13 @@
       <translation>
         <numerusform>%n label are sent to the printer.</numerusform>
         <numerusform>%n labels are sent to the printer.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) of this batch have no number yet: their labels name the batch.</source>
+      <translation>
+        <numerusform>%n sherd of this batch has no number yet: its label names the batch.</numerusform>
+        <numerusform>%n sherds of this batch have no number yet: their labels name the batch.</numerusform>
       </translation>
     </message>
   </context>

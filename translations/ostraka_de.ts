@@ -1734,6 +1734,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mehrere Beuteletiketten sind zu sehen: %1. Nur das dieser Scherben liegen lassen.</translation>
     </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie haben %1 Scherben gezählt, die Fotos zeigen %2: Sehen Sie nach, ob eine in Teilen daliegt oder etwas, das keine Scherbe ist, oder berichtigen Sie die Zahl.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

@@ -1734,6 +1734,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φαίνονται ετικέτες περισσότερων σακουλών: %1. Αφήστε μόνο αυτήν των οστράκων εδώ.</translation>
     </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: δείτε μήπως κάποιο είναι σε κομμάτια ή υπάρχει κάτι που δεν είναι όστρακο, ή διορθώστε τον αριθμό.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

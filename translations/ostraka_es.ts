@@ -1734,6 +1734,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se ven etiquetas de varias bolsas: %1. Deje solo la de estos fragmentos.</translation>
     </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ha contado %1 fragmentos, las fotos muestran %2: mire si alguno está en partes o si hay algo que no es un fragmento, o corrija el número.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

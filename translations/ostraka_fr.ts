@@ -1734,6 +1734,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les étiquettes de plusieurs sacs sont visibles : %1. Ne laissez que celle de ces tessons.</translation>
     </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous avez compté %1 tessons, les photos en montrent %2 : regardez si l&apos;un d&apos;eux est en morceaux ou s&apos;il y a là une chose qui n&apos;est pas un tesson, ou corrigez le nombre.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

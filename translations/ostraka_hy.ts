@@ -1734,6 +1734,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երևում են մի քանի տոպրակի պիտակներ՝ %1։ Թողեք միայն այս բեկորներինը։</translation>
     </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. նայեք՝ արդյոք մեկը մասերով է դրված, կամ կա մի բան, որ բեկոր չէ, կամ ուղղեք քանակը։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

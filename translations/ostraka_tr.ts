@@ -1714,6 +1714,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birkaç torbanın etiketi görünüyor: %1. Yalnız bu parçalarınkini bırakın.</translation>
     </message>
+    <message>
+      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: parçalar hâlinde duran biri ya da parça olmayan bir şey var mı bakın veya sayıyı düzeltin.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CatalogueStation</name>

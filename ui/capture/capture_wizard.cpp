@@ -438,14 +438,17 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
   emit changed();
 }
 
-// Hidden, touching another, still in the hand, or fallen under the table: only a person knows.
+// Hidden, touching another, in the hand still, broken, or a pebble: only a person knows.
 QString CaptureWizard::countDoubt(const capture::SideCheck& check) const {
   const int counted = batch_.counted();
   if (counted == 0 || !check.counted || check.sherds == counted) return {};
-  return tr("You counted %1 sherds, the photographs show %2: look for one that hides, touches "
-            "another or was never laid down.")
-      .arg(counted)
-      .arg(check.sherds);
+  const QString words =
+      check.sherds < counted
+          ? tr("You counted %1 sherds, the photographs show %2: look for one that hides, touches "
+               "another or was never laid down.")
+          : tr("You counted %1 sherds, the photographs show %2: look whether one lies there in "
+               "parts, or a thing that is no sherd, or mend the count.");
+  return words.arg(counted).arg(check.sherds);
 }
 
 void CaptureWizard::doubtCount(const capture::SideCheck& check) {

@@ -249,9 +249,12 @@ class CaptureWizardTest : public QObject {
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     QCOMPARE(bench.wizard.doubts().size(), 1);
+    bench.wizard.setCounted(10);
+    QVERIFY(bench.wizard.doubts()[0].contains("look for one that hides"));
     bench.wizard.setCounted(7);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     QVERIFY(bench.wizard.doubts()[0].contains("7"));
+    QVERIFY2(bench.wizard.doubts()[0].contains("mend the count"), "none hides of seven");
     bench.wizard.setCounted(9);
     QVERIFY(bench.wizard.doubts().isEmpty());
     bench.wizard.next();

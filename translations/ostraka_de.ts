@@ -255,6 +255,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maßstab</translation>
     </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorderseite</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückseite</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>

@@ -255,6 +255,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κλίμακα</translation>
     </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μπροστινή όψη</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πίσω όψη</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>

@@ -255,6 +255,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>escala</translation>
     </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>anverso</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>reverso</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>

@@ -255,6 +255,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>échelle</translation>
     </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face avant</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>face arrière</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>

@@ -255,6 +255,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մասշտաբ</translation>
     </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առջևի երես</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետևի երես</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>

@@ -254,6 +254,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ölçek</translation>
     </message>
+    <message>
+      <source>front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön yüz</translation>
+    </message>
+    <message>
+      <source>back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>arka yüz</translation>
+    </message>
   </context>
   <context>
     <name>Job</name>

@@ -108,7 +108,8 @@ class Catalogue {
   Result<std::vector<FileRecord>> files(SherdRow) const;
   Result<std::vector<FileRecord>> files(BatchRow) const;
   Result<std::vector<FileRecord>> files() const;
-  Result<std::vector<HistoryEntry>> history(SherdRow) const;  ///< newest first
+  /// Newest first; its scans and batches by name, B0001 b004.
+  Result<std::vector<HistoryEntry>> history(SherdRow) const;
   Result<std::vector<HistoryEntry>> history(const std::string& table, std::int64_t row) const;
 
   std::int64_t historyLength() const;  ///< rows of the history: grows with every change

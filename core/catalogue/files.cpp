@@ -3,6 +3,7 @@
 #include "catalogue/database.h"
 #include "catalogue/history.h"
 #include "catalogue/names.h"
+#include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
 #include "catalogue/words.h"
 
@@ -36,6 +37,19 @@ std::vector<HistoryEntry> readHistory(Statement& rows) {
     all.push_back(std::move(h));
   }
   return all;
+}
+
+// The history keeps scans and batches of a sherd by their rows, which tell a person nothing: b004
+// of B0001 is "B0001 b004".
+std::string rowAsNamed(Database& database, const std::string& field, std::string value) {
+  const bool batch = field == "batch";
+  if (value.empty() || (!batch && field != "front" && field != "back")) return value;
+  Statement name = database.sql(
+      batch ? "SELECT number FROM batch WHERE row = CAST(? AS INTEGER)"
+            : "SELECT b.number || ' ' || s.name FROM scan s JOIN batch b ON b.row = s.batch WHERE "
+              "s.row = CAST(? AS INTEGER)");
+  if (name.with(value).next()) name >> value;
+  return value;
 }
 
 }  // namespace
@@ -153,7 +167,13 @@ std::int64_t Catalogue::historyLength() const {
 }
 
 Result<std::vector<HistoryEntry>> Catalogue::history(SherdRow sherd) const {
-  return history("sherd", sherd.value);
+  return database_->door([&] {
+    std::vector<HistoryEntry> all = orRefuse(history("sherd", sherd.value));
+    for (HistoryEntry& entry : all)
+      for (std::string* value : {&entry.old_value, &entry.new_value})
+        *value = rowAsNamed(*database_, entry.field, std::move(*value));
+    return all;
+  });
 }
 
 Result<std::vector<HistoryEntry>> Catalogue::history(const std::string& table,

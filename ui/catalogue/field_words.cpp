@@ -56,6 +56,8 @@ const char* labelOf(const QString& field) {
       {"rim_pct", QT_TRANSLATE_NOOP("Fields", "rim kept, %")},
       {"weight_g", QT_TRANSLATE_NOOP("Fields", "weight, g")},
       {"batch", QT_TRANSLATE_NOOP("Fields", "batch")},
+      {"front", QT_TRANSLATE_NOOP("Fields", "front")},
+      {"back", QT_TRANSLATE_NOOP("Fields", "back")},
       {"scale", QT_TRANSLATE_NOOP("Fields", "scale")},
       {"note", QT_TRANSLATE_NOOP("Fields", "note")}};
   return labels.value(field, nullptr);

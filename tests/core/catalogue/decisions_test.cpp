@@ -106,6 +106,16 @@ TEST_F(Decisions, APersonsWordStandsAboveTheProgramsAndTheOtherPairBreaks) {
   EXPECT_THAT(sherds(), ElementsAre("1-2", "2-1", "3-3"));
 }
 
+TEST_F(Decisions, TheHistoryOfASherdNamesItsScans) {
+  say(0, 1, Verdict::Accept);
+  const SherdRow first = catalogue().sherdRows(batch)->front();
+  const HistoryEntry newest = catalogue().history(first)->front();
+  const std::string number = catalogue().batch(batch)->number;
+  EXPECT_EQ(newest.field, "back");
+  EXPECT_EQ(newest.old_value, number + " b001");
+  EXPECT_EQ(newest.new_value, number + " b002");
+}
+
 TEST_F(Decisions, WhatTheProgramSaysLaterChangesNothingThatAPersonSaid) {
   say(0, 1, Verdict::Accept);
   EXPECT_TRUE(catalogue().decide(pair(0, 0, Verdict::Accept), {}));

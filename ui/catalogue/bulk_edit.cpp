@@ -117,6 +117,10 @@ void BulkEdit::buildLayout() {
   connect(numbers_, &QPushButton::clicked, this, &BulkEdit::numbersWanted);
 }
 
+void BulkEdit::lookAgain() {
+  preview();
+}
+
 void BulkEdit::setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds) {
   session_ = session;
   sherds_ = std::move(sherds);

@@ -26,6 +26,7 @@ class BulkEdit final : public QWidget {
   explicit BulkEdit(QWidget* parent = nullptr);
   /// session: nullptr when no project is open. The preview comes from a worker.
   void setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds);
+  void lookAgain();  ///< the same sherds, what is typed stays: rows of the catalogue changed
   const std::vector<catalogue::SherdRow>& sherds() const { return sherds_; }
   /// While many are being changed: how far it is; below 0: nothing is going on.
   void showProgress(double fraction);

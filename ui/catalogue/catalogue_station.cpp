@@ -1,12 +1,12 @@
 #include "ui/catalogue/catalogue_station.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -45,8 +45,6 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
     showCount();
     showSelection();
   });
-  // Leaving a field makes room for what waited for it.
-  connect(qApp, &QApplication::focusChanged, this, &CatalogueStation::showNewRows);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { showSelection(); });
   connect(details_, &SherdDetails::edited, this, &CatalogueStation::saveField);
@@ -70,10 +68,6 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
         tr("change %1 of %n sherd(s)", nullptr, static_cast<int>(all.size())).arg(field), all));
   });
   setEnabled(false);
-}
-
-CatalogueStation::~CatalogueStation() {
-  disconnect(qApp, nullptr, this, nullptr);  // the focus wanders while its fields go
 }
 
 QString CatalogueStation::title() const {
@@ -312,21 +306,28 @@ void CatalogueStation::setInFront(bool in_front) {
   if (in_front) showNewRows();
 }
 
-// Not while somebody types about what is chosen: half a value would be saved, the rest lost.
 void CatalogueStation::showNewRows() {
-  if (!stale_ || !session_ || !isVisible()) return;
-  const QWidget* typed_in = window()->focusWidget();
-  if (details_->isAncestorOf(typed_in) || bulk_->isAncestorOf(typed_in)) return;
-  reload();
+  if (stale_ && session_ && isVisible()) reload();
 }
 
-// What was chosen stays chosen.
+// What was chosen stays chosen, and what is being typed about it stays in its line: nothing else is
+// shown in between.
 void CatalogueStation::reload() {
   stale_ = false;
   const std::vector<catalogue::SherdRow> chosen = selected();
   const catalogue::SherdRow current = model_->sherdAt(table_->currentIndex().row());
-  model_->reload();
-  choose(chosen, current);
+  {
+    const QScopedValueRollback<bool> reloading(reloading_, true);
+    model_->reload();
+    choose(chosen, current);
+  }
+  const auto sorted = [](std::vector<catalogue::SherdRow> sherds) {
+    std::sort(sherds.begin(), sherds.end());
+    return sherds;
+  };
+  if (chosen.size() < 2 || sorted(selected()) != sorted(chosen)) return showSelection();
+  bulk_->lookAgain();
+  drawing_->setSherds(session_, chosen);
 }
 
 // Those of them that are in the table.
@@ -388,6 +389,7 @@ QString CatalogueStation::chosen() const {
 }
 
 void CatalogueStation::showSelection() {
+  if (reloading_) return;
   const std::vector<catalogue::SherdRow> sherds = selected();
   if (!session_ || sherds.empty()) {
     edit_->setCurrentWidget(one_);

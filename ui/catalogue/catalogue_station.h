@@ -28,7 +28,6 @@ class CatalogueStation final : public Station {
 
  public:
   explicit CatalogueStation(QWidget* parent = nullptr);
-  ~CatalogueStation() override;
 
   QString title() const override;
   QString iconName() const override { return "catalogue"; }
@@ -87,6 +86,7 @@ class CatalogueStation final : public Station {
   BulkEdit* bulk_ = nullptr;
   QWidget* many_ = nullptr;  ///< bulk_, scrolled where it has to be
   bool stale_ = false;       ///< rows came or went while another station was in front
+  bool reloading_ = false;   ///< what was chosen is not chosen again yet
 };
 
 }  // namespace ostraka::ui

@@ -1,5 +1,6 @@
 #include "ui/catalogue/model_pane.h"
 
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStackedWidget>
@@ -106,11 +107,14 @@ void ModelPane::clear() {
 }
 
 void ModelPane::showSherd(JobRunner& jobs, const QString& picture, const QString& model) {
-  if (jobs_ != nullptr && picture == picture_file_ && model == model_file_) return;
+  const QDateTime written = QFileInfo(model).lastModified();  // computed anew it has the same name
+  if (jobs_ != nullptr && picture == picture_file_ && model == model_file_ && written == written_)
+    return;
   delete reading_.data();
   jobs_ = &jobs;
   picture_file_ = picture;
   model_file_ = model;
+  written_ = written;
   picture_ = {};
   pages_->setCurrentWidget(label_);
   acts_->setVisible(false);

@@ -1,4 +1,5 @@
 #pragma once
+#include <QDateTime>
 #include <QPointer>
 #include <QWidget>
 
@@ -38,6 +39,7 @@ class ModelPane final : public QWidget {
 
   JobRunner* jobs_ = nullptr;
   QString picture_file_, model_file_;
+  QDateTime written_;  ///< the model
   QPixmap picture_;
   QPointer<JobHandle> reading_;
   QStackedWidget* pages_ = nullptr;

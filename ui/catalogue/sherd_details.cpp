@@ -221,6 +221,7 @@ void SherdDetails::setText(const std::string& field, const QString& text) {
     if (box->findText(text) < 0) box->addItem(text);
     box->setCurrentText(text);
   } else if (auto* line = qobject_cast<QLineEdit*>(editor); line && !isTyping(name)) {
+    if (line->text() == text && !line->isUndoAvailable()) return;  // what is marked stays marked
     put(name, text);
     line->setCursorPosition(0);
   }
@@ -320,9 +321,10 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   refusal_->hide();
   number_->setText(sherd->number.empty() ? tr("no number yet")
                                          : QString::fromStdString(sherd->number));
-  give_number_->hide();
-  why_no_number_->hide();
-  if (sherd->number.empty()) {
+  if (!sherd->number.empty()) {
+    give_number_->hide();
+    why_no_number_->hide();
+  } else {
     const auto proposed = catalogue.proposeNumbers(std::span(&row, 1));
     give_number_->setVisible(proposed.has_value());
     why_no_number_->setVisible(!proposed);

@@ -161,10 +161,8 @@ class CatalogueStationTest : public CatalogueWindow {
     QTest::keyClicks(QApplication::focusWidget(), "en");
     QCOMPARE(note->text(), QString("spout broken"));
     QCOMPARE(sample_->session().undo().count(), 0);
-    QCOMPARE(table()->model()->rowCount(), 40);
-    // The new rows come when the field is left.
+    QCOMPARE(table()->model()->rowCount(), 41);
     table()->setFocus();
-    QTRY_COMPARE(table()->model()->rowCount(), 41);
     QCOMPARE(sample_->value(6, "note"), QString("spout broken"));
     QCOMPARE(note->text(), QString("spout broken"));
     QCOMPARE(table()->selectionModel()->selectedRows().size(), 1);
@@ -178,6 +176,29 @@ class CatalogueStationTest : public CatalogueWindow {
     QVERIFY(child<QLineEdit>("filter")->hasFocus());
     QCOMPARE(child<QLineEdit>("filter")->text(), QString("ri"));
     QCOMPARE(note->text(), QString("spout broken"));
+
+    // What is marked is written over; nothing was typed yet.
+    note->setFocus();
+    note->selectAll();
+    sample_->addDraft();
+    sample_->session().tellBatchChanged("B0003");
+    QCOMPARE(table()->model()->rowCount(), 43);
+    QCOMPARE(note->selectedText(), QString("spout broken"));
+  }
+
+  void aBatchThatIsComputedKeepsWhatIsTypedForMany() {
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+    auto* value = child<QLineEdit>("bulkValue");
+    value->setFocus();
+    QTest::keyClicks(value, "nec");
+    sample_->addDraft();
+    sample_->session().tellBatchChanged("B0001");
+    QCOMPARE(table()->model()->rowCount(), 41);
+    QCOMPARE(table()->selectionModel()->selectedRows().size(), 40);
+    QVERIFY(value->hasFocus());
+    QTest::keyClicks(value, "k");
+    QTRY_VERIFY(child<QLabel>("bulkSummary")->text().startsWith("40 change"));
   }
 
   void aSherdMovesToAnotherContextInOneStep() {

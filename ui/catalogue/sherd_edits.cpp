@@ -183,7 +183,9 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
     return std::make_shared<const Made>(Made{std::move(*changes), std::move(*undo)});
   };
   session_.undo().setActive(false);  // until it is known what there is to undo
-  job_ = session_.jobs().start(makeJob(title, work), this);
+  Job job = makeJob(title, work);
+  job.is_promised = true;
+  job_ = session_.jobs().start(std::move(job), this);
   connect(job_, &JobHandle::progressed, this, &SherdEdits::busyChanged);
   connect(job_, &JobHandle::finished, this, [this, then](const JobOutcome& outcome) {
     job_->deleteLater();

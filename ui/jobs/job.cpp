@@ -94,7 +94,6 @@ namespace {
 
 // The one place around a job where exceptions, which are bugs or a lack of memory, are caught.
 JobOutcome outcomeOf(const JobWork& work, Progress& progress, const std::stop_token& stop) {
-  if (stop.stop_requested()) return Error::cancelled();
   try {
     return work(progress, stop);
   } catch (const std::bad_alloc&) {
@@ -181,12 +180,15 @@ void JobHandle::settle(const JobOutcome& outcome) {
 JobHandle* JobRunner::start(Job job, QObject* parent) {
   JobWork work = std::move(job.work);
   const JobPriority priority = job.priority;
+  const bool promised = job.is_promised;
   auto* handle = new JobHandle(std::move(job), parent);
   run(
       priority,
-      [shared = handle->shared_, work = std::move(work)] {
+      [shared = handle->shared_, work = std::move(work), promised] {
         JobMessenger messenger(shared);
-        messenger.end(outcomeOf(work, messenger, shared->stop.get_token()));
+        const std::stop_token stop = shared->stop.get_token();
+        messenger.end(!promised && stop.stop_requested() ? JobOutcome(Error::cancelled())
+                                                         : outcomeOf(work, messenger, stop));
       },
       handle->shared_->stop, handle);
   return handle;

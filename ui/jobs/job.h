@@ -26,6 +26,8 @@ struct Job {
   QString title;  ///< for the log and for messages
   JobWork work;   ///< runs in another thread: takes values only, touches no QObject
   JobPriority priority = JobPriority::Quick;
+  /// Its work is begun though its handle went before: a person was told that it will be done.
+  bool is_promised = false;
 };
 
 /// How far a job is. A job without stages has an empty stage.

@@ -163,6 +163,31 @@ class JobTest : public QObject {
     QVERIFY(!ran);
   }
 
+  void whatWasPromisedIsDoneThoughItsHandleWentBeforeItBegan() {
+    ThreadedJobRunner jobs;
+    std::counting_semaphore<> busy(0), go(0);
+    std::atomic<int> done = 0;
+    const auto wait = [&](Progress&, std::stop_token) -> Result<void> {
+      busy.release();
+      go.acquire();
+      return {};
+    };
+    const auto work = [&done](Progress&, std::stop_token) -> Result<void> {
+      ++done;
+      return {};
+    };
+    jobs.start(makeJob("waits", wait), this);  // both threads
+    jobs.start(makeJob("waits", wait), this);
+    busy.acquire();
+    busy.acquire();
+    Job promised = makeJob("saves", work);
+    promised.is_promised = true;
+    delete jobs.start(makeJob("previews", work), this);
+    delete jobs.start(std::move(promised), this);
+    go.release(2);
+    QTRY_COMPARE(done.load(), 1);
+  }
+
   void progressComesAtMostTenTimesASecond() {
     ThreadedJobRunner jobs;
     const auto start = std::chrono::steady_clock::now();

@@ -71,6 +71,48 @@ bool namesNoNumber(const Catalogue& catalogue, const LabelCode& label) {
   return !given || uniqueKey(*given) != uniqueKey(label.number);
 }
 
+// What a sherd of this batch has that is known of it: where it is from, if its bag says so.
+SherdRecord placeOnPlate(const Catalogue& catalogue, BatchRow batch) {
+  SherdRecord sherd;
+  const BatchRecord record = orRefuse(catalogue.batch(batch));
+  sherd.batch = batch;
+  sherd.batch_number = record.number;
+  for (const BagRecord& bag : orRefuse(catalogue.bags()))
+    if (record.bags.size() == 1 && bag.row == record.bags.front()) {
+      const ContextRecord place = orRefuse(catalogue.context(bag.context));
+      sherd.site = place.site_code;
+      sherd.trench = place.trench_code;
+      sherd.context_number = place.number;
+      sherd.bag_number = bag.number;
+    }
+  return sherd;
+}
+
+// Its number may be another, or there be one at all, since the label was printed.
+std::string numberOfLabel(const Catalogue& catalogue, const std::string& code) {
+  const std::optional<LabelCode> label = readLabelCode(code);
+  if (!label) refuse("This is only a part of a sherd's label; read its code again.", code);
+  std::string number = namesNoNumber(catalogue, *label) ? std::string() : label->number;
+  if (const SherdRow known = orRefuse(sherdOfLabel(catalogue, *label))) {
+    const SherdRecord sherd = orRefuse(catalogue.sherd(known));
+    if (!sherd.number.empty() || label->isPlaceOnPlate()) number = sherd.number;
+  }
+  if (number.empty()) refuse("The sherd of this label has no number yet.", code);
+  return number;
+}
+
+std::string wholeOf(const Catalogue& catalogue, const SherdRecord& place,
+                    const std::string& typed) {
+  const std::string text = trimmed(typed);
+  if (beginsAsSherdLabel(text)) return numberOfLabel(catalogue, text);
+  if (text.starts_with('=')) return trimmed(std::string_view(text).substr(1));
+  if (text.empty() || text.size() > kMostDigits ||
+      text.find_first_not_of("0123456789") != std::string::npos)
+    return text;
+  const Numbering scheme = orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
+  return orRefuse(scheme.number(numberTokens(catalogue, place), std::stoi(text)));
+}
+
 }  // namespace
 
 std::set<std::string> typedEverywhere(const Catalogue& catalogue) {
@@ -140,55 +182,37 @@ void forgetTyped(Catalogue& catalogue, BatchRow batch, const std::string& number
 
 Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
                                 const std::string& typed) {
-  return catalogue.database().door([&]() -> std::string {
-    const std::string text = trimmed(typed);
-    if (beginsAsSherdLabel(text)) {
-      const std::optional<LabelCode> label = readLabelCode(text);
-      if (!label) refuse("This is only a part of a sherd's label; read its code again.", text);
-      // Its number may be another, or there be one at all, since the label was printed.
-      std::string number = namesNoNumber(catalogue, *label) ? std::string() : label->number;
-      if (const SherdRow known = orRefuse(sherdOfLabel(catalogue, *label))) {
-        const SherdRecord sherd = orRefuse(catalogue.sherd(known));
-        if (!sherd.number.empty() || label->isPlaceOnPlate()) number = sherd.number;
-      }
-      if (number.empty()) refuse("The sherd of this label has no number yet.", text);
-      return number;
-    }
-    if (text.empty() || text.size() > kMostDigits ||
-        text.find_first_not_of("0123456789") != std::string::npos)
-      return text;
-    SherdRecord sherd;
-    const BatchRecord record = orRefuse(catalogue.batch(batch));
-    sherd.batch = batch;
-    sherd.batch_number = record.number;
-    for (const BagRecord& bag : orRefuse(catalogue.bags()))
-      if (record.bags.size() == 1 && bag.row == record.bags.front()) {
-        const ContextRecord place = orRefuse(catalogue.context(bag.context));
-        sherd.site = place.site_code;
-        sherd.trench = place.trench_code;
-        sherd.context_number = place.number;
-        sherd.bag_number = bag.number;
-      }
-    const Numbering scheme = orRefuse(Numbering::parse(orRefuse(catalogue.project()).numbering));
-    return orRefuse(scheme.number(numberTokens(catalogue, sherd), std::stoi(text)));
-  });
+  return catalogue.database().door(
+      [&] { return wholeOf(catalogue, placeOnPlate(catalogue, batch), typed); });
+}
+
+Result<std::string> wholeNumber(const Catalogue& catalogue, SherdRow sherd,
+                                const std::string& typed) {
+  return catalogue.database().door(
+      [&] { return wholeOf(catalogue, orRefuse(catalogue.sherd(sherd)), typed); });
 }
 
 Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std::string& number) {
-  std::string digits;
-  for (std::size_t i = 0; i <= number.size(); ++i) {
-    if (i < number.size() && number[i] >= '0' && number[i] <= '9') {
-      digits += number[i];
-      continue;
+  return catalogue.database().door(
+      [&] { return orRefuse(fitsThePlace(catalogue, placeOnPlate(catalogue, batch), number)); });
+}
+
+Result<bool> fitsThePlace(const Catalogue& catalogue, const SherdRecord& place,
+                          const std::string& number) {
+  return catalogue.database().door([&] {
+    std::string digits;
+    for (std::size_t i = 0; i <= number.size(); ++i) {
+      if (i < number.size() && number[i] >= '0' && number[i] <= '9') {
+        digits += number[i];
+        continue;
+      }
+      if (!digits.empty() && digits.size() <= kMostDigits &&
+          uniqueKey(wholeOf(catalogue, place, digits)) == uniqueKey(number))
+        return true;
+      digits.clear();
     }
-    if (!digits.empty() && digits.size() <= kMostDigits) {
-      const Result<std::string> whole = wholeNumber(catalogue, batch, digits);
-      if (!whole) return whole.error();
-      if (uniqueKey(*whole) == uniqueKey(number)) return true;
-    }
-    digits.clear();
-  }
-  return false;
+    return false;
+  });
 }
 
 std::vector<int> placesOf(std::span<const TypedNumber> numbers,

@@ -27,14 +27,21 @@ Result<void> setTypedNumbers(Catalogue& catalogue, BatchRow batch,
 void forgetTyped(Catalogue& catalogue, BatchRow batch, const std::string& number);
 
 /// The whole number of what was typed or scanned: digits alone are the running number in the
-/// batch's context after the project's scheme, a label's code (OST1:S:...) holds its own. Errors:
-/// UnusableInput, digits without a bag that says the context.
+/// batch's context after the project's scheme, a label's code (OST1:S:...) holds its own, and what
+/// follows a '=' is meant as it stands. Errors: UnusableInput, digits without a bag that says the
+/// context.
 Result<std::string> wholeNumber(const Catalogue& catalogue, BatchRow batch,
+                                const std::string& typed);
+/// The same for one sherd, in its own context.
+Result<std::string> wholeNumber(const Catalogue& catalogue, SherdRow sherd,
                                 const std::string& typed);
 
 /// The number is one that the project's scheme gives to sherds of this batch, with the digits that
 /// stand in it. Errors: without a bag nobody knows.
 Result<bool> fitsTheBatch(const Catalogue& catalogue, BatchRow batch, const std::string& number);
+/// The same for the place and the batch that this record names.
+Result<bool> fitsThePlace(const Catalogue& catalogue, const SherdRecord& place,
+                          const std::string& number);
 
 /// For each number the place that it belongs to: nearest to each other, within 20 mm; else -1.
 std::vector<int> placesOf(std::span<const TypedNumber> numbers,

@@ -310,6 +310,16 @@ TEST_F(TypedNumbers, DigitsAndCodesOfLabelsBecomeWholeNumbers) {
   EXPECT_FALSE(wholeNumber(catalogue(), newBatch({}), "7")) << "no context says whose seventh";
 }
 
+TEST_F(TypedNumbers, DigitsMeanTheSameForOneSherdInItsContext) {
+  const SherdRow there = draft(context13, bag1), nowhere = draft({});
+  EXPECT_EQ(*wholeNumber(catalogue(), there, "62"), "ARM1-T3-0013-0062");
+  EXPECT_EQ(*wholeNumber(catalogue(), there, " =62 "), "62") << "as it stands";
+  EXPECT_EQ(*wholeNumber(catalogue(), there, "A 62"), "A 62");
+  EXPECT_EQ(*wholeNumber(catalogue(), there, ""), "");
+  EXPECT_FALSE(wholeNumber(catalogue(), nowhere, "62")) << "no context says whose";
+  EXPECT_EQ(*wholeNumber(catalogue(), batch, "=62"), "62");
+}
+
 TEST_F(TypedNumbers, ALabelsNumberThatLooksLikeAPlaceIsOneWhereTheSchemeGivesSuch) {
   const auto whole = [&](const std::string& typed) {
     const Result<std::string> number = wholeNumber(catalogue(), batch, typed);

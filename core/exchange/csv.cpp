@@ -228,30 +228,31 @@ std::string unguarded(std::string_view text) {
 
 namespace {
 
-Error inTwoWays(const std::string& whole, const std::string& rest) {
-  return Error::unusable("'" + whole + "," + rest + "' can be read as " + whole + rest + " or as " +
-                         whole + "." + rest + "; write one of the two.");
+Error inTwoWays(const std::string& whole, char mark, const std::string& rest) {
+  const char decimal = mark == ',' ? '.' : ',';
+  return Error::unusable("'" + whole + mark + rest + "' can be read as " + whole + rest +
+                         " or as " + whole + decimal + rest + "; write one of the two.");
 }
 
 }  // namespace
 
-Result<void> readsOneWay(std::string_view number) {
+Result<void> readsOneWay(std::string_view number, char mark) {
   constexpr std::string_view kDigits = "0123456789";
   // Of 1,250 ± 2,5 each; 1 250,125 has its thousands apart already.
-  for (std::size_t comma = number.find(','); comma != std::string_view::npos;
-       comma = number.find(',', comma + 1)) {
-    const std::size_t before = number.find_last_not_of(kDigits, comma - (comma > 0 ? 1 : 0));
+  for (std::size_t at = number.find(mark); at != std::string_view::npos;
+       at = number.find(mark, at + 1)) {
+    const std::size_t before = number.find_last_not_of(kDigits, at - (at > 0 ? 1 : 0));
     const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
-    const std::size_t end = std::min(number.find_first_not_of(kDigits, comma + 1), number.size());
+    const std::size_t end = std::min(number.find_first_not_of(kDigits, at + 1), number.size());
     const std::string ahead = catalogue::trimmed(number.substr(0, begin));
     const std::string behind = catalogue::trimmed(number.substr(end));
     const bool alone =
         (ahead.empty() || ahead.ends_with("±") || ahead.back() == '-' || ahead.back() == '+') &&
         (behind.empty() || behind.starts_with("±") || behind.front() == '+');
-    const std::size_t digits = comma - std::min(begin, comma);
-    if (!alone || digits < 1 || digits > 3 || number[begin] == '0' || end - comma != 4) continue;
-    return inTwoWays(std::string(number.substr(begin, digits)),
-                     std::string(number.substr(comma + 1, 3)));
+    const std::size_t digits = at - std::min(begin, at);
+    if (!alone || digits < 1 || digits > 3 || number[begin] == '0' || end - at != 4) continue;
+    return inTwoWays(std::string(number.substr(begin, digits)), mark,
+                     std::string(number.substr(at + 1, 3)));
   }
   return {};
 }

@@ -853,6 +853,22 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>jetzt %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n Scherbe verlässt ihren Beutel, der im alten Befund bleibt: %1.</numerusform>
+            <numerusform>%n Scherben verlassen ihre Beutel, die im alten Befund bleiben: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n Scherbe behält eine Nummer des alten Befunds: %1.</numerusform>
+            <numerusform>%n Scherben behalten Nummern des alten Befunds: %1.</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -4145,6 +4161,11 @@
       <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine ungültige Scherbe bekommt weder Etikett noch Zeichnung noch einen Platz auf einer Tafel, und ihre Nummer wird nie wieder vergeben. Ist %1 ungültig: „%2“?</translation>
+    </message>
+    <message>
+      <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7 ist die laufende Nummer im Befund der Scherbe; =7 ist die Nummer 7 selbst.</translation>
     </message>
   </context>
   <context>

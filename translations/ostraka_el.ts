@@ -853,6 +853,22 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>τώρα %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n όστρακο αφήνει τη σακούλα του, που μένει στο παλιό πλαίσιο: %1.</numerusform>
+            <numerusform>%n όστρακα αφήνουν τις σακούλες τους, που μένουν στο παλιό πλαίσιο: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n όστρακο κρατά αριθμό του παλιού πλαισίου: %1.</numerusform>
+            <numerusform>%n όστρακα κρατούν αριθμούς του παλιού πλαισίου: %1.</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -4145,6 +4161,11 @@
       <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα άκυρο όστρακο δεν παίρνει ετικέτα, σχέδιο ή θέση σε πίνακα, και ο αριθμός του δεν δίνεται ποτέ ξανά. Είναι το %1 άκυρο: «%2»;</translation>
+    </message>
+    <message>
+      <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7 είναι ο αύξων αριθμός στο πλαίσιο του οστράκου· =7 είναι ο ίδιος ο αριθμός 7.</translation>
     </message>
   </context>
   <context>

@@ -363,5 +363,19 @@
         <numerusform>%n sherds</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <translation>
+        <numerusform>%n sherd leaves its bag, which stays in the old context: %1.</numerusform>
+        <numerusform>%n sherds leave their bags, which stay in the old context: %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translation>
+        <numerusform>%n sherd keeps a number of the old context: %1.</numerusform>
+        <numerusform>%n sherds keep numbers of the old context: %1.</numerusform>
+      </translation>
+    </message>
   </context>
 </TS>

@@ -853,6 +853,22 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ahora %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n fragmento deja su bolsa, que se queda en el contexto antiguo: %1.</numerusform>
+            <numerusform>%n fragmentos dejan sus bolsas, que se quedan en el contexto antiguo: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n fragmento conserva un número del contexto antiguo: %1.</numerusform>
+            <numerusform>%n fragmentos conservan números del contexto antiguo: %1.</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -4145,6 +4161,11 @@
       <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un fragmento anulado no recibe etiqueta, dibujo ni sitio en una lámina, y su número no se vuelve a dar. ¿Está anulado %1: «%2»?</translation>
+    </message>
+    <message>
+      <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7 es el número correlativo en el contexto del fragmento; =7 es el propio número 7.</translation>
     </message>
   </context>
   <context>

@@ -853,6 +853,22 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maintenant %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n tesson quitte son sac, qui reste dans l&apos;ancien contexte : %1.</numerusform>
+            <numerusform>%n tessons quittent leurs sacs, qui restent dans l&apos;ancien contexte : %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n tesson garde un numéro de l&apos;ancien contexte : %1.</numerusform>
+            <numerusform>%n tessons gardent des numéros de l&apos;ancien contexte : %1.</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -4145,6 +4161,11 @@
       <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tesson annulé ne reçoit ni étiquette, ni dessin, ni place sur une planche, et son numéro n'est plus jamais donné. %1 est-il annulé : « %2 » ?</translation>
+    </message>
+    <message>
+      <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7 est le numéro d&apos;ordre dans le contexte du tesson ; =7 est le numéro 7 lui-même.</translation>
     </message>
   </context>
   <context>

@@ -853,6 +853,22 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>այժմ %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n բեկոր թողնում է իր տոպրակը, որը մնում է հին համատեքստում. %1։</numerusform>
+            <numerusform>%n բեկոր թողնում են իրենց տոպրակները, որոնք մնում են հին համատեքստում. %1։</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n բեկոր պահում է հին համատեքստի համար. %1։</numerusform>
+            <numerusform>%n բեկոր պահում են հին համատեքստի համարներ. %1։</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -4145,6 +4161,11 @@
       <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Անվավեր բեկորը պիտակ, գծանկար կամ աղյուսակում տեղ չի ստանում, և նրա համարն այլևս չի տրվում։ %1 անվավե՞ր է՝ «%2»։</translation>
+    </message>
+    <message>
+      <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7-ը հերթական համարն է բեկորի համատեքստում. =7-ը հենց 7 համարն է։</translation>
     </message>
   </context>
   <context>

@@ -847,6 +847,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>şimdi %1</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n parça, eski kontekstte kalan torbasından ayrılıyor: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%n parça eski konteksten bir numarayı koruyor: %1.</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -4107,6 +4121,11 @@
       <source>A void sherd gets no label, drawing or place on a plate, and its number is never given again. Is %1 void: “%2”?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geçersiz bir parça etiket, çizim ya da levhada yer almaz ve numarası bir daha verilmez. %1 geçersiz mi: “%2”?</translation>
+    </message>
+    <message>
+      <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>7, parçanın kontekstindeki sıra numarasıdır; =7 ise 7 numarasının kendisidir.</translation>
     </message>
   </context>
   <context>

@@ -9,9 +9,11 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <set>
 
 #include "catalogue/project.h"
+#include "catalogue/sherd_moves.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
@@ -24,10 +26,12 @@ namespace {
 constexpr int kReasons = 3;          // of refusals, above that list
 constexpr std::size_t kShown = 200;  // the preview's list; all are counted
 
-struct Preview {
-  std::vector<catalogue::ChangePreview> shown;
-  std::vector<catalogue::SherdRecord> records;  ///< of the first kShown
-};
+bool isPlace(const std::string& field) {
+  const auto& all = catalogue::sherdFields();
+  return std::any_of(all.begin(), all.end(), [&](const catalogue::SherdField& known) {
+    return field == known.name && known.kind == catalogue::FieldKind::Place;
+  });
+}
 
 QString shownValue(const catalogue::ChangePreview& change, const std::string& value,
                    const TermWords& words) {
@@ -50,6 +54,12 @@ QStringList reasonsOf(const std::vector<catalogue::ChangePreview>& shown) {
 }
 
 }  // namespace
+
+struct BulkEdit::Preview {
+  catalogue::Move move;  ///< where sherds get another context
+  std::vector<catalogue::ChangePreview> shown;
+  std::vector<catalogue::SherdRecord> records;  ///< of the first kShown
+};
 
 BulkEdit::BulkEdit(QWidget* parent) : QWidget(parent) {
   buildLayout();
@@ -156,6 +166,7 @@ void BulkEdit::offerTerms() {
 void BulkEdit::preview() {
   delete previewing_.data();  // what was typed before
   good_.clear();
+  note_.clear();
   table_->setRowCount(0);
   apply_->setEnabled(false);
   apply_->setText(tr("Change"));
@@ -165,44 +176,49 @@ void BulkEdit::preview() {
     summary_->setText(tr("Type a value to see what would change."));
     return;
   }
-  const auto work = [folder = session_->folder(), sherds = sherds_,
-                     field = field_->currentData().toString().toStdString(),
+  const std::string field = field_->currentData().toString().toStdString();
+  if (const QString two_ways = inTwoWays(field, value_->text()); !two_ways.isEmpty())
+    return summary_->setText(two_ways);
+  const auto work = [folder = session_->folder(), sherds = sherds_, field,
                      value = value_->text().toStdString()](Progress&,
                                                            std::stop_token) -> Result<Preview> {
     const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
     if (!catalogue) return catalogue.error();
     std::vector<catalogue::FieldChange> changes;
     for (const catalogue::SherdRow& sherd : sherds) changes.push_back({sherd, field, value});
-    Result<std::vector<catalogue::ChangePreview>> shown = catalogue->preview(changes);
+    Result<catalogue::Move> move = isPlace(field) ? catalogue::moveOf(*catalogue, changes)
+                                                  : catalogue::Move{changes, 0, {}, {}};
+    if (!move) return move.error();
+    Result<std::vector<catalogue::ChangePreview>> shown = catalogue->preview(move->changes);
     if (!shown) return shown.error();
     Result<std::vector<catalogue::SherdRecord>> records =
         catalogue->sherds(std::span(sherds).first(std::min<std::size_t>(sherds.size(), kShown)));
     if (!records) return records.error();
-    return Preview{std::move(*shown), std::move(*records)};
+    return Preview{std::move(*move), std::move(*shown), std::move(*records)};
   };
   previewing_ = session_->jobs().start(makeJob(tr("Preview of a change"), work), this);
   connect(previewing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
     const Result<Preview> preview = outcomeAs<Preview>(outcome);
     if (preview)
-      showPreview(preview->shown, preview->records);
+      showPreview(*preview);
     else
       summary_->setText(sentenceOf(preview.error()));
   });
 }
 
-void BulkEdit::showPreview(const std::vector<catalogue::ChangePreview>& shown,
-                           const std::vector<catalogue::SherdRecord>& records) {
-  int same = 0, refused = 0;
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const catalogue::ChangePreview& change = shown[i];
+void BulkEdit::showPreview(const Preview& preview) {
+  int changed = 0, same = 0, refused = 0;
+  std::size_t sherd = 0;
+  for (const catalogue::ChangePreview& change : preview.shown) {
     const bool is_same = change.refusal.empty() && change.old_value == change.new_value;
-    same += is_same ? 1 : 0;
-    refused += change.refusal.empty() ? 0 : 1;
     if (change.refusal.empty() && !is_same) good_.push_back(change.change);
-    if (i >= records.size() || is_same) continue;
+    if (change.change.field != preview.shown.front().change.field) continue;  // comes along
+    const std::size_t i = sherd++;
+    (is_same ? same : change.refusal.empty() ? changed : refused) += 1;
+    if (i >= preview.records.size() || is_same) continue;
     const int row = table_->rowCount();
     table_->insertRow(row);
-    const QString number = QString::fromStdString(records[i].number);
+    const QString number = QString::fromStdString(preview.records[i].number);
     table_->setItem(row, 0, new QTableWidgetItem(number.isEmpty() ? tr("no number yet") : number));
     table_->setItem(row, 1, new QTableWidgetItem(shownValue(change, change.old_value, words_)));
     auto* then = new QTableWidgetItem(change.refusal.empty()
@@ -214,13 +230,14 @@ void BulkEdit::showPreview(const std::vector<catalogue::ChangePreview>& shown,
   }
   table_->resizeColumnsToContents();
   table_->resizeRowsToContents();
-  const QString counts = tr("%1 change, %2 stay as they are, %3 are refused.")
-                             .arg(good_.size())
-                             .arg(same)
-                             .arg(refused);
-  summary_->setText((QStringList(counts) + reasonsOf(shown)).join(QLatin1Char('\n')));
+  const QString counts =
+      tr("%1 change, %2 stay as they are, %3 are refused.").arg(changed).arg(same).arg(refused);
+  note_ = leftBehindWords(preview.move);
+  QStringList lines = QStringList(counts) + reasonsOf(preview.shown);
+  if (!note_.isEmpty()) lines << note_;
+  summary_->setText(lines.join(QLatin1Char('\n')));
   apply_->setEnabled(!good_.empty());
-  apply_->setText(tr("Change %n sherd(s)", nullptr, static_cast<int>(good_.size())));
+  apply_->setText(tr("Change %n sherd(s)", nullptr, changed));
 }
 
 }  // namespace ostraka::ui

@@ -28,6 +28,8 @@ class BulkEdit final : public QWidget {
   void setSherds(ProjectSession* session, std::vector<catalogue::SherdRow> sherds);
   void lookAgain();  ///< the same sherds, what is typed stays: rows of the catalogue changed
   const std::vector<catalogue::SherdRow>& sherds() const { return sherds_; }
+  /// What comes with the changes that the preview showed.
+  QString note() const { return note_; }
   /// While many are being changed: how far it is; below 0: nothing is going on.
   void showProgress(double fraction);
 
@@ -40,14 +42,15 @@ class BulkEdit final : public QWidget {
  private:
   void buildLayout();
   void preview();
-  void showPreview(const std::vector<catalogue::ChangePreview>& shown,
-                   const std::vector<catalogue::SherdRecord>& records);
+  struct Preview;
+  void showPreview(const Preview& preview);
   void offerTerms();
 
   ProjectSession* session_ = nullptr;
   QPointer<JobHandle> previewing_;
   std::vector<catalogue::SherdRow> sherds_;
   std::vector<catalogue::FieldChange> good_;
+  QString note_;
   QLabel* heading_ = nullptr;
   QComboBox* field_ = nullptr;
   TermWords words_;

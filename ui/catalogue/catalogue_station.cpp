@@ -61,12 +61,7 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
             if (report.not_reached > 0) complain(import_->problem());
             emit said(tr("Imported %1: %2").arg(name, import_->summary()));
           });
-  connect(bulk_, &BulkEdit::wanted, this, [this](const std::vector<catalogue::FieldChange>& all) {
-    if (all.empty() || !edits_) return;
-    const QString field = fieldLabel(all.front().field);
-    complain(edits_->change(
-        tr("change %1 of %n sherd(s)", nullptr, static_cast<int>(all.size())).arg(field), all));
-  });
+  connect(bulk_, &BulkEdit::wanted, this, &CatalogueStation::changeAll);
   setEnabled(false);
 }
 
@@ -240,6 +235,7 @@ void CatalogueStation::openProject(ProjectSession& session) {
   edits_ = new SherdEdits(session, this);
   connect(edits_, &SherdEdits::changed, this, &CatalogueStation::sherdsChanged);
   connect(edits_, &SherdEdits::failed, this, &CatalogueStation::complain);
+  connect(edits_, &SherdEdits::noted, this, &CatalogueStation::complain);
   connect(edits_, &SherdEdits::busyChanged, this, [this] {
     bulk_->showProgress(edits_->isBusy() ? edits_->fraction() : -1);
     table_->setEnabled(!edits_->isBusy());  // what is being changed stays chosen
@@ -417,47 +413,6 @@ void CatalogueStation::showModelOf(catalogue::SherdRow row) {
     model_pane_->clear();
 }
 
-void CatalogueStation::saveField(const QString& field, const QString& value) {
-  if (!edits_) return;
-  if (field == "place") return move(value.split('\n'));
-  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
-  const catalogue::Catalogue& catalogue = session_->project().catalogue();
-  const auto shown = catalogue.preview(std::span(&change, 1));
-  if (shown && !shown->front().refusal.empty()) {
-    const catalogue::ChangePreview& refused = shown->front();
-    QString number, picture;
-    if (const auto other = catalogue.sherd(refused.in_the_way); refused.in_the_way && other) {
-      number = QString::fromStdString(other->number);
-      picture = QString::fromStdString((session_->folder() / other->preview_path).string());
-    }
-    details_->keepUnsaved(field, value);
-    details_->showRefusal(change.field, wordsOf(refused.refusal), number, picture);
-    return;
-  }
-  const bool voids = field == QLatin1String("void_reason") && shown &&
-                     !shown->front().new_value.empty() && shown->front().old_value.empty();
-  voids ? details_->askToVoid(value) : keepField(field, value);
-}
-
-void CatalogueStation::keepField(const QString& field, const QString& value) {
-  if (!edits_) return;
-  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
-  details_->forgetUnsaved(field);
-  const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
-  complain(why);
-  if (!why.isEmpty()) details_->keepUnsaved(field, value);
-}
-
-void CatalogueStation::move(const QStringList& place) {
-  const catalogue::SherdRow sherd = details_->sherd();
-  std::vector<catalogue::FieldChange> changes;
-  const char* fields[] = {"site", "trench", "context"};
-  for (int i = 0; i < 3 && i < place.size(); ++i)
-    changes.push_back({sherd, fields[i], place[i].toStdString()});
-  changes.push_back({sherd, "bag", ""});  // the old bag stays in the old context
-  complain(edits_->change(tr("move to another context"), changes));
-}
-
 void CatalogueStation::openImport() {
   if (!session_) return;
   if (!import_dialog_) {
@@ -467,13 +422,6 @@ void CatalogueStation::openImport() {
   }
   import_dialog_->show();
   import_dialog_->activateWindow();
-}
-
-void CatalogueStation::giveNumbers() {
-  if (!edits_) return;
-  const std::vector<catalogue::SherdRow> sherds = selected();
-  complain(sherds.empty() ? tr("Choose the sherds that are to get numbers.")
-                          : edits_->assignNumbers(sherds));
 }
 
 void CatalogueStation::sherdsChanged(const std::vector<catalogue::SherdRow>& sherds) {

@@ -58,6 +58,7 @@ class CatalogueStation final : public Station {
   void saveField(const QString& field, const QString& value);
   void keepField(const QString& field, const QString& value);
   void move(const QStringList& place);
+  void changeAll(const std::vector<catalogue::FieldChange>& changes);
   void giveNumbers();
   void openImport();
   void sherdsChanged(const std::vector<catalogue::SherdRow>& sherds);

@@ -8,13 +8,17 @@
 #include <cmath>
 
 #include "catalogue/values.h"
+#include "exchange/csv.h"
 #include "ui/frame/free_tr.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/term_words.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 
 namespace {
+
+constexpr qsizetype kMostNamed = 4;
 
 // In English; null for a field that has none.
 const char* labelOf(const QString& field) {
@@ -161,6 +165,35 @@ QString typedText(const catalogue::SherdField& field, const std::string& text) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   return locale.toString(std::round(*value * 100) / 100, 'f', QLocale::FloatingPointShortest);
+}
+
+QString inTwoWays(const std::string& field, const QString& typed) {
+  const std::string mark = QLocale().groupSeparator().toStdString();
+  if (mark != "," && mark != ".") return {};
+  for (const catalogue::SherdField& known : catalogue::sherdFields())
+    if (field == known.name && known.kind == catalogue::FieldKind::Number)
+      if (const auto clear = exchange::readsOneWay(typed.toStdString(), mark.front()); !clear)
+        return wordsOf(clear.error().what);
+  return {};
+}
+
+QString leftBehindWords(const catalogue::Move& move) {
+  QStringList said, bags, numbers;
+  for (const std::string& bag : move.bags) bags << QString::fromStdString(bag);
+  for (const std::string& number : move.numbers) numbers << QString::fromStdString(number);
+  for (QStringList* list : {&bags, &numbers})
+    if (list->size() > kMostNamed) *list = list->mid(0, kMostNamed) << QStringLiteral("…");
+  if (move.without_bag > 0)
+    said << QCoreApplication::translate(
+                "ostraka::ui", "%n sherd(s) leave their bag, which stays in the old context: %1.",
+                nullptr, move.without_bag)
+                .arg(bags.join(QStringLiteral(", ")));
+  if (!move.numbers.empty())
+    said << QCoreApplication::translate("ostraka::ui",
+                                        "%n sherd(s) keep a number of the old context: %1.",
+                                        nullptr, static_cast<int>(move.numbers.size()))
+                .arg(numbers.join(QStringLiteral(", ")));
+  return said.join(QLatin1Char(' '));
 }
 
 QString conditionText(const catalogue::Condition& condition) {

@@ -3,6 +3,7 @@
 
 #include "catalogue/filter.h"
 #include "catalogue/sherd.h"
+#include "catalogue/sherd_moves.h"
 
 namespace ostraka::ui {
 
@@ -20,6 +21,11 @@ QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
 /// A value as it stands in the line where it is typed: a number has the language's decimal mark, no
 /// blanks, and not a computed length's fifteen digits.
 QString typedText(const catalogue::SherdField& field, const std::string& text);
+/// Why a typed value is refused: 1,250 is 1.25 to one, 1250 to whose language it has thousands so.
+/// Empty: it reads in one way, or the field holds no number.
+QString inTwoWays(const std::string& field, const QString& typed);
+/// What sherds leave behind that are moved to another context, in sentences; empty: nothing.
+QString leftBehindWords(const catalogue::Move& move);
 /// A condition of the filter with its field's name as people call it.
 QString conditionText(const catalogue::Condition& condition);
 /// What people call a measure, with its unit, and its value in the language's form.

@@ -178,6 +178,10 @@ QWidget* SherdDetails::editorFor(const catalogue::SherdField& field) {
     editor = box;
   } else {
     auto* line = new QLineEdit(this);
+    if (name == QLatin1String("number"))
+      line->setToolTip(
+          tr("7 is the running number in the sherd's context; =7 is the number 7 "
+             "itself."));
     if (field.kind == catalogue::FieldKind::Terms) {
       auto* completer = new QCompleter(new QStringListModel(line), line);
       completer->setCaseSensitivity(Qt::CaseInsensitive);

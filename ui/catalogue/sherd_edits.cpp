@@ -109,14 +109,15 @@ void SherdEdits::tell(const Changes& changes) {
   session_.tellSherdsChanged();
 }
 
-QString SherdEdits::change(const QString& title, const Changes& changes) {
+QString SherdEdits::change(const QString& title, const Changes& changes, const QString& note) {
   if (isBusy()) return busyWords();
   if (changes.size() > kAtOnce) {
     changeMany(
         title, [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
-        [this, title](const Made& made) {
-          if (!made.undo.empty())
-            session_.undo().push(new SherdEditCommand(*this, title, made.done, made.undo));
+        [this, title, note](const Made& made) {
+          if (made.undo.empty()) return;
+          session_.undo().push(new SherdEditCommand(*this, title, made.done, made.undo));
+          if (!note.isEmpty()) emit noted(note);
         });
     return {};
   }
@@ -125,6 +126,7 @@ QString SherdEdits::change(const QString& title, const Changes& changes) {
   if (undo->empty()) return {};
   session_.undo().push(new SherdEditCommand(*this, title, changes, *undo));
   tell(changes);
+  if (!note.isEmpty()) emit noted(note);
   return {};
 }
 
@@ -198,8 +200,8 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
                                                             : sentenceOf(made.error()));
       return;
     }
-    then(**made);
     tell((*made)->done);
+    then(**made);  // what it says stays
   });
   emit busyChanged();
 }

@@ -23,8 +23,10 @@ class SherdEdits final : public QObject {
 
   explicit SherdEdits(ProjectSession& session, QObject* parent = nullptr);
 
-  /// Empty when it was saved, or is being saved, else the sentence why not.
-  QString change(const QString& title, const std::vector<catalogue::FieldChange>& changes);
+  /// Empty when it was saved, or is being saved, else the sentence why not. note: what a person
+  /// has to know when it is saved.
+  QString change(const QString& title, const std::vector<catalogue::FieldChange>& changes,
+                 const QString& note = {});
   /// What an import saved already, so that it can be undone, too.
   void took(const QString& title, const std::vector<catalogue::FieldChange>& done,
             const std::vector<catalogue::FieldChange>& undo);
@@ -40,6 +42,7 @@ class SherdEdits final : public QObject {
  signals:
   void changed(const std::vector<catalogue::SherdRow>& sherds);
   void failed(const QString& sentence);  ///< undoing, redoing or changing many was refused
+  void noted(const QString& sentence);   ///< it is saved, and this came with it
   void busyChanged();                    ///< began, went on, ended
 
  private:

@@ -199,6 +199,12 @@ class CatalogueStationTest : public CatalogueWindow {
     QVERIFY(value->hasFocus());
     QTest::keyClicks(value, "k");
     QTRY_VERIFY(child<QLabel>("bulkSummary")->text().startsWith("40 change"));
+    auto* field = child<QComboBox>("bulkField");
+    field->setCurrentIndex(field->findData("weight_g"));
+    value->selectAll();
+    QTest::keyClicks(value, "1,250");
+    QVERIFY(child<QLabel>("bulkSummary")->text().contains("can be read as 1250 or as 1.250"));
+    QVERIFY(!child<QPushButton>("bulkApply")->isEnabled());
   }
 
   void aSherdMovesToAnotherContextInOneStep() {

@@ -79,6 +79,55 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "date_edtf"), QString("0027/0030"));
   }
 
+  // As when it is typed at the capture.
+  void digitsAreTheRunningNumberInTheSherdsContext() {
+    choose(0);
+    auto* number = child<QLineEdit>("field_number");
+    const auto type = [&](const QString& value) {
+      number->setFocus();
+      number->selectAll();
+      QTest::keyClicks(number, value);
+      QTest::keyClick(number, Qt::Key_Return);
+      return sample_->value(0, "number");
+    };
+    QCOMPARE(type("62"), QString("ARM1-T3-0012-0062"));
+    QCOMPARE(number->text(), QString("ARM1-T3-0012-0062"));
+    QCOMPARE(type("62"), QString("ARM1-T3-0012-0062"));
+    QCOMPARE(number->text(), QString("ARM1-T3-0012-0062"));
+    QVERIFY(number->toolTip().contains("=7"));
+    QCOMPARE(type("=62"), QString("62"));
+    QCOMPARE(type("2"), QString("62"));  // of row 2
+    QVERIFY(child<QLabel>("refusalText")->isVisible());
+    QCOMPARE(number->text(), QString("2"));
+  }
+
+  // In an English window 4,246 is how the window writes thousands itself.
+  void aNumberThatReadsInTwoWaysIsAskedForAgain() {
+    choose(0);
+    const QString before = sample_->value(0, "weight_g");
+    auto* weight = child<QLineEdit>("field_weight_g");
+    const auto type = [&](const QString& value) {
+      weight->setFocus();
+      weight->selectAll();
+      QTest::keyClicks(weight, value);
+      QTest::keyClick(weight, Qt::Key_Return);
+      return sample_->value(0, "weight_g");
+    };
+    QCOMPARE(type("1,250"), before);
+    QVERIFY2(child<QLabel>("refusalText")->text().startsWith("'1,250' can be read as 1250 or as"),
+             qPrintable(child<QLabel>("refusalText")->text()));
+    QCOMPARE(weight->text(), QString("1,250"));
+    QCOMPARE(type("1250"), QString("1250"));
+    QVERIFY(!child<QLabel>("refusalText")->isVisible());
+    QCOMPARE(type("12,75"), QString("12.75"));
+    const QLocale english;
+    QLocale::setDefault(QLocale(QLocale::German));
+    const QString refused = type("1.250"), taken = type("1,250");
+    QLocale::setDefault(english);
+    QCOMPARE(refused, QString("12.75"));
+    QCOMPARE(taken, QString("1.25"));
+  }
+
   // Keys and buttons that take the cursor out of no field.
   void whatIsBeingTypedOutlivesUndoAndNumbers() {
     filter("state:draft");
@@ -148,6 +197,46 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(station_->focusWidget()->objectName(), QString("field_void_reason"));
   }
 
+  void whoMovesASherdIsToldWhatItLeavesBehind() {
+    putIntoBag4({0});
+    choose(0);
+    auto* place = child<QComboBox>("field_place");
+    place->setFocus();
+    QTest::keyClick(place, Qt::Key_Down);
+    QCOMPARE(sample_->value(0, "context"), QString("0013"));
+    QCOMPARE(sample_->value(0, "bag"), QString());
+    const QString told = child<QLabel>("problem")->text();
+    QVERIFY2(child<QLabel>("problem")->isVisible() && told.contains("old context: 4.") &&
+                 told.contains("a number of the old context: ARM1-T3-0012-0001."),
+             qPrintable(told));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "context"), QString("0012"));
+    QCOMPARE(sample_->value(0, "bag"), QString("4"));
+  }
+
+  void manyAreMovedByTheSameRule() {
+    putIntoBag4({0, 2});
+    filter("bag:4");
+    QCOMPARE(table()->model()->rowCount(), 2);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+    auto* field = child<QComboBox>("bulkField");
+    field->setCurrentIndex(field->findData("context"));
+    QTest::keyClicks(child<QLineEdit>("bulkValue"), "0013");
+    auto* summary = child<QLabel>("bulkSummary");
+    QTRY_VERIFY(summary->text().startsWith("2 change, 0 stay as they are, 0 are refused."));
+    QVERIFY2(summary->text().contains("old context: 4."), qPrintable(summary->text()));
+    QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
+    for (const int sherd : {0, 2}) {
+      QCOMPARE(sample_->value(sherd, "context"), QString("0013"));
+      QCOMPARE(sample_->value(sherd, "bag"), QString());
+    }
+    QVERIFY(child<QLabel>("problem")->text().contains("ARM1-T3-0012-0001, ARM1-T3-0012-0002"));
+    QCOMPARE(sample_->session().undo().count(), 1);
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(2, "bag"), QString("4"));
+  }
+
   void theSameContextChosenAgainKeepsTheBag() {
     choose(0);
     auto* place = child<QComboBox>("field_place");
@@ -182,6 +271,18 @@ class DetailsTest : public CatalogueWindow {
     QVERIFY2(bag.startsWith("<There is no bag neck in context 0012 yet"), qPrintable(bag));
     QVERIFY2(number.startsWith("<The number ARM1-T3-0012-0001 belongs to another sherd.>"),
              qPrintable(number));
+  }
+
+ private:
+  void putIntoBag4(const std::vector<int>& sherds) {
+    catalogue::BagRecord bag;
+    bag.context = SampleProject::must(sample_->catalogue().contextByPlace("ARM1", "T3", "0012"));
+    bag.number = "4";
+    SampleProject::must(sample_->catalogue().save(bag, {}));
+    for (const int sherd : sherds) {
+      const catalogue::FieldChange into{sample_->row(sherd), "bag", "4"};
+      SampleProject::must(sample_->catalogue().change(std::span(&into, 1), {}));
+    }
   }
 };
 

@@ -1,0 +1,90 @@
+// What a person enters about a sherd is looked at, and saved or refused in place.
+#include <algorithm>
+
+#include "catalogue/project.h"
+#include "catalogue/sherd_moves.h"
+#include "catalogue/typed_numbers.h"
+#include "ui/catalogue/bulk_edit.h"
+#include "ui/catalogue/catalogue_station.h"
+#include "ui/catalogue/field_words.h"
+#include "ui/catalogue/sherd_details.h"
+#include "ui/catalogue/sherd_edits.h"
+#include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
+
+namespace ostraka::ui {
+
+void CatalogueStation::saveField(const QString& field, const QString& value) {
+  if (!edits_) return;
+  if (field == "place") return move(value.split('\n'));
+  const catalogue::Catalogue& catalogue = session_->project().catalogue();
+  const auto refuse = [&](const QString& why, const QString& other, const QString& picture) {
+    details_->keepUnsaved(field, value);
+    details_->showRefusal(field.toStdString(), why, other, picture);
+  };
+  catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
+  const QString two_ways = inTwoWays(change.field, value);
+  if (!two_ways.isEmpty()) return refuse(two_ways, {}, {});
+  if (change.field == "number") {
+    const auto whole = catalogue::wholeNumber(catalogue, change.sherd, change.value);
+    if (!whole) return refuse(wordsOf(whole.error().what), {}, {});
+    change.value = *whole;
+  }
+  const auto previews = catalogue.preview(std::span(&change, 1));
+  const auto shown =
+      previews ? previews->front() : catalogue::ChangePreview{change, {}, {}, {}, {}};
+  if (!shown.refusal.empty()) {
+    QString number, picture;
+    if (const auto other = catalogue.sherd(shown.in_the_way); shown.in_the_way && other) {
+      number = QString::fromStdString(other->number);
+      picture = QString::fromStdString((session_->folder() / other->preview_path).string());
+    }
+    return refuse(wordsOf(shown.refusal), number, picture);
+  }
+  const bool voids =
+      change.field == "void_reason" && !shown.new_value.empty() && shown.old_value.empty();
+  voids ? details_->askToVoid(value) : keepField(field, QString::fromStdString(change.value));
+  if (previews && shown.old_value == shown.new_value) showSelection();  // 7 was 0012-0007 already
+}
+
+void CatalogueStation::keepField(const QString& field, const QString& value) {
+  if (!edits_) return;
+  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
+  details_->forgetUnsaved(field);
+  const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
+  complain(why);
+  if (!why.isEmpty()) details_->keepUnsaved(field, value);
+}
+
+void CatalogueStation::move(const QStringList& place) {
+  const catalogue::SherdRow sherd = details_->sherd();
+  std::vector<catalogue::FieldChange> wanted;
+  const char* fields[] = {"site", "trench", "context"};
+  for (int i = 0; i < 3 && i < place.size(); ++i)
+    wanted.push_back({sherd, fields[i], place[i].toStdString()});
+  const auto move = catalogue::moveOf(session_->project().catalogue(), wanted);
+  if (!move) return complain(sentenceOf(move.error()));
+  const QString why =
+      edits_->change(tr("move to another context"), move->changes, leftBehindWords(*move));
+  if (!why.isEmpty()) complain(why);
+}
+
+void CatalogueStation::changeAll(const std::vector<catalogue::FieldChange>& changes) {
+  if (changes.empty() || !edits_) return;
+  const std::string& field = changes.front().field;  // others come along with it
+  const auto sherds = std::count_if(changes.begin(), changes.end(),
+                                    [&](const auto& change) { return change.field == field; });
+  const QString why = edits_->change(
+      tr("change %1 of %n sherd(s)", nullptr, static_cast<int>(sherds)).arg(fieldLabel(field)),
+      changes, bulk_->note());
+  if (!why.isEmpty()) complain(why);
+}
+
+void CatalogueStation::giveNumbers() {
+  if (!edits_) return;
+  const std::vector<catalogue::SherdRow> sherds = selected();
+  complain(sherds.empty() ? tr("Choose the sherds that are to get numbers.")
+                          : edits_->assignNumbers(sherds));
+}
+
+}  // namespace ostraka::ui

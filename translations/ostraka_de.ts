@@ -2374,6 +2374,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ausgabe: %1</translation>
     </message>
+    <message>
+      <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ausgabe ist nicht fertig, und nichts davon bliebe. Noch einmal schließen, um sie abzubrechen.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>

@@ -2374,6 +2374,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εξαγωγή: %1</translation>
     </message>
+    <message>
+      <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εξαγωγή δεν έχει τελειώσει και δεν θα έμενε τίποτα από αυτήν. Κλείστε ξανά για να διακοπεί.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>

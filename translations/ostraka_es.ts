@@ -2374,6 +2374,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Exportación: %1</translation>
     </message>
+    <message>
+      <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La exportación no ha terminado y no quedaría nada de ella. Cierre otra vez para detenerla.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>

@@ -2374,6 +2374,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Export : %1</translation>
     </message>
+    <message>
+      <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L&apos;exportation n&apos;est pas terminée, et rien n&apos;en resterait. Fermez encore une fois pour l&apos;arrêter.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>

@@ -2374,6 +2374,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանում՝ %1</translation>
     </message>
+    <message>
+      <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանումն ավարտված չէ, և դրանից ոչինչ չէր մնա։ Դադարեցնելու համար փակեք ևս մեկ անգամ։</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>

@@ -2343,6 +2343,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarma: %1</translation>
     </message>
+    <message>
+      <source>The export is not finished, and nothing of it would be kept. Close once more to stop it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarma bitmedi ve ondan hiçbir şey kalmazdı. Durdurmak için bir kez daha kapatın.</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::FilterLine</name>

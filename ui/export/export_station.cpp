@@ -205,6 +205,13 @@ void ExportStation::openProject(ProjectSession& session) {
   setEnabled(true);
 }
 
+QString ExportStation::losesByClosing() const {
+  return model_.state() == ExportModel::State::Running
+             ? tr("The export is not finished, and nothing of it would be kept. Close once more to "
+                  "stop it.")
+             : QString();
+}
+
 void ExportStation::closeProject() {
   setEnabled(false);  // before, so that no line keeps what is typed in it
   model_.openProject(nullptr);

@@ -31,6 +31,9 @@ class Station : public QWidget {
   /// The station comes to the front (true) or leaves it: a live picture may rest.
   virtual void setInFront(bool /*in_front*/) {}
 
+  /// What would be lost if the project were closed now, a sentence; empty: nothing.
+  virtual QString losesByClosing() const { return {}; }
+
   /// What is chosen here, for the station that comes next, as its showItem takes it; of a station
   /// that shows one batch kPlate with its number.
   static constexpr QLatin1String kPlate{"plate:", 6};

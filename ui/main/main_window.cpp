@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QUndoGroup>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "catalogue/project.h"
 #include "ui/capture/capture_station.h"
@@ -184,9 +185,9 @@ void MainWindow::buildActions() {
           &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(addAct(QStringLiteral("closeProject"), QStringLiteral("folder"), tr("Other projects"),
                  QKeySequence(Qt::CTRL | Qt::Key_W)),
-          &QAction::triggered, this, &MainWindow::closeProject);
+          &QAction::triggered, this, &MainWindow::leaveProject);
   connect(rail_->addFoot(QStringLiteral("folder"), tr("Projects"), {}), &QAction::triggered, this,
-          &MainWindow::closeProject);
+          &MainWindow::leaveProject);
   QAction* settings = rail_->addFoot(QStringLiteral("settings"), tr("Settings"),
                                      QKeySequence(Qt::CTRL | Qt::Key_Comma));
   addAction(settings);  // its key works without a project too
@@ -289,6 +290,22 @@ void MainWindow::closeProject() {
   setWindowTitle(tr("Ostraka"));
   start_->setRecent(settings_.recent, settings_.titles);
   all_->setCurrentWidget(start_area_);
+}
+
+bool MainWindow::saysWhatIsLost() {
+  for (std::size_t i = 0; i < stations_.size() && session_ != nullptr; ++i) {
+    const QString loss = stations_[i]->losesByClosing();
+    if (loss.isEmpty()) continue;
+    if (std::exchange(warned_, true)) return false;
+    showStation(static_cast<int>(i));
+    footer_->say(loss);
+    return true;
+  }
+  return warned_ = false;
+}
+
+void MainWindow::leaveProject() {
+  if (!saysWhatIsLost()) closeProject();
 }
 
 void MainWindow::tryVirtualRig() {
@@ -420,6 +437,7 @@ void MainWindow::backUp() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (saysWhatIsLost()) return event->ignore();
   settings_.geometry = saveGeometry();
   if (session_ != nullptr)
     settings_.station = rail_->selected() < 0

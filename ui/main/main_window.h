@@ -46,6 +46,8 @@ class MainWindow final : public QMainWindow {
   /// Shows the project of this folder or catalogue file, or says on the start screen why it cannot.
   void openProject(const QString& path);
   void closeProject();
+  /// Closes it, but says first what would be lost: who closes once more means it.
+  void leaveProject();
   ProjectSession* session() const { return session_.get(); }
   BatchQueue* queue() const { return queue_; }
   CaptureWizard* wizard() const { return wizard_; }
@@ -62,6 +64,7 @@ class MainWindow final : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  bool saysWhatIsLost();
   void buildStations();
   void buildLayout();
   void buildActions();
@@ -96,7 +99,8 @@ class MainWindow final : public QMainWindow {
   StartScreen* start_ = nullptr;
   QString other_work_;  ///< than the queue's
   double other_fraction_ = -1;
-  QString title_;  ///< of the project
+  QString title_;        ///< of the project
+  bool warned_ = false;  ///< of what closing would lose
   SettingsPage* settings_page_ = nullptr;
   HelpPage* help_ = nullptr;
   Rail* rail_ = nullptr;

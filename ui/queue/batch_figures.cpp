@@ -56,12 +56,14 @@ std::optional<BatchFigures> shownFigures(const catalogue::Catalogue& rows, const
   if (figures->reshoot > 0)
     if (const auto again = catalogue::photographedAgain(rows, batch->row))
       figures->reshoot = std::max(0, figures->reshoot - static_cast<int>(again->size()));
-  std::erase_if(figures->numbers_left, [&](const std::string& left) {
-    const auto row = rows.sherdByNumber(left);
+  const auto isOfBatch = [&](const std::string& sherd_number) {
+    const auto row = rows.sherdByNumber(sherd_number);
     if (!row || !*row) return false;
     const auto sherd = rows.sherd(*row);
-    return sherd && sherd->batch == batch->row;  // a person gave it since
-  });
+    return sherd && sherd->batch == batch->row;
+  };
+  std::erase_if(figures->numbers_left, isOfBatch);  // a person gave it since
+  std::erase_if(figures->unlike, [&](const auto& sherd) { return !isOfBatch(sherd.number); });
   return figures;
 }
 

@@ -99,10 +99,12 @@ class ExportStationTest : public QObject {
     const QSignalSpy working(station_.get(), &Station::working);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
     QVERIFY(station_->model().state() == ExportModel::State::Running);
+    QVERIFY(station_->losesByClosing().contains("Close once more"));
     QVERIFY(working.count() > 0 && working.back().front().toString().startsWith("Export: "));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
     QVERIFY(station_->model().state() == ExportModel::State::Failed);
+    QVERIFY(station_->losesByClosing().isEmpty());
     QVERIFY(working.back().front().toString().isEmpty());
   }
 
@@ -161,7 +163,7 @@ class ExportStationTest : public QObject {
     scale->setFocus();
     QTest::keyClick(scale, Qt::Key_Down);
     toFolder("drawn");
-    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("1 sherd(s), 4 files"));
+    QTRY_VERIFY(child<QLabel>("size")->text().startsWith("1 sherd(s), 5 files"));
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
     const QSignalSpy finished(&station_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);

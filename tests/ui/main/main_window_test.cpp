@@ -114,6 +114,28 @@ class MainWindowTest : public QObject {
     QCOMPARE(project->catalogue().sherd(row)->ware, std::string("red slip"));
   }
 
+  void closingSaysOnceThatAnExportWouldBeLost() {
+    {
+      auto project = catalogue::Project::open(folder_.toStdString());
+      QVERIFY(project->catalogue().addSherd({}, {}).has_value());
+    }
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    window.showStation(5);
+    auto* target = named<QLineEdit>(window, "target");
+    target->selectAll();
+    QTest::keyClicks(target, home_->path(QStringLiteral("out")));
+    auto* start = named<QPushButton>(window, "start");
+    QTRY_VERIFY(start->isEnabled());
+    window.showStation(0);
+    start->click();
+    QVERIFY(!window.close());
+    QVERIFY(start->isVisible());  // one sees what is meant
+    QVERIFY(window.close());
+    QVERIFY(window.session() == nullptr);
+  }
+
   void aProjectThatStillLeavesStaysLockedWhenAnotherIsClosed() {
     {
       auto project = catalogue::Project::open(folder_.toStdString());

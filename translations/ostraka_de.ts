@@ -1437,6 +1437,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Seite noch einmal aufnehmen?</translation>
     </message>
+    <message>
+      <source>The bag is another now, the numbers are not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Beutel ist jetzt ein anderer, die Nummern sind es nicht</translation>
+    </message>
+    <message>
+      <source>Not as this bag&apos;s sherds are numbered: %1. Type them anew (N, or later in the catalogue), or say that they are right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nicht so, wie die Scherben dieses Beutels nummeriert werden: %1. Tippen Sie sie neu ein (N, oder später im Katalog), oder sagen Sie, dass sie stimmen.</translation>
+    </message>
+    <message>
+      <source>They are right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie stimmen</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1437,6 +1437,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Να φωτογραφηθεί ξανά αυτή η πλευρά;</translation>
     </message>
+    <message>
+      <source>The bag is another now, the numbers are not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σακούλα είναι τώρα άλλη, οι αριθμοί όχι</translation>
+    </message>
+    <message>
+      <source>Not as this bag&apos;s sherds are numbered: %1. Type them anew (N, or later in the catalogue), or say that they are right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όχι όπως αριθμούνται τα όστρακα αυτής της σακούλας: %1. Πληκτρολογήστε τους ξανά (N, ή αργότερα στον κατάλογο), ή πείτε ότι είναι σωστοί.</translation>
+    </message>
+    <message>
+      <source>They are right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι σωστοί</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1437,6 +1437,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>¿Fotografiar esta cara otra vez?</translation>
     </message>
+    <message>
+      <source>The bag is another now, the numbers are not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La bolsa es ahora otra, los números no</translation>
+    </message>
+    <message>
+      <source>Not as this bag&apos;s sherds are numbered: %1. Type them anew (N, or later in the catalogue), or say that they are right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No son como se numeran los fragmentos de esta bolsa: %1. Escríbalos de nuevo (N, o más tarde en el catálogo), o diga que son correctos.</translation>
+    </message>
+    <message>
+      <source>They are right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Son correctos</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1437,6 +1437,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Photographier encore une fois cette face ?</translation>
     </message>
+    <message>
+      <source>The bag is another now, the numbers are not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le sac est maintenant un autre, les numéros non</translation>
+    </message>
+    <message>
+      <source>Not as this bag&apos;s sherds are numbered: %1. Type them anew (N, or later in the catalogue), or say that they are right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas comme on numérote les tessons de ce sac : %1. Tapez-les de nouveau (N, ou plus tard dans le catalogue), ou dites qu&apos;ils sont justes.</translation>
+    </message>
+    <message>
+      <source>They are right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ils sont justes</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

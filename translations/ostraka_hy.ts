@@ -1437,6 +1437,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարե՞լ այս կողմը ևս մեկ անգամ</translation>
     </message>
+    <message>
+      <source>The bag is another now, the numbers are not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակն այժմ ուրիշ է, համարները՝ ոչ</translation>
+    </message>
+    <message>
+      <source>Not as this bag&apos;s sherds are numbered: %1. Type them anew (N, or later in the catalogue), or say that they are right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այնպես չեն, ինչպես համարակալվում են այս տոպրակի բեկորները. %1։ Մուտքագրեք դրանք նորից (N, կամ հետո՝ գրացուցակում) կամ ասեք, որ ճիշտ են։</translation>
+    </message>
+    <message>
+      <source>They are right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրանք ճիշտ են</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -1420,6 +1420,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu yüz bir kez daha çekilsin mi?</translation>
     </message>
+    <message>
+      <source>The bag is another now, the numbers are not</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Torba artık başka, numaralar değil</translation>
+    </message>
+    <message>
+      <source>Not as this bag&apos;s sherds are numbered: %1. Type them anew (N, or later in the catalogue), or say that they are right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu torbanın parçalarının numaralandığı gibi değil: %1. Yeniden yazın (N ya da daha sonra katalogda) veya doğru olduklarını söyleyin.</translation>
+    </message>
+    <message>
+      <source>They are right</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Doğrular</translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::CaptureWizard</name>

@@ -7,6 +7,7 @@
 #include "catalogue/label_codes.h"
 #include "catalogue/photographed_again.h"
 #include "catalogue/project.h"
+#include "catalogue/typed_numbers.h"
 #include "ui/frame/project_session.h"
 
 namespace ostraka::ui {
@@ -20,6 +21,7 @@ void BatchInHand::forget() {
   number_.clear();
   row_ = 0;
   counted_ = 0;
+  of_another_bag_.clear();
 }
 
 void BatchInHand::resume() {
@@ -45,6 +47,7 @@ void BatchInHand::take(const catalogue::BatchRecord& batch) {
   number_ = QString::fromStdString(batch.number);
   row_ = batch.row.value;
   counted_ = batch.counted;
+  of_another_bag_.clear();
 }
 
 int BatchInHand::index() const {
@@ -116,6 +119,31 @@ QStringList BatchInHand::toPhotographAgain() const {
   return sherds;
 }
 
+// Without a bag nobody knows; what was doubted when it was typed is left out.
+QStringList BatchInHand::numbersThatMayFit() const {
+  QStringList numbers;
+  if (session_ == nullptr || row_ == 0) return numbers;
+  const catalogue::Catalogue& rows = session_->project().catalogue();
+  if (const auto typed = catalogue::typedNumbers(rows, {row_}))
+    for (const catalogue::TypedNumber& one : *typed) {
+      const auto fits = catalogue::fitsTheBatch(rows, {row_}, one.number);
+      if (!fits || *fits) numbers << QString::fromStdString(one.number);
+    }
+  return numbers;
+}
+
+QStringList BatchInHand::numbersOfAnotherBag() const {
+  QStringList numbers;
+  if (of_another_bag_.isEmpty() || session_ == nullptr) return numbers;
+  const QStringList fit = numbersThatMayFit();
+  if (const auto typed = catalogue::typedNumbers(session_->project().catalogue(), {row_}))
+    for (const catalogue::TypedNumber& one : *typed)
+      if (const QString number = QString::fromStdString(one.number);
+          of_another_bag_.contains(number) && !fit.contains(number))
+        numbers << number;
+  return numbers;
+}
+
 Result<void> BatchInHand::begin(const PlaceText& place) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   const catalogue::Act act = session_->act();
@@ -126,6 +154,7 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
     if (batch->counted == counted_ && !moved) return {};
     batch->counted = counted_;
     if (moved) {
+      of_another_bag_ << numbersThatMayFit();
       const Result<std::int64_t> bag = bagRowOf(rows, place, act);
       if (!bag) return bag.error();
       batch->bags.clear();

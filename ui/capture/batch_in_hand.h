@@ -46,6 +46,11 @@ class BatchInHand {
   /// Sherds of earlier plates that a person wants photographed again: "ARM1-T3-0012-0007 (B0003)".
   QStringList toPhotographAgain() const;
 
+  /// Those typed on its sherds that its bag was changed under, and that are not as this bag's
+  /// sherds are numbered; none once a person says that they are right.
+  QStringList numbersOfAnotherBag() const;
+  void takeNumbersAsRight() { of_another_bag_.clear(); }
+
   /// Makes it, with the place that its sherds are from, or keeps what came later of place and
   /// count.
   Result<void> begin(const PlaceText& place);
@@ -56,11 +61,13 @@ class BatchInHand {
 
  private:
   void take(const catalogue::BatchRecord& batch);
+  QStringList numbersThatMayFit() const;
 
   QPointer<ProjectSession> session_;
   QString number_;
   std::int64_t row_ = 0;
   int counted_ = 0;
+  QStringList of_another_bag_;
 };
 
 }  // namespace ostraka::ui

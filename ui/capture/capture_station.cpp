@@ -35,6 +35,7 @@ namespace {
 constexpr const char* kRigKey = "rig";
 constexpr const char* kPlaceKey = "capture.place";
 constexpr int kMostCameras = 3;
+constexpr qsizetype kNumbersNamed = 4;
 
 }  // namespace
 
@@ -231,6 +232,11 @@ QWidget* CaptureStation::buildWorkPage() {
     if (wizard_->fault()) goOn();
   });
   connect(doubts_, &MessagePanel::acted, again_, &QAction::trigger);
+  other_numbers_ = new MessagePanel(page);
+  other_numbers_->setObjectName(QStringLiteral("numbersOfAnotherBag"));
+  other_numbers_->hide();
+  connect(other_numbers_, &MessagePanel::acted, wizard_, &CaptureWizard::takeNumbersAsRight);
+  connect(numbers_, &SherdNumbers::changed, this, &CaptureStation::followBag);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(headline_);
@@ -238,6 +244,7 @@ QWidget* CaptureStation::buildWorkPage() {
   column->addLayout(row, 1);
   column->addWidget(number_edit_);
   column->addWidget(doubts_);
+  column->addWidget(other_numbers_);
   column->addWidget(fault_);
   QWidget* foot = buildFoot();
   column->addWidget(place_->note());
@@ -414,6 +421,7 @@ void CaptureStation::follow() {
     cameras_[i]->setChecked(static_cast<int>(i) == wizard_->camera());
   }
   showTrouble();
+  followBag();
   followLive();
   emit lineChanged();
 }
@@ -440,6 +448,21 @@ void CaptureStation::followNumbers() {
                      number_edit_->isVisible() && number_edit_->isAncestorOf(focusWidget())
                          ? number_edit_->sherd()
                          : -1);
+}
+
+// Their labels would carry one context, and the catalogue another.
+void CaptureStation::followBag() {
+  QStringList numbers = wizard_->numbersOfAnotherBag();
+  other_numbers_->setVisible(!numbers.isEmpty());
+  if (numbers.isEmpty()) return;
+  if (numbers.size() > kNumbersNamed)
+    numbers = numbers.mid(0, kNumbersNamed) << QStringLiteral("…");
+  other_numbers_->showWords(tr("The bag is another now, the numbers are not"),
+                            tr("Not as this bag's sherds are numbered: %1. Type them anew (N, or "
+                               "later in the catalogue), "
+                               "or say that they are right.")
+                                .arg(numbers.join(QStringLiteral(", "))),
+                            tr("They are right"));
 }
 
 void CaptureStation::showTrouble() {

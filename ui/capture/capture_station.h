@@ -69,6 +69,7 @@ class CaptureStation final : public Station {
   void followLive();
   void followNumbers();
   void showTrouble();
+  void followBag();
   void placeTyped();
   void showFailure(const Error& error);
   void showImported(const QString& number, int files, const QStringList& doubts);
@@ -91,6 +92,7 @@ class CaptureStation final : public Station {
   SherdNumbers* numbers_;
   NumberEdit* number_edit_;
   MessagePanel *doubts_, *fault_;
+  MessagePanel* other_numbers_;  ///< than this bag's
   MessagePanel* twice_ = nullptr;
   ImportAsk* import_ask_;
   MessagePanel* failure_;  ///< of an import or a calibration: nothing to do with the wizard

@@ -305,7 +305,14 @@ void CaptureWizard::setAside() {
 
 // Numbers that are typed are of the bag's context.
 void CaptureWizard::keepDescribed() {
-  if (session_ != nullptr && batch_.isThere() && canDescribe()) keep(place_);
+  if (session_ == nullptr || !batch_.isThere() || !canDescribe()) return;
+  keep(place_);
+  emit changed();
+}
+
+void CaptureWizard::takeNumbersAsRight() {
+  batch_.takeNumbersAsRight();
+  emit changed();
 }
 
 void CaptureWizard::keep(const PlaceText& place) {

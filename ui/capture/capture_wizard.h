@@ -68,6 +68,7 @@ class CaptureWizard final : public QObject {
   int counted() const { return batch_.counted(); }
   bool canDescribe() const;  ///< its bag and its count: until the batch is in the queue
   bool canSetAside() const;  ///< a batch has begun, is in no queue, and nothing is being shot
+  QStringList numbersOfAnotherBag() const { return batch_.numbersOfAnotherBag(); }
   QString rigWords() const { return source_.words; }
   /// R once more puts aside a whole side with which nothing is wrong.
   bool asksToRepeat() const { return doubts_ == QStringList(repeatQuestion()); }
@@ -79,7 +80,8 @@ class CaptureWizard final : public QObject {
   void stop();           ///< Esc: the table stands still at once
   void again();          ///< R: the photographs with problems
   void keepDescribed();  ///< the bag was mended: the batch in hand has it at once
-  void setAside();       ///< nobody wants the batch in hand: another begins, its photographs stay
+  void takeNumbersAsRight();
+  void setAside();  ///< nobody wants the batch in hand: another begins, its photographs stay
   void setCamera(int camera);
 
  signals:

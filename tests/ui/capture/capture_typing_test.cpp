@@ -77,25 +77,7 @@ class CaptureTypingTest : public QObject {
   }
 
   void aNumberThatStandsInItsLineIsKeptWhenTheProjectCloses() {
-    RigSource source = sourceOf(bench_->rig);
-    source.open = [open = source.open](int batch, const capture::AskPerson& ask,
-                                       std::stop_token stop) {
-      auto devices = open(batch, ask, stop);
-      if (devices) (*devices)->plate = capture::testing::flatPlate();
-      return devices;
-    };
-    source.shoot = [&, shoot = source.shoot](
-                       capture::RigDevices& devices, const capture::SideOptions& options,
-                       const capture::OnCaptureEvent& told, Progress& progress,
-                       std::stop_token stop) -> Result<capture::SideSummary> {
-      const auto photograph = options.batch / "front" / "cam2_pos00.jpg";
-      if (const auto taken = writeFileAtomically(
-              photograph, capture::testing::flatPicture({.width = 1600}, 2, 0, "front"));
-          !taken)
-        return taken.error();
-      return shoot(devices, options, told, progress, stop);
-    };
-    wizard().setRig(source);
+    wizard().setRig(sourceWithPicture());
     shootTheFronts();
     auto* line = child<QLineEdit>("sherdNumber");
     QTRY_VERIFY(line->isVisible());
@@ -109,7 +91,66 @@ class CaptureTypingTest : public QObject {
     QCOMPARE(QString::fromStdString(typed->front().number), QStringLiteral("ARM1-T3-0012-0007"));
   }
 
+  void numbersThatAChangedBagLeavesBehindAreToldUntilTheyAreSettled() {
+    wizard().setRig(sourceWithPicture());
+    shootTheFronts();
+    auto* line = child<QLineEdit>("sherdNumber");
+    QTRY_VERIFY(line->isVisible());
+    const auto type = [&](QLineEdit* into, const QString& text) {
+      into->setFocus();
+      into->selectAll();
+      QTest::keyClicks(into, text);
+      QTest::keyClick(into, Qt::Key_Return);
+    };
+    auto* bag = child<QLineEdit>("capturePlace");
+    auto* told = child<MessagePanel>("numbersOfAnotherBag");
+    type(line, "7");
+    QVERIFY(!told->isVisible());
+    type(bag, "ARM1-T3-0013-1");
+    QVERIFY(told->isVisible());
+    QVERIFY2(told->words().contains("ARM1-T3-0012-0007"), qPrintable(told->words()));
+    type(bag, "ARM1-T3-0012-4");
+    QVERIFY(!told->isVisible());
+    type(bag, "ARM1-T3-0013-1");
+    QVERIFY(told->isVisible());
+    child<QAction>("numberSherds")->trigger();  // the first sherd was left behind
+    QTest::keyClick(line, Qt::Key_Up);
+    type(line, "7");
+    QCOMPARE(QString::fromStdString(
+                 catalogue::typedNumbers(rows(), bench_->batch().row)->front().number),
+             QStringLiteral("ARM1-T3-0013-0007"));
+    QVERIFY(!told->isVisible());
+    type(bag, "ARM1-T3-0012-4");
+    QVERIFY(told->words().contains("ARM1-T3-0013-0007"));
+    QTest::mouseClick(told->findChild<BigButton*>("messageAct"), Qt::LeftButton);
+    QVERIFY(!told->isVisible());
+    QTest::keyClick(station_.get(), Qt::Key_Space);
+    QTRY_COMPARE(bench_->batch().state, BatchState::Queued);
+    QVERIFY(!told->isVisible());
+  }
+
  private:
+  RigSource sourceWithPicture() {
+    RigSource source = sourceOf(bench_->rig);
+    source.open = [open = source.open](int batch, const capture::AskPerson& ask,
+                                       std::stop_token stop) {
+      auto devices = open(batch, ask, stop);
+      if (devices) (*devices)->plate = capture::testing::flatPlate();
+      return devices;
+    };
+    source.shoot = [shoot = source.shoot](capture::RigDevices& devices,
+                                          const capture::SideOptions& options,
+                                          const capture::OnCaptureEvent& told, Progress& progress,
+                                          std::stop_token stop) -> Result<capture::SideSummary> {
+      const auto photograph = options.batch / "front" / "cam2_pos00.jpg";
+      if (const auto taken = writeFileAtomically(
+              photograph, capture::testing::flatPicture({.width = 1600}, 2, 0, "front"));
+          !taken)
+        return taken.error();
+      return shoot(devices, options, told, progress, stop);
+    };
+    return source;
+  }
   CaptureWizard& wizard() { return bench_->wizard; }
   catalogue::Catalogue& rows() { return bench_->session.project().catalogue(); }
   void shootTheFronts() {

@@ -1101,6 +1101,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; die Nummer %2 wurde auf seiner Platte getippt, und keine seiner Scherben hat sie</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n photographed again since</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%1; %n seither noch einmal aufgenommen</numerusform>
+            <numerusform>%1; %n seither noch einmal aufgenommen</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

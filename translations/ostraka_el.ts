@@ -1101,6 +1101,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1· ο αριθμός %2 πληκτρολογήθηκε στην πλάκα της, και κανένα όστρακό της δεν τον έχει</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n photographed again since</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%1· %n φωτογραφήθηκε ξανά από τότε</numerusform>
+            <numerusform>%1· %n φωτογραφήθηκαν ξανά από τότε</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

@@ -82,6 +82,13 @@
         <numerusform>%1; %n to be photographed again</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n photographed again since</source>
+      <translation>
+        <numerusform>%1; %n photographed again since</numerusform>
+        <numerusform>%1; %n photographed again since</numerusform>
+      </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BulkEdit</name>

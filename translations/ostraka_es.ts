@@ -1101,6 +1101,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; el número %2 se escribió en su placa y ninguno de sus fragmentos lo tiene</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n photographed again since</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%1; %n fotografiado de nuevo desde entonces</numerusform>
+            <numerusform>%1; %n fotografiados de nuevo desde entonces</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

@@ -1101,6 +1101,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ; le numéro %2 a été saisi sur son plateau, et aucun de ses tessons ne l&apos;a</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n photographed again since</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%1 ; %n rephotographié depuis</numerusform>
+            <numerusform>%1 ; %n rephotographiés depuis</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

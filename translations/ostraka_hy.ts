@@ -1101,6 +1101,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; %2 համարը գրվել է նրա սալի վրա, և նրա բեկորներից ոչ մեկը չունի այն</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n photographed again since</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%1. %n՝ արդեն նորից լուսանկարված</numerusform>
+            <numerusform>%1. %n՝ արդեն նորից լուսանկարված</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

@@ -1087,6 +1087,13 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; %2 numarası plakasında yazıldı, ama parçalarının hiçbirinde yok</translation>
     </message>
+    <message numerus="yes">
+      <source>%1; %n photographed again since</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+            <numerusform>%1; %n o zamandan beri yeniden fotoğraflandı</numerusform>
+        </translation>
+    </message>
   </context>
   <context>
     <name>ostraka::ui::BigButton</name>

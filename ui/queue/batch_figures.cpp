@@ -53,9 +53,9 @@ std::optional<BatchFigures> shownFigures(const catalogue::Catalogue& rows, const
   std::optional<BatchFigures> figures = keptFigures(rows, number);
   const auto batch = rows.batchByNumber(number.toStdString());
   if (!figures || !batch) return figures;
-  if (figures->reshoot > 0)
-    if (const auto again = catalogue::photographedAgain(rows, batch->row))
-      figures->reshoot = std::max(0, figures->reshoot - static_cast<int>(again->size()));
+  if (const auto again = catalogue::photographedAgain(rows, batch->row))
+    figures->again = static_cast<int>(again->size());
+  figures->reshoot = std::max(0, figures->reshoot - figures->again);
   const auto isOfBatch = [&](const std::string& sherd_number) {
     const auto row = rows.sherdByNumber(sherd_number);
     if (!row || !*row) return false;

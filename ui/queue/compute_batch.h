@@ -27,6 +27,7 @@ struct BatchFigures {
   double seconds = 0;         ///< of this run
   int decided = 0;            ///< by a person; besides sure and ask
   int reshoot = 0;            ///< to be photographed again, says a person
+  int again = 0;              ///< photographed again since; see shownFigures
   bool draft = false;
   int counted = 0;  ///< on the plate, where other than the scans of its fuller side; else 0
   /// Cameras that no longer stand where the known rig has them: it is to be calibrated again.

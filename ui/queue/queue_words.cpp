@@ -46,7 +46,7 @@ QString figuresWords(const BatchFigures& figures) {
   if (figures.decided > 0) parts << BatchQueue::tr("decided %1").arg(figures.decided);
   if (figures.ask > 0) parts << BatchQueue::tr("ask %1").arg(figures.ask);
   const QString pairs =
-      figures.ask == 0 && figures.decided == 0
+      figures.sure == figures.sherds
           ? BatchQueue::tr("%n sherd(s), all sure", nullptr, figures.sherds)
           : BatchQueue::tr("%1: %2").arg(sherds, parts.join(QStringLiteral(", ")));
   const QString shown =
@@ -59,7 +59,10 @@ QString figuresWords(const BatchFigures& figures) {
                                              : BatchQueue::tr("%1; %n to be photographed again",
                                                               nullptr, figures.reshoot)
                                                    .arg(counted);
-  QString told = again;
+  QString told =
+      figures.again == 0
+          ? again
+          : BatchQueue::tr("%1; %n photographed again since", nullptr, figures.again).arg(again);
   for (const catalogue::UnlikeBefore& sherd : figures.unlike)
     told = BatchQueue::tr("%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm")
                .arg(told, QString::fromStdString(sherd.number),

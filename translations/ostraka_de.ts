@@ -8624,5 +8624,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Blatt einer früheren Zeichnung ist da und wird nicht überschrieben; einen anderen Namen wählen oder es entfernen.</translation>
     </message>
+    <message>
+      <source>A number follows the sign =.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nach dem Zeichen = steht eine Nummer.</translation>
+    </message>
   </context>
 </TS>

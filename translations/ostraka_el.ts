@@ -8624,5 +8624,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Υπάρχει φύλλο παλαιότερου σχεδίου και δεν αντικαθίσταται· διαλέξτε άλλο όνομα ή αφαιρέστε το.</translation>
     </message>
+    <message>
+      <source>A number follows the sign =.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετά το σύμβολο = ακολουθεί αριθμός.</translation>
+    </message>
   </context>
 </TS>

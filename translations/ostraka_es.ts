@@ -8624,5 +8624,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ya hay una hoja de un dibujo anterior y no se sobrescribe; elija otro nombre o quítela.</translation>
     </message>
+    <message>
+      <source>A number follows the sign =.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tras el signo = va un número.</translation>
+    </message>
   </context>
 </TS>

@@ -8624,5 +8624,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une feuille d’un dessin antérieur est déjà là et n’est pas écrasée ; choisissez un autre nom ou retirez-la.</translation>
     </message>
+    <message>
+      <source>A number follows the sign =.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le signe = est suivi d&apos;un numéro.</translation>
+    </message>
   </context>
 </TS>

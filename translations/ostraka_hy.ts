@@ -8624,5 +8624,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախորդ գծանկարի թերթ արդեն կա և չի վերագրվում. ընտրեք այլ անուն կամ հեռացրեք այն։</translation>
     </message>
+    <message>
+      <source>A number follows the sign =.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>= նշանից հետո համար է գրվում։</translation>
+    </message>
   </context>
 </TS>

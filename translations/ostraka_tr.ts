@@ -8579,5 +8579,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Daha önceki bir çizimin bir sayfası var ve üzerine yazılmaz; başka bir ad seçin ya da onu kaldırın.</translation>
     </message>
+    <message>
+      <source>A number follows the sign =.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>= işaretinden sonra bir numara gelir.</translation>
+    </message>
   </context>
 </TS>

@@ -13,6 +13,8 @@ using pipeline::DecisionKind;
 using pipeline::kSamePiece_mm;
 using Places = std::vector<Eigen::Vector2d>;
 
+constexpr double kCrumb = 0.1;  // of a piece's points
+
 bool isAmong(const Places& places, const Eigen::Vector2d& place_mm) {
   return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector2d& one) {
     return (one - place_mm).norm() < kSamePiece_mm;
@@ -87,6 +89,16 @@ std::optional<std::pair<std::size_t, std::size_t>> halvesOf(const pipeline::Pair
       least_mm = apart_mm;
       halves = {left.index, right.index};
     }
+  if (!halves) return halves;
+  // Of any two pieces the mean may lie there; but where it is whole they are none of its halves. A
+  // crumb between them is not it.
+  const double together =
+      scans[halves->first].points.value_or(0) + scans[halves->second].points.value_or(0);
+  for (const Piece& piece : pieces)
+    if (piece.index != halves->first && piece.index != halves->second &&
+        (piece.place_mm - cut.place_mm).norm() < kSamePiece_mm &&
+        scans[piece.index].points.value_or(1) >= kCrumb * together)
+      return std::nullopt;
   return halves;
 }
 
@@ -97,14 +109,19 @@ std::vector<ScanRow> madeBy(const pipeline::PairDecision& edit, const pipeline::
     if (!halves) return {};
     return {scans[halves->first].row, scans[halves->second].row};
   }
+  // The largest between the parts; of two that lie at parts' places neither is it.
   const Places parts = joinedPlaces(edit, edits);
-  std::vector<ScanRow> between;
-  for (const ScanRecord& scan : scans)
-    if (const auto place = placeOf(scan); place && scan.isThere() &&
-                                          scan.side == edit.scans.front().side &&
-                                          liesBetween(*place, parts))
-      between.push_back(scan.row);
-  return between.size() < parts.size() ? between : std::vector<ScanRow>();
+  const ScanRecord* whole = nullptr;
+  int at_parts = 0;
+  for (const ScanRecord& scan : scans) {
+    const auto place = placeOf(scan);
+    if (!place || !scan.isThere() || scan.side != edit.scans.front().side) continue;
+    at_parts += isAmong(parts, *place) ? 1 : 0;
+    if (liesBetween(*place, parts) &&
+        (whole == nullptr || scan.points.value_or(0) > whole->points.value_or(0)))
+      whole = &scan;
+  }
+  return whole == nullptr || at_parts > 1 ? std::vector<ScanRow>() : std::vector{whole->row};
 }
 
 }  // namespace ostraka::catalogue

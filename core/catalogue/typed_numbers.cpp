@@ -105,7 +105,11 @@ std::string wholeOf(const Catalogue& catalogue, const SherdRecord& place,
                     const std::string& typed) {
   const std::string text = trimmed(typed);
   if (beginsAsSherdLabel(text)) return numberOfLabel(catalogue, text);
-  if (text.starts_with('=')) return trimmed(std::string_view(text).substr(1));
+  if (text.starts_with('=')) {
+    const std::string itself = trimmed(std::string_view(text).substr(1));
+    if (itself.empty()) refuse("A number follows the sign =.", text);
+    return itself;
+  }
   if (text.empty() || text.size() > kMostDigits ||
       text.find_first_not_of("0123456789") != std::string::npos)
     return text;

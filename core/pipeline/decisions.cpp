@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "base/json.h"
 #include "base/text.h"
+#include "pipeline/review.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -122,10 +123,11 @@ bool shareAScan(const PairDecision& a, const PairDecision& b) {
 
 // Both sides of a sherd were taken out of the pairs: what is said of one of them is said of the
 // other, which would be without a partner otherwise.
-void takeAlong(PairDecision& decision, const PairDecision& replaced) {
+void takeAlong(PairDecision& decision, const PairDecision& replaced, const CandidateTable& now) {
   if (decision.kind == DecisionKind::Pair || replaced.kind == DecisionKind::Pair) return;
   for (const ScanRef& scan : replaced.scans)
-    if (std::none_of(decision.scans.begin(), decision.scans.end(),
+    if (resolved(scan, scan.side == batch::Side::Front ? now.fronts : now.backs) >= 0 &&
+        std::none_of(decision.scans.begin(), decision.scans.end(),
                      [&](const ScanRef& other) { return other.side == scan.side; }))
       decision.scans.push_back(scan);
 }
@@ -310,10 +312,11 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
     for (const PairDecision& other : holding)
       if (aboutPartners(decision.kind) && aboutPartners(other.kind) && shareAScan(decision, other))
         decision.replaces.push_back(other.number);
-    for (const PairDecision& other : holding)
+    const Result<CandidateTable> now = readCandidatesOf(output);
+    for (const PairDecision& other : now ? holding : Decisions())
       if (std::find(decision.replaces.begin(), decision.replaces.end(), other.number) !=
           decision.replaces.end())
-        takeAlong(decision, other);
+        takeAlong(decision, other, *now);
   }
   decision.number = decisions->empty() ? 1 : decisions->back().number + 1;
   decision.at = utcNow();

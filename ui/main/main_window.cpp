@@ -103,6 +103,7 @@ void MainWindow::buildLayout() {
     connect(station, &Station::working, this, [this](const QString& words, double fraction) {
       other_work_ = words;
       other_fraction_ = fraction;
+      if (words.isEmpty()) warned_ = false;  // what would have been lost is done
       followLines();
     });
     connect(station, &Station::wantsStation, this, &MainWindow::showStationNamed);
@@ -284,6 +285,7 @@ void MainWindow::closeProject() {
   settings_page_->setSession(nullptr);
   undo_->removeStack(&session_->undo());
   session_.reset();
+  warned_ = false;
   // One project leaves at a time: nothing is computed before it has left.
   if (queue_->isLeaving() && leaving_lock_ == nullptr) leaving_lock_ = std::move(lock_);
   lock_.reset();

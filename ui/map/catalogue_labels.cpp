@@ -99,7 +99,8 @@ QVector<SherdLabel> labelsOf(const QVector<PlateSherd>& sherds) {
 namespace {
 
 // What most begin with, so that most are short; it ends with a mark between two parts: 0012-, never
-// 001. The others stand there whole. Empty where an end would be another's number.
+// 001. The others stand there whole: those written otherwise, for of another context nobody would
+// tell the short ones. Empty where an end would be another's number.
 QString commonBeginning(const QStringList& numbers) {
   QString best;
   qsizetype most_saved = 0;
@@ -111,7 +112,9 @@ QString commonBeginning(const QStringList& numbers) {
         return other.startsWith(beginning) && other.size() > size;
       });
       const bool clear = std::none_of(numbers.begin(), numbers.end(), [&](const QString& other) {
-        return other.startsWith(beginning) && numbers.contains(other.mid(size));
+        return other.startsWith(beginning)
+                   ? numbers.contains(other.mid(size))
+                   : other.count(QLatin1Char('-')) == number.count(QLatin1Char('-'));
       });
       if (2 * sharing < numbers.size() || sharing < std::min<qsizetype>(2, numbers.size()))
         continue;

@@ -190,6 +190,7 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The number %1 was typed on a sherd of %2, which is not computed yet."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The number %1 belongs to another sherd."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "A number follows the sign =."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "'%1' is no term of the vocabulary '%2'; choose another, or add it in the settings."),

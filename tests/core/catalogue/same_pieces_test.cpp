@@ -124,6 +124,22 @@ TEST_F(CutPieces, AreNoNeighboursThatCameOrWent) {
             std::vector<int>{0});
 }
 
+// Two others balance around the place of the cut.
+TEST_F(CutPieces, AreNoNeighboursWhoseMeanLiesThereByChance) {
+  const std::vector<ScanRecord> others = {piece("f008", -20, 4000, 8), piece("f009", 100, 4000, 9)};
+  const auto with = [&](std::vector<ScanRecord> pieces) {
+    pieces.insert(pieces.end(), others.begin(), others.end());
+    return pieces;
+  };
+  EXPECT_EQ(samePieces(with(whole), with(halves), edits), (std::vector<int>{1, 3, 4}));
+  EXPECT_EQ(samePieces(with(halves), with(whole), edits), (std::vector<int>{-1, 0, -1, 1, 2}));
+  // Taken back before it was computed; one of the others is new.
+  std::vector<ScanRecord> small = others;
+  small[0].points = small[1].points = 2000;
+  EXPECT_EQ(samePieces({whole[0], small[1]}, {whole[0], small[0], small[1]}, edits),
+            (std::vector<int>{0, 2}));
+}
+
 TEST_F(CutPieces, AreKnownByTheirPlacesOnceTheyAreTwo) {
   EXPECT_EQ(samePieces(halves, halves, edits), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(samePieces(whole, whole, edits), std::vector<int>{0});

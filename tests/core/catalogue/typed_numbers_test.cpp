@@ -318,6 +318,7 @@ TEST_F(TypedNumbers, DigitsMeanTheSameForOneSherdInItsContext) {
   EXPECT_EQ(*wholeNumber(catalogue(), there, ""), "");
   EXPECT_FALSE(wholeNumber(catalogue(), nowhere, "62")) << "no context says whose";
   EXPECT_EQ(*wholeNumber(catalogue(), batch, "=62"), "62");
+  EXPECT_FALSE(wholeNumber(catalogue(), batch, " = ")) << "it would take the number away";
 }
 
 TEST_F(TypedNumbers, ALabelsNumberThatLooksLikeAPlaceIsOneWhereTheSchemeGivesSuch) {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/files.h"
+#include "pipeline/candidate_table.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -34,6 +35,15 @@ class DecisionsOf : public testing::Test {
     const Result<PairDecision> written = appendDecision(out_, d);
     EXPECT_TRUE(written.has_value()) << (written ? "" : written.error().sentence());
     return written ? *written : PairDecision{};
+  }
+  // The results, with front 1 and these backs.
+  void computed(const std::vector<int>& backs) const {
+    CandidateTable table;
+    table.fronts = {front(1)};
+    for (const int i : backs) table.backs.push_back(back(i));
+    table.front_files.resize(table.fronts.size());
+    table.back_files.resize(table.backs.size());
+    ASSERT_TRUE(writeFileAtomically(out_ / "work/pairs/candidates.json", toJson(table).dump()));
   }
   std::vector<int> standingNumbers() {
     std::vector<int> numbers;
@@ -117,20 +127,22 @@ TEST_F(DecisionsOf, SettingAsideReplacesAPairAndAPairBringsItBack) {
 }
 
 TEST_F(DecisionsOf, ASherdThatWasTakenOutStaysOutWithBothItsSides) {
+  computed({2, 3});
   PairDecision again;
   again.kind = DecisionKind::Reshoot;
   again.by = "AP";
-  again.scans = {front(1), pair(1, 2).scans[1]};
+  again.scans = {front(1), back(2)};
   append(again);
   again.scans = {front(1)};  // once more, where its card shows the front alone
   append(again);
   EXPECT_EQ(standingNumbers(), (std::vector<int>{2}));
   EXPECT_EQ(standing(*readDecisions(out_))[0].scans.size(), 2u);
+  computed({3});  // its back was photographed again, or joined
   again.kind = DecisionKind::Aside;
   append(again);
-  EXPECT_EQ(standing(*readDecisions(out_))[0].scans.size(), 2u);
+  EXPECT_EQ(standing(*readDecisions(out_))[0].scans.size(), 1u);
   append(pair(1, 3));
-  EXPECT_EQ(standing(*readDecisions(out_))[0].scans[1].id, pair(1, 3).scans[1].id);
+  EXPECT_EQ(standing(*readDecisions(out_))[0].scans[1].id, back(3).id);
 }
 
 TEST_F(DecisionsOf, NobodyAreRefused) {

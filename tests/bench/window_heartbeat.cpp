@@ -265,10 +265,11 @@ int main(int argc, char** argv) {
   });
   key.start(kKeyEvery_ms);
   const int seconds = argc > 3 ? std::atoi(argv[3]) : 120;
-  QTimer::singleShot(seconds * 1000, &application, &QApplication::quit);
+  // Not quit(), which closes the project first: that is none of the acts.
+  QTimer::singleShot(seconds * 1000, &application, [] { QApplication::exit(); });
   QTimer idle;
   QObject::connect(&idle, &QTimer::timeout, &window, [&] {
-    if (window.queue()->waitingToCompute() == 0) QApplication::quit();
+    if (window.queue()->waitingToCompute() == 0) QApplication::exit();
   });
   idle.start(1000);
   const int status = QApplication::exec();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/limits.h"
 #include "catalogue/enter_results.h"
 #include "catalogue/filter.h"
 #include "catalogue/project.h"
@@ -98,7 +99,7 @@ int runImport(const Options& options, Session& session) {
                                            session.progress, session.stop);
     return report ? reported(session, *report, options) : fail(session, report.error());
   }
-  const Result<std::string> bytes = readFile(options.other);
+  const Result<std::string> bytes = readFile(options.other, limits::kTableBytes.most);
   if (!bytes) return fail(session, bytes.error());
   if (options.enter)
     if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());

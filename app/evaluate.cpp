@@ -46,9 +46,10 @@ struct Sheet {
   }
 };
 
-bool isFile(const fs::path& path) {
+// Whatever it is: what is no file is refused where it is read.
+bool isThere(const fs::path& path) {
   std::error_code failed;
-  return fs::is_regular_file(path, failed);
+  return fs::exists(path, failed);
 }
 
 std::vector<fs::path> sortedEntries(const fs::path& folder) {
@@ -64,7 +65,7 @@ Result<void> evaluateModels(const EvaluateArguments& arguments,
                             const std::vector<TrueSherd>& sherds, Session& session, Sheet& sheet) {
   std::vector<NamedMesh> models, truth;
   for (const fs::path& folder : sortedEntries(arguments.output / "sherds")) {
-    if (!isFile(folder / "model.ply")) continue;
+    if (!isThere(folder / "model.ply")) continue;
     Result<PlyContents> contents = readPly(folder / "model.ply");
     if (!contents) return contents.error();
     models.push_back({folder.filename().string(), std::move(contents->mesh)});
@@ -89,7 +90,7 @@ Result<void> evaluateClouds(const EvaluateArguments& arguments,
     PointCloud all;
     for (const fs::path& folder : sortedEntries(arguments.output / "sherds")) {
       const fs::path file = folder / (std::string(side) + ".ply");
-      if (!isFile(file)) continue;
+      if (!isThere(file)) continue;
       const Result<PointCloud> cloud = readPlyCloud(file);
       if (!cloud) return cloud.error();
       all.points.insert(all.points.end(), cloud->points.begin(), cloud->points.end());
@@ -127,7 +128,7 @@ Result<void> evaluateProcessPairs(const EvaluateArguments& arguments,
                                   const std::vector<TrueSherd>& sherds, Session& session,
                                   Sheet& sheet) {
   const fs::path file = arguments.output / "pairs.json";
-  if (!isFile(file)) return {};
+  if (!isThere(file)) return {};
   session.progress.begin("pairs", 0.1);
   const Result<Proposal> proposal = readProposal(file);
   if (!proposal) return proposal.error();
@@ -162,7 +163,7 @@ Result<void> evaluateMasks(const EvaluateArguments& arguments, Session& session,
          sortedEntries(arguments.output / (std::string("work/masks_") + side))) {
       const std::string name = std::string(side) + "_" + file.filename().string();
       const fs::path truth_file = arguments.truth / "masks" / name;
-      if (file.extension() != ".png" || !isFile(truth_file)) continue;
+      if (file.extension() != ".png" || !isThere(truth_file)) continue;
       const Result<MaskImage> found = readMask(file);
       if (!found) return found.error();
       const Result<MaskImage> truth = readMask(truth_file);
@@ -229,12 +230,12 @@ Result<void> evaluateOneModel(const EvaluateArguments& arguments, Session& sessi
 
 Result<void> evaluateAny(const EvaluateArguments& arguments, Session& session, Sheet& sheet) {
   std::error_code failed;
-  if (isFile(arguments.output) && isFile(arguments.truth))
+  if (!fs::is_directory(arguments.output, failed) && !fs::is_directory(arguments.truth, failed))
     return evaluateOneModel(arguments, session, sheet);
-  if (isFile(arguments.truth / "sherds.json") &&
+  if (isThere(arguments.truth / "sherds.json") &&
       fs::is_directory(arguments.output / "sherds", failed))
     return evaluateProcess(arguments, session, sheet);
-  if (isFile(arguments.truth / "truth.json") && isFile(arguments.output / "pairs.json"))
+  if (isThere(arguments.truth / "truth.json") && isThere(arguments.output / "pairs.json"))
     return evaluateRegister(arguments, session, sheet);
   return Error{ErrorCode::UnusableInput,
                "There is nothing here to compare with " + arguments.truth.string() +

@@ -1,10 +1,10 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "base/scratch_folder.h"
 #include "batch/batch.h"
 #include "rig_commands.h"
 #include "virtualrig/predict.h"
@@ -96,15 +96,15 @@ void print(const Prediction& p) {
 int runPredict(const fs::path& rig_file, PredictOptions options, Session& session) {
   const Result<rig::Rig> rig = rig::readRig(rig_file);
   if (!rig) return fail(session, rig.error());
-  const bool own_folder = options.work.empty();
-  if (own_folder)
-    options.work = fs::temp_directory_path() / ("ostraka-predict-" + std::to_string(::getpid()));
+  std::optional<ScratchFolder> scratch;
+  if (options.work.empty()) {
+    Result<ScratchFolder> made = ScratchFolder::make("ostraka-predict");
+    if (!made) return fail(session, made.error());
+    scratch.emplace(std::move(*made));
+    options.work = scratch->path();
+  }
   const Result<Prediction> prediction =
       virtualrig::predict(*rig, options, session.progress, session.stop);
-  if (own_folder) {
-    std::error_code ignored;
-    fs::remove_all(options.work, ignored);
-  }
   if (!prediction) return fail(session, prediction.error());
   session.finishProgress();
   if (session.json)

@@ -5200,11 +5200,6 @@
       <translation>Die Datei lässt sich nicht öffnen (%1); ihre Zugriffsrechte prüfen.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine gewöhnliche Datei; eine Datei nennen.</translation>
-    </message>
-    <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei ist größer als die %1 Bytes, die hier gelesen werden; ist es die richtige?</translation>
@@ -5385,11 +5380,6 @@
       <translation>'side' muss 'front' oder 'back' sein</translation>
     </message>
     <message>
-      <source>'length' must lie between 0 and 10000 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'length' muss zwischen 0 und 10000 mm liegen</translation>
-    </message>
-    <message>
       <source>'ends' must be two lists of marks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'ends' müssen zwei Listen von Markierungen sein</translation>
@@ -5450,19 +5440,9 @@
       <translation>Marke %1 steht zweimal auf dem Teller.</translation>
     </message>
     <message>
-      <source>The plate's diameter is no length in mm.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Durchmesser des Tellers ist keine Länge in mm.</translation>
-    </message>
-    <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tafel braucht 'dictionary', 'squares_x', 'squares_y', 'square_mm' und 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>The board's squares and markers have no valid number or size.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anzahl oder Größe der Quadrate und Marken der Tafel sind ungültig.</translation>
     </message>
     <message>
       <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
@@ -6840,6 +6820,86 @@
       <translation>Die PLY-Datei enthält keinen brauchbaren Punkt; den Scan neu ausgeben.</translation>
     </message>
     <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Ordner, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist eine Pipe, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Socket, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Gerät, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Link liegt dort, wo die Sperre dieses Ordners hingehört; ihn löschen.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier lässt sich kein temporärer Ordner anlegen (%1); Platz schaffen oder TMPDIR auf einen anderen Ordner setzen.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das JSON nennt „%1“ zweimal in einem Objekt; eines von beiden löschen.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ muss eine ganze Zahl von %2 bis %3 sein; sie berichtigen.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ muss eine Zahl von %2 bis %3 sein; sie berichtigen.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ muss eine Zahl sein; sie berichtigen.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marke %1 des Tellers ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Datei des Tellers neu drucken.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marke %1 des Tellers ist nicht konvex; ihre Ecken der Reihe nach am Rand entlang nennen.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken %1 und %2 des Tellers überlappen sich; die Datei des Tellers neu drucken.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken der Tafel müssen kleiner als ihre Felder sein; „marker_mm“ oder „square_mm“ berichtigen.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Fläche der PLY-Datei hat mehr als %1 Ecken; sie als Dreiecke neu exportieren.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei hat mehr als %1 von „%2“; sie mit weniger exportieren.</translation>
+    </message>
+    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kein Abschnitt der Kante kann ein Stück Rand sein; diese Scherbe als eine ohne Rand zeichnen.</translation>
@@ -7800,11 +7860,6 @@
       <translation>Ein Gitter aus Marken braucht 'dictionary', 'markers_x', 'markers_y', 'marker_length' und 'marker_separation'.</translation>
     </message>
     <message>
-      <source>The grid's markers have no valid number or size, or no gap between them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Marken des Gitters haben keine gültige Anzahl oder Größe, oder keinen Abstand voneinander.</translation>
-    </message>
-    <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier ist nichts, wonach sich kalibrieren ließe: den Teller bei jedem Halt nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
@@ -8150,11 +8205,6 @@
       <translation>Die Lage dieses Fotos wird ohne seine Maske bestimmt.</translation>
     </message>
     <message>
-      <source>The mask cannot be written.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Maske lässt sich nicht schreiben.</translation>
-    </message>
-    <message>
       <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ohne plate.json findet COLMAP die Lage der Kameras, und es ist nicht installiert; das Paket 'colmap' installieren oder auf einem Teller mit Marken aufnehmen.</translation>
@@ -8303,11 +8353,6 @@
       <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 hat eine Kovarianz anderer Größe; den Messplatz neu kalibrieren.</translation>
-    </message>
-    <message>
-      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 hat keine gültige Größe, kein gültiges K oder dist; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
       <source>This rig was written by another version; calibrate the rig again.</source>

@@ -5200,11 +5200,6 @@
       <translation>Το αρχείο δεν ανοίγει (%1)· ελέγξτε τα δικαιώματά του.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν είναι κανονικό αρχείο· δώστε ένα αρχείο.</translation>
-    </message>
-    <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο είναι μεγαλύτερο από τα %1 byte που διαβάζονται εδώ· είναι το σωστό;</translation>
@@ -5385,11 +5380,6 @@
       <translation>το 'side' πρέπει να είναι 'front' ή 'back'</translation>
     </message>
     <message>
-      <source>'length' must lie between 0 and 10000 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>το 'length' πρέπει να είναι μεταξύ 0 και 10000 mm</translation>
-    </message>
-    <message>
       <source>'ends' must be two lists of marks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>το 'ends' πρέπει να είναι δύο λίστες σημαδιών</translation>
@@ -5450,19 +5440,9 @@
       <translation>Ο δείκτης %1 υπάρχει δύο φορές στον δίσκο.</translation>
     </message>
     <message>
-      <source>The plate's diameter is no length in mm.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η διάμετρος του δίσκου δεν είναι μήκος σε mm.</translation>
-    </message>
-    <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας βαθμονόμησης χρειάζεται 'dictionary', 'squares_x', 'squares_y', 'square_mm' και 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>The board's squares and markers have no valid number or size.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο αριθμός ή το μέγεθος των τετραγώνων και δεικτών του πίνακα βαθμονόμησης δεν είναι έγκυρα.</translation>
     </message>
     <message>
       <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
@@ -6840,6 +6820,86 @@
       <translation>Το αρχείο PLY δεν περιέχει κανένα χρήσιμο σημείο· εξαγάγετε ξανά τη σάρωση.</translation>
     </message>
     <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι φάκελος, όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι διοχέτευση, όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι υποδοχή (socket), όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι συσκευή, όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας σύνδεσμος βρίσκεται στη θέση του κλειδώματος αυτού του φακέλου· διαγράψτε τον.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν μπορεί να δημιουργηθεί προσωρινός φάκελος εδώ (%1)· ελευθερώστε χώρο ή ορίστε άλλον φάκελο στο TMPDIR.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το JSON ονομάζει το «%1» δύο φορές σε ένα αντικείμενο· διαγράψτε ένα από τα δύο.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» πρέπει να είναι ακέραιος από %2 έως %3· διορθώστε το.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» πρέπει να είναι αριθμός από %2 έως %3· διορθώστε το.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» πρέπει να είναι αριθμός· διορθώστε το.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δείκτης %1 του δίσκου είναι κατοπτρικός: από πάνω οι γωνίες του πηγαίνουν αριστερόστροφα· τυπώστε ξανά το αρχείο του δίσκου.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δείκτης %1 του δίσκου δεν είναι κυρτός· δώστε τις γωνίες του τη μία μετά την άλλη κατά μήκος της ακμής.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες %1 και %2 του δίσκου επικαλύπτονται· τυπώστε ξανά το αρχείο του δίσκου.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες του πίνακα βαθμονόμησης πρέπει να είναι μικρότεροι από τα τετράγωνά του· διορθώστε το «marker_mm» ή το «square_mm».</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια έδρα του PLY έχει πάνω από %1 γωνίες· εξαγάγετέ το ξανά ως τρίγωνα.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY έχει πάνω από %1 από «%2»· εξαγάγετέ το με λιγότερα.</translation>
+    </message>
+    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα τμήμα της ακμής δεν μπορεί να είναι χείλος· σχεδιάστε αυτό το όστρακο ως όστρακο χωρίς χείλος.</translation>
@@ -7800,11 +7860,6 @@
       <translation>Ένα πλέγμα δεικτών χρειάζεται 'dictionary', 'markers_x', 'markers_y', 'marker_length' και 'marker_separation'.</translation>
     </message>
     <message>
-      <source>The grid's markers have no valid number or size, or no gap between them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι δείκτες του πλέγματος δεν έχουν έγκυρο αριθμό ή μέγεθος, ή δεν έχουν κενό μεταξύ τους.</translation>
-    </message>
-    <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τίποτα για βαθμονόμηση: φωτογραφίστε τον δίσκο σε κάθε στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) και τον πίνακα βαθμονόμησης στο 'calib', και αντιγράψτε δίπλα τους τα plate.json και board.json.</translation>
@@ -8150,11 +8205,6 @@
       <translation>Η θέση αυτής της φωτογραφίας προσδιορίζεται χωρίς τη μάσκα της.</translation>
     </message>
     <message>
-      <source>The mask cannot be written.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η μάσκα δεν γράφεται.</translation>
-    </message>
-    <message>
       <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χωρίς plate.json οι θέσεις έρχονται από το COLMAP, που δεν είναι εγκατεστημένο· εγκαταστήστε το πακέτο 'colmap' ή φωτογραφίστε πάνω σε δίσκο με δείκτες.</translation>
@@ -8303,11 +8353,6 @@
       <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 έχει συνδιακύμανση άλλου μεγέθους· βαθμονομήστε ξανά τη διάταξη.</translation>
-    </message>
-    <message>
-      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η κάμερα %1 δεν έχει έγκυρο μέγεθος, K ή dist· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
       <source>This rig was written by another version; calibrate the rig again.</source>

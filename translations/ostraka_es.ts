@@ -5200,11 +5200,6 @@
       <translation>El archivo no se puede abrir (%1); revise sus permisos.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es un archivo normal; indique un archivo.</translation>
-    </message>
-    <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo es mayor que los %1 bytes que se leen aquí; ¿es el correcto?</translation>
@@ -5385,11 +5380,6 @@
       <translation>'side' debe ser 'front' o 'back'</translation>
     </message>
     <message>
-      <source>'length' must lie between 0 and 10000 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'length' debe estar entre 0 y 10000 mm</translation>
-    </message>
-    <message>
       <source>'ends' must be two lists of marks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'ends' debe ser dos listas de marcas</translation>
@@ -5450,19 +5440,9 @@
       <translation>La marca %1 está dos veces en el plato.</translation>
     </message>
     <message>
-      <source>The plate's diameter is no length in mm.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El diámetro del plato no es una longitud en mm.</translation>
-    </message>
-    <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El tablero necesita 'dictionary', 'squares_x', 'squares_y', 'square_mm' y 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>The board's squares and markers have no valid number or size.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El número o el tamaño de los cuadros y marcas del tablero no es válido.</translation>
     </message>
     <message>
       <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
@@ -6840,6 +6820,86 @@
       <translation>El archivo PLY no contiene ningún punto utilizable; exporte otra vez el escaneo.</translation>
     </message>
     <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es una carpeta, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es una tubería, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un socket, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un dispositivo, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay un enlace en el lugar del bloqueo de esta carpeta; bórrelo.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aquí no se puede crear una carpeta temporal (%1); libere espacio o asigne otra carpeta a TMPDIR.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El JSON nombra «%1» dos veces en un objeto; borre uno de los dos.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» debe ser un número entero de %2 a %3; corríjalo.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» debe ser un número de %2 a %3; corríjalo.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» debe ser un número; corríjalo.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marca %1 del plato está reflejada: vistas desde arriba, sus esquinas van en sentido antihorario; imprima de nuevo el archivo del plato.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marca %1 del plato no es convexa; indique sus esquinas una tras otra a lo largo del borde.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas %1 y %2 del plato se superponen; imprima de nuevo el archivo del plato.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas del tablero deben ser menores que sus cuadrados; corrija «marker_mm» o «square_mm».</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cara del PLY tiene más de %1 esquinas; expórtelo de nuevo como triángulos.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY tiene más de %1 de «%2»; expórtelo con menos.</translation>
+    </message>
+    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún tramo del contorno puede ser parte de un borde; dibuje este fragmento como uno sin borde.</translation>
@@ -7800,11 +7860,6 @@
       <translation>Una cuadrícula de marcas necesita 'dictionary', 'markers_x', 'markers_y', 'marker_length' y 'marker_separation'.</translation>
     </message>
     <message>
-      <source>The grid's markers have no valid number or size, or no gap between them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las marcas de la cuadrícula no tienen número o tamaño válido, o no hay hueco entre ellas.</translation>
-    </message>
-    <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay nada con que calibrar: fotografíe el plato en cada parada en 'front' (cam0_pos00.jpg, etc.) y el tablero en 'calib', y copie plate.json y board.json al lado.</translation>
@@ -8150,11 +8205,6 @@
       <translation>La pose de esta foto se determina sin su máscara.</translation>
     </message>
     <message>
-      <source>The mask cannot be written.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede escribir la máscara.</translation>
-    </message>
-    <message>
       <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sin plate.json las poses vienen de COLMAP, que no está instalado; instale el paquete 'colmap' o fotografíe sobre un plato con marcas.</translation>
@@ -8303,11 +8353,6 @@
       <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 tiene una covarianza de otro tamaño; calibre otra vez el equipo.</translation>
-    </message>
-    <message>
-      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara %1 no tiene tamaño, K o dist válido; calibre otra vez el equipo.</translation>
     </message>
     <message>
       <source>This rig was written by another version; calibrate the rig again.</source>

@@ -5200,11 +5200,6 @@
       <translation>Le fichier ne peut pas être ouvert (%1) ; vérifiez ses droits d’accès.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un fichier ordinaire ; indiquez un fichier.</translation>
-    </message>
-    <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier dépasse les %1 octets qui sont lus ici ; est-ce le bon ?</translation>
@@ -5385,11 +5380,6 @@
       <translation>'side' doit être 'front' ou 'back'</translation>
     </message>
     <message>
-      <source>'length' must lie between 0 and 10000 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'length' doit être compris entre 0 et 10000 mm</translation>
-    </message>
-    <message>
       <source>'ends' must be two lists of marks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'ends' doit être deux listes de repères</translation>
@@ -5450,19 +5440,9 @@
       <translation>La marque %1 figure deux fois sur le plateau.</translation>
     </message>
     <message>
-      <source>The plate's diameter is no length in mm.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le diamètre du plateau n’est pas une longueur en mm.</translation>
-    </message>
-    <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il faut à la mire 'dictionary', 'squares_x', 'squares_y', 'square_mm' et 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>The board's squares and markers have no valid number or size.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le nombre ou la taille des carrés et des marques de la mire n’est pas valable.</translation>
     </message>
     <message>
       <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
@@ -6840,6 +6820,86 @@
       <translation>Le fichier PLY ne contient aucun point utilisable ; exportez à nouveau la numérisation.</translation>
     </message>
     <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un dossier, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un tube nommé, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un socket, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un périphérique, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un lien se trouve à la place du verrou de ce dossier ; supprimez-le.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun dossier temporaire ne peut être créé ici (%1) ; libérez de la place ou donnez un autre dossier à TMPDIR.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le JSON nomme « %1 » deux fois dans un objet ; supprimez l'un des deux.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » doit être un nombre entier de %2 à %3 ; corrigez-le.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » doit être un nombre de %2 à %3 ; corrigez-le.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » doit être un nombre ; corrigez-le.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marque %1 du plateau est inversée : vus d'en haut, ses coins tournent dans le sens antihoraire ; imprimez de nouveau le fichier du plateau.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marque %1 du plateau n'est pas convexe ; indiquez ses coins l'un après l'autre le long du bord.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques %1 et %2 du plateau se chevauchent ; imprimez de nouveau le fichier du plateau.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques de la mire doivent être plus petites que ses carrés ; corrigez « marker_mm » ou « square_mm ».</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une face du PLY a plus de %1 coins ; exportez-le de nouveau en triangles.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY a plus de %1 de « %2 » ; exportez-le avec moins.</translation>
+    </message>
+    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune partie du contour ne peut être un morceau de bord ; dessinez ce tesson comme un tesson sans bord.</translation>
@@ -7800,11 +7860,6 @@
       <translation>Une grille de marques demande 'dictionary', 'markers_x', 'markers_y', 'marker_length' et 'marker_separation'.</translation>
     </message>
     <message>
-      <source>The grid's markers have no valid number or size, or no gap between them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les marques de la grille n’ont pas de nombre ou de taille valable, ou pas d’espace entre elles.</translation>
-    </message>
-    <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a rien d’après quoi calibrer : photographiez le plateau à chaque arrêt dans 'front' (cam0_pos00.jpg et ainsi de suite) et la mire dans 'calib', et copiez plate.json et board.json à côté.</translation>
@@ -8150,11 +8205,6 @@
       <translation>La pose de cette photo est déterminée sans son masque.</translation>
     </message>
     <message>
-      <source>The mask cannot be written.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le masque ne peut pas être écrit.</translation>
-    </message>
-    <message>
       <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sans plate.json les poses viennent de COLMAP, qui n’est pas installé ; installez le paquet 'colmap' ou photographiez sur un plateau à marques.</translation>
@@ -8303,11 +8353,6 @@
       <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 a une covariance d’une autre taille ; calibrez de nouveau le banc.</translation>
-    </message>
-    <message>
-      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil %1 n’a pas de taille, de K ou de dist valable ; calibrez de nouveau le banc.</translation>
     </message>
     <message>
       <source>This rig was written by another version; calibrate the rig again.</source>

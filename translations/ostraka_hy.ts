@@ -5200,11 +5200,6 @@
       <translation>Ֆայլը չի բացվում (%1). ստուգեք դրա թույլտվությունները։</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա սովորական ֆայլ չէ. նշեք ֆայլ։</translation>
-    </message>
-    <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը մեծ է այստեղ կարդացվող %1 բայտից. ճի՞շտ ֆայլն է։</translation>
@@ -5385,11 +5380,6 @@
       <translation>'side'-ը պետք է լինի 'front' կամ 'back'</translation>
     </message>
     <message>
-      <source>'length' must lie between 0 and 10000 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'length'-ը պետք է լինի 0-ից 10000 մմ</translation>
-    </message>
-    <message>
       <source>'ends' must be two lists of marks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'ends'-ը պետք է լինի նշումների երկու ցուցակ</translation>
@@ -5450,19 +5440,9 @@
       <translation>%1 նշիչը սկավառակի վրա երկու անգամ կա։</translation>
     </message>
     <message>
-      <source>The plate's diameter is no length in mm.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակի տրամագիծը մմ-ով երկարություն չէ։</translation>
-    </message>
-    <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափման տախտակին պետք են 'dictionary', 'squares_x', 'squares_y', 'square_mm' և 'marker_mm'։</translation>
-    </message>
-    <message>
-      <source>The board's squares and markers have no valid number or size.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տրամաչափման տախտակի քառակուսիների և նշիչների քանակը կամ չափը վավեր չէ։</translation>
     </message>
     <message>
       <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
@@ -6840,6 +6820,86 @@
       <translation>PLY ֆայլում ոչ մի պիտանի կետ չկա. նորից արտահանեք սկանը։</translation>
     </message>
     <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա պանակ է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա խողովակ է (pipe), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա վարդակ է (socket), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա սարք է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակի կողպեքի տեղում հղում է. ջնջեք այն։</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ ժամանակավոր պանակ չի ստեղծվում (%1). տեղ ազատեք կամ TMPDIR-ում այլ պանակ նշեք։</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JSON-ը մեկ օբյեկտում երկու անգամ նշում է «%1». ջնջեք երկուսից մեկը։</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը պետք է լինի ամբողջ թիվ՝ %2-ից %3. ուղղեք։</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը պետք է լինի թիվ՝ %2-ից %3. ուղղեք։</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը պետք է թիվ լինի. ուղղեք։</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %1 նշիչը հայելային է. վերևից նայելիս անկյունները գնում են ժամսլաքին հակառակ. սկավառակի ֆայլը նորից տպեք։</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %1 նշիչը ուռուցիկ չէ. անկյունները նշեք հերթով՝ եզրի երկայնքով։</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %1 և %2 նշիչները վերադրվում են. սկավառակի ֆայլը նորից տպեք։</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տրամաչափման տախտակի նշիչները պետք է փոքր լինեն քառակուսիներից. ուղղեք «marker_mm»-ը կամ «square_mm»-ը։</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY-ի մի նիստ ունի %1-ից ավելի անկյուն. նորից արտահանեք եռանկյուններով։</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլում «%2»-ից %1-ից ավելին կա. արտահանեք ավելի քչով։</translation>
+    </message>
+    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եզրի ոչ մի հատված շուրթի մաս չի կարող լինել. այս բեկորը գծեք որպես առանց շուրթի բեկոր։</translation>
@@ -7800,11 +7860,6 @@
       <translation>Նշիչների ցանցին պետք են 'dictionary', 'markers_x', 'markers_y', 'marker_length' և 'marker_separation'։</translation>
     </message>
     <message>
-      <source>The grid's markers have no valid number or size, or no gap between them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ցանցի նշիչները չունեն վավեր քանակ կամ չափ, կամ դրանց միջև բացվածք չկա։</translation>
-    </message>
-    <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափելու համար ոչինչ չկա. յուրաքանչյուր կանգառում սկավառակը լուսանկարեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ), տախտակը՝ 'calib'-ի մեջ, և կողքին պատճենեք plate.json և board.json ֆայլերը։</translation>
@@ -8150,11 +8205,6 @@
       <translation>Այս լուսանկարի դիրքը որոշվում է առանց իր դիմակի։</translation>
     </message>
     <message>
-      <source>The mask cannot be written.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դիմակը գրել հնարավոր չէ։</translation>
-    </message>
-    <message>
       <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առանց plate.json-ի դիրքերը տալիս է COLMAP-ը, որը տեղադրված չէ. տեղադրեք 'colmap' փաթեթը կամ լուսանկարեք նշիչներով սկավառակի վրա։</translation>
@@ -8303,11 +8353,6 @@
       <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկի կովարիացիայի չափն այլ է. նորից տրամաչափեք սարքակազմը։</translation>
-    </message>
-    <message>
-      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 տեսախցիկը չունի վավեր չափ, K կամ dist. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
       <source>This rig was written by another version; calibrate the rig again.</source>

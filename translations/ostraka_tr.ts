@@ -5155,11 +5155,6 @@
       <translation>Dosya açılamıyor (%1); izinlerini denetleyin.</translation>
     </message>
     <message>
-      <source>This is not a regular file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu olağan bir dosya değil; bir dosya belirtin.</translation>
-    </message>
-    <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya burada okunan %1 bayttan büyük; doğru dosya mı?</translation>
@@ -5340,11 +5335,6 @@
       <translation>'side' değeri 'front' ya da 'back' olmalı</translation>
     </message>
     <message>
-      <source>'length' must lie between 0 and 10000 mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'length' değeri 0 ile 10000 mm arasında olmalı</translation>
-    </message>
-    <message>
       <source>'ends' must be two lists of marks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>'ends' iki işaret listesi olmalı</translation>
@@ -5405,19 +5395,9 @@
       <translation>%1 numaralı işaret tablada iki kez var.</translation>
     </message>
     <message>
-      <source>The plate's diameter is no length in mm.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablanın çapı mm cinsinden bir uzunluk değil.</translation>
-    </message>
-    <message>
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayar levhası için 'dictionary', 'squares_x', 'squares_y', 'square_mm' ve 'marker_mm' gerekir.</translation>
-    </message>
-    <message>
-      <source>The board's squares and markers have no valid number or size.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ayar levhasının kare ve işaretlerinin sayısı ya da boyutu geçerli değil.</translation>
     </message>
     <message>
       <source>This cannot be written (%1); choose another folder for the batch, or check its permissions.</source>
@@ -6795,6 +6775,86 @@
       <translation>PLY dosyasında kullanılabilir nokta yok; taramayı yeniden dışa aktarın.</translation>
     </message>
     <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir klasör, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir boru, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir soket, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir aygıt, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörün kilidinin yerinde bir bağlantı duruyor; onu silin.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Burada geçici klasör oluşturulamıyor (%1); yer açın veya TMPDIR'i başka bir klasöre ayarlayın.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JSON bir nesnede '%1' adını iki kez veriyor; ikisinden birini silin.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1', %2 ile %3 arasında bir tam sayı olmalı; düzeltin.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1', %2 ile %3 arasında bir sayı olmalı; düzeltin.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' bir sayı olmalı; düzeltin.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın %1 numaralı işareti aynalanmış: köşeleri yukarıdan bakınca saat yönünün tersine dönüyor; tabla dosyasını yeniden yazdırın.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın %1 numaralı işareti dışbükey değil; köşelerini kenar boyunca sırayla belirtin.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın %1 ve %2 numaralı işaretleri üst üste geliyor; tabla dosyasını yeniden yazdırın.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayar levhasının işaretleri karelerinden küçük olmalı; 'marker_mm' veya 'square_mm' değerini düzeltin.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY'nin bir yüzünün %1'den fazla köşesi var; üçgenler olarak yeniden dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY dosyasında %1'den fazla '%2' var; daha azıyla dışa aktarın.</translation>
+    </message>
+    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenarın hiçbir bölümü ağız kenarı olamaz; bu parçayı ağızsız bir parça olarak çizin.</translation>
@@ -7755,11 +7815,6 @@
       <translation>Bir işaret ızgarası 'dictionary', 'markers_x', 'markers_y', 'marker_length' ve 'marker_separation' ister.</translation>
     </message>
     <message>
-      <source>The grid's markers have no valid number or size, or no gap between them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Izgaranın işaretlerinin sayısı ya da boyutu geçersiz, ya da aralarında boşluk yok.</translation>
-    </message>
-    <message>
       <source>There is nothing to calibrate from: photograph the plate at each stop into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and board.json beside them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayarlamak için bir şey yok: tablayı her durakta 'front' içine (cam0_pos00.jpg ve böyle sürer), ayar levhasını 'calib' içine fotoğraflayın ve yanlarına plate.json ile board.json dosyalarını kopyalayın.</translation>
@@ -8105,11 +8160,6 @@
       <translation>Bu fotoğrafın duruşu maskesi olmadan bulunur.</translation>
     </message>
     <message>
-      <source>The mask cannot be written.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Maske yazılamıyor.</translation>
-    </message>
-    <message>
       <source>Without plate.json poses come from COLMAP, which is not installed; install the package 'colmap' or photograph on a marker plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>plate.json olmadan duruşlar COLMAP’ten gelir, o da kurulu değil; 'colmap' paketini kurun ya da işaretli bir tabla üzerinde fotoğraflayın.</translation>
@@ -8258,11 +8308,6 @@
       <source>Camera %1 has a covariance of another size; calibrate the rig again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 kovaryansının boyutu başka; düzeneği yeniden ayarlayın.</translation>
-    </message>
-    <message>
-      <source>Camera %1 has no valid size, K or dist; calibrate the rig again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1 boyutu, K ya da dist değeri geçersiz; düzeneği yeniden ayarlayın.</translation>
     </message>
     <message>
       <source>This rig was written by another version; calibrate the rig again.</source>

@@ -1,14 +1,21 @@
 #include "base/files.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <openssl/sha.h>
+#include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <memory>
+#include <optional>
 #include <system_error>
+
+#include "base/input_file.h"
 
 namespace ostraka {
 namespace {
@@ -28,15 +35,11 @@ class Descriptor {
   int fd_;
 };
 
-std::string reason() {
-  return std::strerror(errno);
-}
-
-Error cannotWrite(const std::filesystem::path& path) {
+Error cannotWrite(const std::filesystem::path& path, int reason) {
   const std::string hint =
-      errno == ENOSPC ? "The disk is full; free some space and start the same command again."
-                      : "This cannot be written (" + reason() +
-                            "); choose another place, or check its permissions.";
+      reason == ENOSPC ? "The disk is full; free some space and start the same command again."
+                       : "This cannot be written (" + std::string(std::strerror(reason)) +
+                             "); choose another place, or check its permissions.";
   return {ErrorCode::CannotWrite, hint, path.string()};
 }
 
@@ -50,65 +53,124 @@ bool writeAll(int fd, std::string_view bytes) {
   return true;
 }
 
+// A file is written under the name .NAME.<12 hexadecimal digits>.partial in its folder, which
+// nobody can guess and prepare, and its writer holds a lock on it. One that nobody holds was left
+// by a program that was killed.
+constexpr std::size_t kDigits = 12;
+constexpr std::string_view kEnding = ".partial";
+constexpr const char* kHex = "0123456789abcdef";
+
+std::string partialStart(const std::filesystem::path& path) {
+  constexpr std::size_t kMostLetters = 200;  // a name has at most 255
+  return "." + path.filename().string().substr(0, kMostLetters) + ".";
+}
+
+std::string partialName(const std::string& start) {
+  std::array<unsigned char, kDigits> random{};
+  if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size()))
+    return {};
+  std::string name = start;
+  for (const unsigned char byte : random) name += kHex[byte & 15];
+  return name + std::string(kEnding);
+}
+
+bool isPartial(std::string_view name, const std::string& start) {
+  return name.size() == start.size() + kDigits + kEnding.size() && name.starts_with(start) &&
+         name.ends_with(kEnding) &&
+         name.substr(start.size(), kDigits).find_first_not_of(kHex) == std::string_view::npos;
+}
+
+void removeAbandonedPartials(int folder, const std::string& start) {
+  const int listed = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (listed < 0) return;
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::fdopendir(listed), ::closedir);
+  while (const dirent* entry = entries ? ::readdir(entries.get()) : nullptr) {
+    if (!isPartial(entry->d_name, start)) continue;
+    const Descriptor file(
+        ::openat(folder, entry->d_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat info {};
+    if (file.open() && ::fstat(file.get(), &info) == 0 && S_ISREG(info.st_mode) &&
+        ::flock(file.get(), LOCK_EX | LOCK_NB) == 0)
+      ::unlinkat(folder, entry->d_name, 0);
+  }
+}
+
+struct Partial {
+  int fd = -1;
+  std::string name;
+};
+
+// Locked, and still under its name: another write may have taken it for abandoned in between.
+Partial openPartial(int folder, const std::string& start, mode_t mode) {
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    const std::string name = partialName(start);
+    if (name.empty()) break;
+    const int fd =
+        ::openat(folder, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+    if (fd < 0 && errno == EEXIST) continue;
+    if (fd < 0) break;
+    struct stat info {};
+    const bool taken = ::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (!taken && ::fstat(fd, &info) == 0 && info.st_nlink > 0) return {fd, name};
+    ::close(fd);
+    errno = EAGAIN;
+  }
+  return {};
+}
+
+// As it was before; a group that cannot be kept gets no more than everybody.
+bool takeOver(int fd, const struct stat& before) {
+  struct stat now {};
+  if (::fstat(fd, &now) != 0) return false;
+  mode_t mode = before.st_mode & 0777;
+  const bool same = now.st_uid == before.st_uid && now.st_gid == before.st_gid;
+  if (!same && ::fchown(fd, before.st_uid, before.st_gid) != 0 &&
+      ::fchown(fd, static_cast<uid_t>(-1), before.st_gid) != 0)
+    mode &= ~070U | (mode & 07U) << 3;
+  return ::fchmod(fd, mode) == 0;
+}
+
 }  // namespace
 
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_bytes) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.open())
-    return Error{ErrorCode::UnusableInput,
-                 errno == ENOENT
-                     ? "There is no such file; check its name."
-                     : "The file cannot be opened (" + reason() + "); check its permissions.",
-                 path};
-  struct stat info {};
-  if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode))
-    return Error{ErrorCode::UnusableInput, "This is not a regular file; name a file.", path};
-  const auto size = static_cast<std::size_t>(info.st_size);
-  if (size > max_bytes)
-    return Error{ErrorCode::UnusableInput,
-                 "The file is larger than the " + std::to_string(max_bytes) +
-                     " bytes that are read here; is it the right one?",
-                 path};
-  std::string bytes(size, '\0');
-  std::size_t done = 0;
-  while (done < size) {
-    const ssize_t n = ::read(file.get(), bytes.data() + done, size - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0)
-      return Error{ErrorCode::UnusableInput,
-                   "The file cannot be read (" + reason() + "); copy it again.", path};
-    if (n == 0) break;
-    done += static_cast<std::size_t>(n);
-  }
-  bytes.resize(done);
-  return bytes;
+  Result<InputFile> file = InputFile::open(path);
+  if (!file) return file.error();
+  if (file->size_bytes() > max_bytes)
+    return Error::unusable("The file is larger than the " + std::to_string(max_bytes) +
+                               " bytes that are read here; is it the right one?",
+                           path);
+  return file->read(file->size_bytes());
 }
 
+// A link of this name is replaced by the file, and what it led to stays as it is: nothing outside
+// of the folder is ever written. A file there before keeps its permissions, and its owner and group
+// where that is allowed; a new one gets those that the person's umask says.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes) {
-  const std::filesystem::path folder =
+  const std::filesystem::path in =
       path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    errno = failed.value();
-    return cannotWrite(folder);
+  std::filesystem::create_directories(in, failed);
+  if (failed) return cannotWrite(in, failed.value());
+  if (std::string other = otherThanAFile(path); !other.empty())
+    return Error{ErrorCode::CannotWrite, std::move(other), path.string()};
+  const Descriptor folder(::open(in.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.open()) return cannotWrite(path, errno);
+  const std::string name = path.filename().string(), start = partialStart(path);
+  removeAbandonedPartials(folder.get(), start);
+  struct stat before {};
+  const bool replaces = ::fstatat(folder.get(), name.c_str(), &before, AT_SYMLINK_NOFOLLOW) == 0 &&
+                        S_ISREG(before.st_mode);
+  const Partial partial = openPartial(folder.get(), start, replaces ? 0600 : 0666);
+  const Descriptor file(partial.fd);
+  if (!file.open()) return cannotWrite(path, errno);
+  if ((replaces && !takeOver(file.get(), before)) || !writeAll(file.get(), bytes) ||
+      ::fsync(file.get()) != 0 ||
+      ::renameat(folder.get(), partial.name.c_str(), folder.get(), name.c_str()) != 0) {
+    const int reason = errno;
+    ::unlinkat(folder.get(), partial.name.c_str(), 0);
+    return cannotWrite(path, reason);
   }
-  const std::filesystem::path partial = path.string() + ".partial";
-  {
-    const Descriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-    if (!file.open()) return cannotWrite(path);
-    if (!writeAll(file.get(), bytes) || ::fsync(file.get()) != 0) {
-      const Error error = cannotWrite(path);
-      ::unlink(partial.c_str());
-      return error;
-    }
-  }
-  if (::rename(partial.c_str(), path.c_str()) != 0) {
-    const Error error = cannotWrite(path);
-    ::unlink(partial.c_str());
-    return error;
-  }
-  syncFolder(folder);
+  ::fsync(folder.get());
   return {};
 }
 

@@ -11,7 +11,11 @@ namespace ostraka {
 Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  const int fd = ::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  const std::filesystem::path file = folder / "lock";
+  const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  if (fd < 0 && errno == ELOOP)
+    return Error{ErrorCode::CannotWrite,
+                 "A link stands where the lock of this folder belongs; delete it.", file.string()};
   if (fd < 0) return FolderLock(-1);  // who writes there next says why it cannot
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(fd);

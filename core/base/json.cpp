@@ -2,29 +2,57 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <vector>
 
 #include "base/files.h"
+#include "base/json_numbers.h"
+#include "base/json_text.h"
+#include "base/limits.h"
+#include "base/text.h"
 
 namespace ostraka {
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
-constexpr int kMaxDepth = 64;
+// Looks at a text while it is parsed: its depth, and keys that one object has twice, of which
+// nobody could say which one holds.
+template <class Json>
+class Inspection {
+ public:
+  bool operator()(int depth, typename Json::parse_event_t event, const Json& parsed) {
+    if (depth > static_cast<int>(limits::kJsonDepth.most)) too_deep = true;
+    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+    if (event == Json::parse_event_t::object_end && !keys_.empty()) keys_.pop_back();
+    if (event == Json::parse_event_t::key && !keys_.empty()) {
+      const auto& key = parsed.template get_ref<const std::string&>();
+      if (!keys_.back().insert(key).second) twice = key;
+    }
+    return !too_deep;
+  }
 
-}  // namespace
-
-Result<nlohmann::json> parseJson(std::string_view text, const std::string& where) {
-  if (text.size() > kMaxBytes)
-    return Error::unusable("The JSON text is larger than 64 MiB.", where);
   bool too_deep = false;
-  const nlohmann::json::parser_callback_t check = [&](int depth, nlohmann::json::parse_event_t,
-                                                      nlohmann::json&) {
-    if (depth > kMaxDepth) too_deep = true;
-    return depth <= kMaxDepth;
-  };
+  std::optional<std::string> twice;
+
+ private:
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+};
+
+template <class Json>
+Result<Json> parsed(std::string_view text, const std::string& where) {
+  if (text.size() > limits::kJsonBytes.most)
+    return Error::unusable("The JSON text is larger than 64 MiB.", where);
+  Inspection<Json> inspection;
   try {
-    nlohmann::json value = nlohmann::json::parse(text, check);
-    if (too_deep) return Error::unusable("The JSON is nested deeper than 64 levels.", where);
+    Json value = Json::parse(text, [&](int depth, typename Json::parse_event_t event, Json& part) {
+      return inspection(depth, event, part);
+    });
+    if (inspection.too_deep)
+      return Error::unusable("The JSON is nested deeper than 64 levels.", where);
+    if (inspection.twice)
+      return Error::unusable(
+          "The JSON names '" + *inspection.twice + "' twice in one object; delete one of the two.",
+          where);
     return value;
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
@@ -37,8 +65,55 @@ Result<nlohmann::json> parseJson(std::string_view text, const std::string& where
   }
 }
 
+// Without the zeros behind the point that say nothing.
+std::string plain(double value) {
+  std::string text = fixed(value, 6);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void refuseWhole(const std::string& name, std::int64_t least, std::int64_t most) {
+  throw JsonNumberError("'" + name + "' must be a whole number from " + std::to_string(least) +
+                        " to " + std::to_string(most) + "; mend it.");
+}
+
+void refuseNumber(const std::string& name, double least, double most) {
+  if (least == -kMostNumber && most == kMostNumber)
+    throw JsonNumberError("'" + name + "' must be a number; mend it.");
+  throw JsonNumberError("'" + name + "' must be a number from " + plain(least) + " to " +
+                        plain(most) + "; mend it.");
+}
+
+Error unusableJson(const nlohmann::json::exception& refused, const std::string& otherwise,
+                   const std::string& where) {
+  const auto* number = dynamic_cast<const JsonNumberError*>(&refused);
+  return Error::unusable(number != nullptr ? number->what() : otherwise, where);
+}
+
+Result<nlohmann::json> parseJson(std::string_view text, const std::string& where) {
+  return parsed<nlohmann::json>(text, where);
+}
+
+Result<nlohmann::ordered_json> parseOrderedJson(std::string_view text, const std::string& where) {
+  return parsed<nlohmann::ordered_json>(text, where);
+}
+
+nlohmann::json jsonOrDiscarded(std::string_view text) {
+  Result<nlohmann::json> value = parseJson(text, {});
+  return value ? std::move(*value) : nlohmann::json(nlohmann::json::value_t::discarded);
+}
+
+nlohmann::ordered_json orderedJsonOrDiscarded(std::string_view text) {
+  Result<nlohmann::ordered_json> value = parseOrderedJson(text, {});
+  return value ? std::move(*value)
+               : nlohmann::ordered_json(nlohmann::ordered_json::value_t::discarded);
+}
+
 Result<nlohmann::json> readJson(const std::filesystem::path& path) {
-  const Result<std::string> text = readFile(path, kMaxBytes);
+  const Result<std::string> text = readFile(path, limits::kJsonBytes.most);
   if (!text) return text.error();
   return parseJson(*text, path.string());
 }

@@ -2,14 +2,16 @@
 
 #include <libexif/exif-data.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+
+#include "base/input_file.h"
+#include "base/limits.h"
 
 namespace ostraka::batch {
 namespace {
@@ -167,13 +169,13 @@ Exif exifIn(std::string_view bytes) {
 }
 
 Exif readExif(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes(kHead_bytes, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  if (in && isTiff(bytes))  // its directories may stand at its end
-    bytes.append(std::istreambuf_iterator<char>(in), {});
-  return exifIn(bytes);
+  Result<InputFile> in = InputFile::open(file);
+  if (!in || in->size_bytes() > limits::kImageBytes.most) return {};
+  Result<std::string> bytes = in->read(std::min(kHead_bytes, in->size_bytes()));
+  if (bytes && isTiff(*bytes))  // its directories may stand at its end
+    if (const Result<std::string> rest = in->read(in->size_bytes() - bytes->size()))
+      *bytes += *rest;
+  return bytes ? exifIn(*bytes) : Exif();
 }
 
 }  // namespace ostraka::batch

@@ -4,13 +4,12 @@
 #include <optional>
 
 #include "base/files.h"
+#include "base/limits.h"
 
 namespace ostraka::batch {
 namespace {
 
-// OpenCV decodes nothing larger (CV_IO_MAX_IMAGE_PIXELS).
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 30;
-constexpr int kMaxSide = 100'000;
+constexpr std::int64_t kMaxPixels = limits::kImagePixels.most, kMaxSide = limits::kImageSide.most;
 
 // Bytes with bounds: reading past the end gives nothing.
 class Bytes {
@@ -183,7 +182,7 @@ Result<ImageSize> imageSize(std::string_view text, const std::string& where) {
 }
 
 Result<ImageSize> readImageSize(const std::filesystem::path& file) {
-  const Result<std::string> bytes = readFile(file);
+  const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
   return imageSize(*bytes, file.string());
 }

@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/limits.h"
 #include "batch/batch.h"
 
 namespace ostraka::batch {
@@ -13,9 +15,7 @@ KnownLength lengthFromJson(const nlohmann::json& value) {
   if (side != name(Side::Front) && side != name(Side::Back))
     throw std::invalid_argument("'side' must be 'front' or 'back'");
   known.side = side == name(Side::Front) ? Side::Front : Side::Back;
-  known.length_mm = value.at("length").get<double>();
-  if (!(known.length_mm > 0 && known.length_mm < 10'000))
-    throw std::invalid_argument("'length' must lie between 0 and 10000 mm");
+  known.length_mm = numberAt(value, "length", 0.01, limits::kPlateReach_mm.most);
   const nlohmann::json& ends = value.at("ends");
   if (!ends.is_array() || ends.size() != 2)
     throw std::invalid_argument("'ends' must be two lists of marks");
@@ -23,7 +23,7 @@ KnownLength lengthFromJson(const nlohmann::json& value) {
     for (const nlohmann::json& mark : ends[e])
       known.ends[e].push_back(
           {mark.at("file").get<std::string>(),
-           {mark.at("pixel").at(0).get<double>(), mark.at("pixel").at(1).get<double>()}});
+           {numberIn(mark.at("pixel").at(0), "pixel"), numberIn(mark.at("pixel").at(1), "pixel")}});
     if (known.ends[e].size() < 2)
       throw std::invalid_argument("each end must be marked on two photographs at least");
   }
@@ -44,8 +44,10 @@ Result<std::vector<KnownLength>> readKnownLengths(const std::filesystem::path& f
     if (json->value("unit", "mm") != "mm") return unusable("their unit must be mm");
     for (const nlohmann::json& value : json->at("lengths"))
       lengths.push_back(lengthFromJson(value));
-  } catch (const nlohmann::json::exception&) {
-    return unusable("each needs 'side', 'length' and 'ends' with 'file' and 'pixel'");
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(
+        refused, unusable("each needs 'side', 'length' and 'ends' with 'file' and 'pixel'").what,
+        file.string());
   } catch (const std::invalid_argument& error) {
     return unusable(error.what());
   }

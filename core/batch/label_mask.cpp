@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/files.h"
+#include "base/limits.h"
 #include "batch/image_header.h"
 
 namespace ostraka::batch {
@@ -39,7 +40,7 @@ cv::Mat withoutAlpha(const cv::Mat& labels) {
 }  // namespace
 
 Result<cv::Mat1b> readLabelMask(const std::filesystem::path& file) {
-  const Result<std::string> bytes = readFile(file);
+  const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
   const Result<ImageSize> size = imageSize(*bytes, file.string());
   if (!size) return size.error();

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/files.h"
+#include "base/limits.h"
 #include "base/text.h"
 #include "batch/image_header.h"
 
@@ -27,7 +28,7 @@ Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int fl
 }
 
 Result<cv::Mat> readImage(const std::filesystem::path& file, int flags) {
-  const Result<std::string> bytes = readFile(file);
+  const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
   return decoded(*bytes, file.string(), flags);
 }

@@ -2,31 +2,107 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/limits.h"
 #include "batch/batch.h"
 
 namespace ostraka::batch {
 namespace {
 
-constexpr double kMaxMm = 10'000;  // a plate of 20 m is a mistake in the unit
-constexpr std::size_t kMaxMarkers = 1024;
+constexpr double kMost_mm = limits::kPlateReach_mm.most;
+constexpr int kMostSquares = limits::kBoardSquares.most;
+constexpr int kMostId = 1'000'000;         // beyond every dictionary
+constexpr double kLeastOverlap_mm = 0.01;  // markers may touch
 
-bool usable(const Marker& marker) {
-  for (const Eigen::Vector3d& corner : marker.corners)
-    if (!corner.allFinite() || corner.cwiseAbs().maxCoeff() > kMaxMm) return false;
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+bool isLine(const Marker& marker) {
   const Eigen::Vector3d diagonal = marker.corners[2] - marker.corners[0];
   const Eigen::Vector3d other = marker.corners[3] - marker.corners[1];
-  return marker.id >= 0 && diagonal.cross(other).norm() > 0.1;  // mm2: not a line
+  return !(diagonal.cross(other).norm() > 0.1);  // mm2
+}
+
+// Of the corners at which the edge turns left, seen from above; none of a marker as it is printed,
+// whose corners go round clockwise.
+int leftTurns(const Marker& marker) {
+  int turns = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const Eigen::Vector2d at = marker.corners[c].head<2>();
+    const Eigen::Vector2d before = marker.corners[(c + 3) % 4].head<2>();
+    const Eigen::Vector2d after = marker.corners[(c + 1) % 4].head<2>();
+    turns += cross(at - before, after - at) >= 0 ? 1 : 0;
+  }
+  return turns;
+}
+
+// Empty, or what is wrong with the marker's corners.
+std::string wrongCorners(const Marker& marker) {
+  const std::string name = "Marker " + std::to_string(marker.id);
+  if (isLine(marker)) return name + " of the plate has no valid corners.";
+  const int turns = leftTurns(marker);
+  if (turns == 4)
+    return name +
+           " of the plate is mirrored: its corners go round counter-clockwise as seen from above; "
+           "print the plate's file again.";
+  if (turns > 0)
+    return name +
+           " of the plate is not convex; name its corners one after the other along its edge.";
+  return {};
+}
+
+// Convex quadrilaterals that no line along an edge of either separates.
+bool overlap(const Marker& a, const Marker& b) {
+  for (const Marker* of : {&a, &b})
+    for (std::size_t c = 0; c < 4; ++c) {
+      const Eigen::Vector2d edge =
+          (of->corners[(c + 1) % 4] - of->corners[c]).head<2>().normalized();
+      const auto across = [&edge](const Marker& marker) {
+        Eigen::Vector4d at;
+        for (Eigen::Index k = 0; k < 4; ++k)
+          at[k] = cross(edge, marker.corners[static_cast<std::size_t>(k)].head<2>());
+        return at;
+      };
+      const Eigen::Vector4d at = across(a), bt = across(b);
+      if (std::min(at.maxCoeff(), bt.maxCoeff()) - std::max(at.minCoeff(), bt.minCoeff()) <
+          kLeastOverlap_mm)
+        return false;
+    }
+  return true;
 }
 
 Marker markerFromJson(const nlohmann::json& value) {
   Marker marker;
-  marker.id = value.at("id").get<int>();
+  marker.id = wholeAt(value, "id", 0, kMostId);
   const nlohmann::json& corners = value.at("corners");
   for (int c = 0; c < 4; ++c)
-    for (int k = 0; k < 3; ++k) marker.corners[c][k] = corners.at(c).at(k).get<double>();
+    for (int k = 0; k < 3; ++k)
+      marker.corners[c][k] = numberIn(corners.at(c).at(k), "corners", -kMost_mm, kMost_mm);
   return marker;
+}
+
+Result<void> checkMarkers(const std::vector<Marker>& markers, const std::filesystem::path& file) {
+  if (markers.empty()) return Error::unusable("The plate names no marker.", file);
+  std::set<int> ids;
+  for (const Marker& marker : markers) {
+    if (std::string wrong = wrongCorners(marker); !wrong.empty())
+      return Error::unusable(std::move(wrong), file);
+    if (!ids.insert(marker.id).second)
+      return Error::unusable("Marker " + std::to_string(marker.id) + " stands twice on the plate.",
+                             file);
+  }
+  for (std::size_t i = 0; i < markers.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (overlap(markers[i], markers[k]))
+        return Error::unusable("The markers " + std::to_string(markers[k].id) + " and " +
+                                   std::to_string(markers[i].id) +
+                                   " of the plate overlap; print the plate's file again.",
+                               file);
+  return {};
 }
 
 // Of the circle about the plate's middle that holds all markers: what is known to be plate.
@@ -40,7 +116,7 @@ double markedDiameter(const Plate& plate) {
 
 // The names differ between our boards and those of others.
 double lengthFromJson(const nlohmann::json& value, const char* ours, const char* theirs) {
-  return value.at(value.contains(ours) ? ours : theirs).get<double>();
+  return numberAt(value, value.contains(ours) ? ours : theirs, 0.01, kMost_mm);
 }
 
 }  // namespace
@@ -54,28 +130,21 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
       return Error::unusable("The plate's unit must be mm; print the plate's file again.", file);
     plate.dictionary = json->at("dictionary").get<std::string>();
     for (const nlohmann::json& value : json->at("markers")) {
-      if (plate.markers.size() >= kMaxMarkers)
+      if (plate.markers.size() >= limits::kPlateMarkers.most)
         return Error::unusable("The plate names more than 1024 markers.", file);
       plate.markers.push_back(markerFromJson(value));
     }
     plate.diameter_mm =
-        json->contains("diameter") ? json->at("diameter").get<double>() : markedDiameter(plate);
-  } catch (const nlohmann::json::exception&) {
-    return Error::unusable(
+        json->contains("diameter") ? numberAt(*json, "diameter", 1, 2 * kMost_mm) : 0;
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(
+        refused,
         "The plate needs 'dictionary' and 'markers' with an id and four corners of three numbers "
         "each; 'diameter', where it is given, is a number in mm.",
         file);
   }
-  if (plate.markers.empty()) return Error::unusable("The plate names no marker.", file);
-  std::set<int> ids;
-  for (const Marker& marker : plate.markers) {
-    const std::string name = "Marker " + std::to_string(marker.id);
-    if (!usable(marker)) return Error::unusable(name + " of the plate has no valid corners.", file);
-    if (!ids.insert(marker.id).second)
-      return Error::unusable(name + " stands twice on the plate.", file);
-  }
-  if (!(plate.diameter_mm > 0 && plate.diameter_mm <= 2 * kMaxMm))
-    return Error::unusable("The plate's diameter is no length in mm.", file);
+  if (Result<void> good = checkMarkers(plate.markers, file); !good) return good.error();
+  if (plate.diameter_mm == 0) plate.diameter_mm = markedDiameter(plate);
   return plate;
 }
 
@@ -85,21 +154,20 @@ Result<Board> readBoard(const std::filesystem::path& file) {
   Board board;
   try {
     board.dictionary = json->at("dictionary").get<std::string>();
-    board.squares_x = json->at("squares_x").get<int>();
-    board.squares_y = json->at("squares_y").get<int>();
+    board.squares_x = wholeAt(*json, "squares_x", 2, kMostSquares);
+    board.squares_y = wholeAt(*json, "squares_y", 2, kMostSquares);
     board.square_mm = lengthFromJson(*json, "square_mm", "square_length");
     board.marker_mm = lengthFromJson(*json, "marker_mm", "marker_length");
-  } catch (const nlohmann::json::exception&) {
-    return Error::unusable(
-        "The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and "
-        "'marker_mm'.",
-        file);
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(refused,
+                        "The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and "
+                        "'marker_mm'.",
+                        file);
   }
-  const bool squares = board.squares_x >= 2 && board.squares_y >= 2 && board.squares_x <= 100 &&
-                       board.squares_y <= 100;
-  if (!squares || !(board.marker_mm > 0 && board.marker_mm < board.square_mm) ||
-      !(board.square_mm <= kMaxMm))
-    return Error::unusable("The board's squares and markers have no valid number or size.", file);
+  if (!(board.marker_mm < board.square_mm))
+    return Error::unusable(
+        "The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.",
+        file);
   return board;
 }
 

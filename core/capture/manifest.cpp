@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/limits.h"
 
 namespace ostraka::capture {
 namespace {
@@ -44,22 +46,22 @@ nlohmann::ordered_json toJson(const ManifestEntry& e) {
 ManifestEntry entryFromJson(const nlohmann::json& json) {
   ManifestEntry e;
   e.side = json.at("side").get<std::string>() == "back" ? batch::Side::Back : batch::Side::Front;
-  e.camera = json.at("camera").get<int>();
-  e.stop = json.at("stop").get<int>();
-  e.take = json.at("take").get<int>();
+  e.camera = wholeAt(json, "camera", 0, limits::kRigCameras.most);
+  e.stop = wholeAt(json, "stop", 0, limits::kRigStops.most);
+  e.take = wholeAt(json, "take", 0);
   e.file = json.at("file").get<std::string>();
   e.sha256 = json.at("sha256").get<std::string>();
-  e.bytes = json.at("bytes").get<std::uint64_t>();
+  e.bytes = wholeIn(json.at("bytes"), "bytes", 0, INT64_MAX);
   e.camera_model = json.value("camera_model", "");
   e.camera_serial = json.value("camera_serial", "");
   e.settings = json.value("settings", std::map<std::string, std::string>{});
   e.taken_at = json.value("taken_at", "");
-  e.angle_deg = json.value("angle_deg", 0.0);
+  e.angle_deg = numberOr(json, "angle_deg", 0.0);
   if (json.contains("angle_seen_deg") && json["angle_seen_deg"].is_number())
-    e.angle_seen_deg = json["angle_seen_deg"].get<double>();
-  e.sharpness = json.value("edge_width_px", 0.0);
-  e.markers_seen = json.value("markers_seen", 0);
-  e.sherds = json.value("sherds_seen", 0);
+    e.angle_seen_deg = numberAt(json, "angle_seen_deg");
+  e.sharpness = numberOr(json, "edge_width_px", 0.0);
+  e.markers_seen = wholeOr(json, "markers_seen", 0);
+  e.sherds = wholeOr(json, "sherds_seen", 0);
   e.problems = json.value("problems", std::vector<std::string>{});
   e.raw = json.value("raw", std::vector<std::string>{});
   e.checked = json.value("checked", false);
@@ -107,16 +109,16 @@ Result<Manifest> readManifest(const std::filesystem::path& batch) {
                        file.string()};
   try {
     if (json->at("format") != kManifestFormat) return unusable;
-    manifest.stops = json->at("stops").get<int>();
-    manifest.cameras = json->at("cameras").get<int>();
+    manifest.stops = wholeAt(*json, "stops", 0, limits::kRigStops.most);
+    manifest.cameras = wholeAt(*json, "cameras", 0, limits::kRigCameras.most);
     for (const nlohmann::json& entry : json->at("photographs")) {
       manifest.entries.push_back(entryFromJson(entry));
       const ManifestEntry& read = manifest.entries.back();
       if (!isOwnName(read.file) || !std::all_of(read.raw.begin(), read.raw.end(), isOwnName))
         return unusable;
     }
-  } catch (const nlohmann::json::exception&) {
-    return unusable;
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(refused, unusable.what, unusable.where);
   }
   return manifest;
 }

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 #include "capture/comxim.h"
 #include "capture/folder_camera.h"
 #include "capture/gphoto_camera.h"
@@ -23,8 +25,9 @@ DevicesFile devicesFromJson(const nlohmann::json& json) {
   const nlohmann::json& table = json.at("turntable");
   devices.turntable.driver = table.at("driver").get<std::string>();
   devices.turntable.channel = table.value("channel", "");
-  devices.turntable.baud = table.value("baud", devices.turntable.baud);
-  devices.turntable.speed_deg_s = table.value("speed_deg_s", devices.turntable.speed_deg_s);
+  devices.turntable.baud = wholeOr(table, "baud", devices.turntable.baud, 50, 4'000'000);
+  devices.turntable.speed_deg_s =
+      numberOr(table, "speed_deg_s", devices.turntable.speed_deg_s, 0, 3600);
   devices.turntable.clockwise = table.value("clockwise", false);
   devices.turntable.shutter = table.value("shutter", "");
   if (table.contains("dialect")) devices.turntable.dialect = table.at("dialect").dump();
@@ -36,7 +39,7 @@ DevicesFile devicesFromJson(const nlohmann::json& json) {
     place.settings = c.value("settings", std::map<std::string, std::string>{});
     devices.cameras.push_back(std::move(place));
   }
-  devices.settle_s = json.value("settle_s", devices.settle_s);
+  devices.settle_s = numberOr(json, "settle_s", devices.settle_s, 0, 3600);
   devices.plate = json.value("plate", "plate.json");
   return devices;
 }
@@ -53,8 +56,7 @@ Result<std::unique_ptr<Turntable>> openTurntable(const TurntablePlace& place, co
                            rig_file);
   TextTableOptions words{marlinDialect(), place.speed_deg_s, place.clockwise};
   if (text && !place.dialect.empty()) {
-    const Result<TextDialect> dialect =
-        dialectFromJson(nlohmann::json::parse(place.dialect, nullptr, false));
+    const Result<TextDialect> dialect = dialectFromJson(jsonOrDiscarded(place.dialect));
     if (!dialect) return Error::unusable(dialect.error().what, rig_file);
     words.dialect = *dialect;
   }
@@ -108,8 +110,9 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
       return Error::unusable("settle_s and speed_deg_s must be positive.", rig_file);
     if (devices.plate.is_relative()) devices.plate = rig_file.parent_path() / devices.plate;
     return devices;
-  } catch (const nlohmann::json::exception&) {
-    return Error::unusable(
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(
+        refused,
         "The part 'devices' cannot be read; compare it with the README's chapter on devices.",
         rig_file);
   }

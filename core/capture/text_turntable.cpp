@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "base/json_numbers.h"
 #include "base/text.h"
 #include "capture/conversation.h"
 
@@ -342,7 +343,7 @@ Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
     d.end = end[0];
     d.begin = json.value("begin", std::vector<std::string>{});
     d.move = json.at("move").get<std::string>();
-    d.reply_s = json.value("reply_s", d.reply_s);
+    d.reply_s = numberOr(json, "reply_s", d.reply_s, 0, 3600);
     for (const auto& [key, word] : {std::pair<const char*, std::string*>{"still", &d.still},
                                     {"home", &d.home},
                                     {"zero", &d.zero},
@@ -355,8 +356,8 @@ Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
                                     {"busy", &d.busy},
                                     {"position", &d.position}})
       *word = json.value(key, std::string());
-  } catch (const nlohmann::json::exception&) {
-    return unusable;
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(refused, unusable.what, unusable.where);
   }
   if (const Result<void> checked = d.check(); !checked) return checked.error();
   return d;

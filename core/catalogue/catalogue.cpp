@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json_text.h"
 #include "catalogue/database.h"
 #include "catalogue/history.h"
 #include "catalogue/migrations.h"
@@ -123,7 +124,7 @@ Result<std::vector<Term>> Catalogue::vocabulary(const std::string& name) const {
       Term term;
       std::string labels;
       rows >> term.term >> labels >> term.uri;
-      const nlohmann::json json = nlohmann::json::parse(labels, nullptr, false);
+      const nlohmann::json json = jsonOrDiscarded(labels);
       for (const auto& [language, label] : json.items())
         if (label.is_string()) term.labels[language] = label.get<std::string>();
       terms.push_back(std::move(term));

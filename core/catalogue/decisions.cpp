@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/json.h"
+#include "base/json_text.h"
 #include "catalogue/history.h"
 #include "catalogue/kept_models.h"
 #include "catalogue/names.h"
@@ -21,7 +22,7 @@ std::string poseText(const std::optional<Eigen::Isometry3d>& pose) {
 
 std::optional<Eigen::Isometry3d> poseFromText(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const nlohmann::json json = jsonOrDiscarded(text);
   const Result<Eigen::Isometry3d> pose = isometryFromJson(json, "pair_decision");
   if (!pose) return std::nullopt;
   return *pose;

@@ -1,4 +1,5 @@
 // The ids of a table's rows: filter and order happen in SQL.
+#include "base/json_text.h"
 #include "catalogue/filter.h"
 
 #include <nlohmann/json.hpp>
@@ -45,7 +46,7 @@ std::vector<std::string> termsCalled(Query& query, const std::string& word) {
     std::string term, labels;
     rows >> term >> labels;
     bool meant = uniqueKey(searched(term)) == key;
-    const nlohmann::json names = nlohmann::json::parse(labels, nullptr, false);
+    const nlohmann::json names = jsonOrDiscarded(labels);
     for (const nlohmann::json& name : names)
       meant |= name.is_string() && uniqueKey(searched(name.get<std::string>())) == key;
     if (meant) terms.push_back(term);

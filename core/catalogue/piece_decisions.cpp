@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 #include "catalogue/database.h"
 #include "catalogue/names.h"
 #include "catalogue/statement.h"
@@ -23,7 +25,7 @@ json pairOf(const Eigen::Vector2d& point) {
 }
 
 Eigen::Vector2d pointFrom(const json& pair) {
-  return {pair.at(0).get<double>(), pair.at(1).get<double>()};
+  return {numberIn(pair.at(0), "place_mm"), numberIn(pair.at(1), "place_mm")};
 }
 
 std::string piecesText(const PieceDecision& d) {
@@ -43,9 +45,9 @@ std::string cutText(const PieceDecision& d) {
 // What this file wrote; a text that was changed from outside leaves the fields empty.
 void readTexts(PieceDecision& d, const std::string& pieces, const std::string& cut) {
   try {
-    for (const json& piece : json::parse(pieces))
+    for (const json& piece : jsonOrDiscarded(pieces))
       d.pieces.push_back({piece.at("name").get<std::string>(), pointFrom(piece.at("place_mm"))});
-    const json line = json::parse(cut);
+    const json line = jsonOrDiscarded(cut);
     if (line.size() == 2) d.cut_mm = {pointFrom(line[0]), pointFrom(line[1])};
   } catch (const json::exception&) {
     d.pieces.clear();

@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_numbers.h"
 #include "catalogue/kept_models.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
@@ -189,7 +190,7 @@ class Reading {
           if (column && column->measure && value.is_number() && value.get<double>() > 0)
             sherd.measures[column->measure] = value.get<double>();
         }
-        sherd.measures["filled_pct"] = 100 * figures.at("filled_share").get<double>();
+        sherd.measures["filled_pct"] = 100 * numberAt(figures, "filled_share");
       }
     }
     results_.sherds.push_back(std::move(sherd));

@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "catalogue/history.h"
 #include "catalogue/names.h"
 #include "catalogue/sherd_columns.h"
@@ -324,7 +325,7 @@ void setExtra(Catalogue& catalogue, SherdRow sherd, const std::string& name,
     Statement row = database.sql("SELECT extra FROM sherd WHERE row = ?");
     if (row.with(sherd).next()) row >> text;
   }
-  nlohmann::ordered_json extra = nlohmann::ordered_json::parse(text, nullptr, false);
+  nlohmann::ordered_json extra = orderedJsonOrDiscarded(text);
   if (!extra.is_object()) extra = nlohmann::ordered_json::object();
   if (value.empty())
     extra.erase(name);

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "catalogue/sherd_columns.h"
 #include "catalogue/values.h"
 #include "catalogue/words.h"
@@ -96,7 +97,7 @@ const std::vector<SherdField>& sherdFields() {
 
 std::string textOf(const SherdRecord& sherd, const std::string& field) {
   if (field.starts_with("extra.")) {
-    const nlohmann::json extra = nlohmann::json::parse(sherd.extra_json, nullptr, false);
+    const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
     const auto found = extra.is_object() ? extra.find(field.substr(6)) : extra.end();
     if (!extra.is_object() || found == extra.end()) return {};
     return found->is_string() ? found->get<std::string>() : found->dump();

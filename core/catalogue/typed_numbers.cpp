@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 #include "catalogue/label_codes.h"
 #include "catalogue/names.h"
 #include "catalogue/numbering.h"
@@ -28,12 +30,12 @@ std::string keyOf(const Catalogue& catalogue, BatchRow batch) {
 
 std::vector<TypedNumber> parsed(const std::string& text) {
   std::vector<TypedNumber> numbers;
-  const json list = json::parse(text, nullptr, false);
+  const json list = jsonOrDiscarded(text);
   if (!list.is_array()) return numbers;
   for (const json& one : list)
     if (one.is_object())
       numbers.push_back(
-          {{one.value("x_mm", 0.0), one.value("y_mm", 0.0)}, one.value("number", "")});
+          {{numberOr(one, "x_mm", 0.0), numberOr(one, "y_mm", 0.0)}, one.value("number", "")});
   return numbers;
 }
 

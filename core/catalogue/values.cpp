@@ -5,12 +5,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+#include "base/limits.h"
 #include "catalogue/names.h"
 
 namespace ostraka::catalogue {
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostBytes = limits::kValueBytes.most;
 
 bool digits(std::string_view text, std::size_t from, std::size_t count) {
   if (from + count > text.size()) return false;
@@ -206,7 +208,7 @@ std::string termsJson(const std::vector<std::string>& terms) {
 }
 
 std::vector<std::string> termsFromJson(std::string_view text) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const nlohmann::json json = jsonOrDiscarded(text);
   std::vector<std::string> terms;
   if (json.is_array())
     for (const nlohmann::json& term : json)

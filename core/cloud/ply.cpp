@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/files.h"
+#include "base/limits.h"
 
 namespace ostraka {
 namespace {
@@ -315,7 +316,7 @@ bool readVertices(const Element& element, Values& values, PlyContents& out,
   return values.ok;
 }
 
-enum class FaceOutcome { Fine, Truncated, AbsentVertex };
+enum class FaceOutcome { Fine, Truncated, AbsentVertex, TooManyCorners, TooManyFaces };
 
 FaceOutcome readFaces(const Element& element, Values& values, const std::vector<int>& new_index,
                       PlyContents& out) {
@@ -328,6 +329,8 @@ FaceOutcome readFaces(const Element& element, Values& values, const std::vector<
       }
       const bool corners = p.name == "vertex_indices" || p.name == "vertex_index";
       const double n = values.next(*p.count_type);
+      if (corners && n > static_cast<double>(limits::kFaceCorners.most))
+        return FaceOutcome::TooManyCorners;
       polygon.clear();
       for (double k = 0; k < n && values.ok; ++k) {
         const double index = values.next(p.type);
@@ -340,6 +343,7 @@ FaceOutcome readFaces(const Element& element, Values& values, const std::vector<
       for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
         if (polygon[0] >= 0 && polygon[k] >= 0 && polygon[k + 1] >= 0)
           out.mesh.triangles.push_back({polygon[0], polygon[k], polygon[k + 1]});
+      if (out.mesh.triangles.size() > limits::kFaces.most) return FaceOutcome::TooManyFaces;
     }
   }
   return values.ok ? FaceOutcome::Fine : FaceOutcome::Truncated;
@@ -352,6 +356,12 @@ bool skip(const Element& element, Values& values) {
       for (double k = 0; k < n && values.ok; ++k) values.next(p.type);
     }
   return values.ok;
+}
+
+Error tooMany(const Limit& limit, const std::string& of, const std::string& where) {
+  return Error::unusable("The PLY file has more than " + std::to_string(limit.most) + " of '" + of +
+                             "'; export it with fewer.",
+                         where);
 }
 
 template <class T>
@@ -403,7 +413,11 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
     // An entry without properties takes no bytes; nothing real has a million of them.
     const bool too_many =
         least == 0 ? element.count > 1'000'000 : element.count > (left + 1) / least;
-    if (too_many || element.count > 0x7fffffff)
+    const bool faces = element.name == "face";
+    if (const Limit& limit = faces ? limits::kFaces : limits::kVertices;
+        !too_many && element.count > limit.most)
+      return tooMany(limit, element.name, where);
+    if (too_many)
       return Error::unusable("The PLY header claims " + std::to_string(element.count) + " of '" +
                                  element.name + "', more than the file holds; it may be cut off.",
                              where);
@@ -422,6 +436,12 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
       if (outcome == FaceOutcome::AbsentVertex)
         return Error::unusable(
             "A face of the PLY names a vertex that is not there; export it again.", where);
+      if (outcome == FaceOutcome::TooManyCorners)
+        return Error::unusable("A face of the PLY has more than " +
+                                   std::to_string(limits::kFaceCorners.most) +
+                                   " corners; export it again as triangles.",
+                               where);
+      if (outcome == FaceOutcome::TooManyFaces) return tooMany(limits::kFaces, element.name, where);
       if (outcome == FaceOutcome::Truncated)
         return Error::unusable("The PLY file ends within its faces; copy it again.", where);
     } else if (!skip(element, values)) {

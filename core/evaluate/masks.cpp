@@ -8,6 +8,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
 
+#include "base/files.h"
+#include "base/limits.h"
+
 namespace ostraka::evaluate {
 namespace {
 
@@ -94,6 +97,17 @@ std::vector<double> sizes(const std::vector<float>& values) {
   return found;
 }
 
+// Empty when it cannot be.
+cv::Mat decoded(const std::string& bytes) {
+  if (bytes.empty()) return {};
+  try {
+    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
+
 template <class T>
 double quantile(std::vector<T> values, double share) {
   if (values.empty()) return 0;
@@ -105,7 +119,9 @@ double quantile(std::vector<T> values, double share) {
 }  // namespace
 
 Result<MaskImage> readMask(const std::filesystem::path& file) {
-  const cv::Mat image = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
+  const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
+  if (!bytes) return bytes.error();
+  const cv::Mat image = decoded(*bytes);
   if (image.empty())
     return Error{ErrorCode::UnusableInput, "The mask cannot be read as an image.", file.string()};
   if (image.type() != CV_8UC1)

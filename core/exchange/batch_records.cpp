@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
 #include "catalogue/restore.h"
 #include "catalogue/words.h"
 #include "exchange/json_fields.h"
@@ -202,7 +203,7 @@ class Entering {
     batch.state = fromWord<BatchState>(text(b, "state"));
     // What was under way there is neither photographed on nor computed here by itself.
     if (batch.state < BatchState::Review) batch.state = BatchState::Failed;
-    batch.counted = b.value("counted", 0);
+    batch.counted = wholeOr(b, "counted", 0);
     batch.operator_ = {row(b, "operator")};
     for (const json& id : listOf(b, "bags")) {
       const auto bag = rows_.find(id.get<std::string>());
@@ -229,7 +230,7 @@ class Entering {
       const PieceRow piece{
           text(d, "id"),       text(d, "by"),     text(d, "side"),
           text(d, "verdict"),  text(d, "pieces"), text(d, "cut_mm"),
-          text(d, "replaces"), text(d, "note"),   d.at("at_ms").get<std::int64_t>()};
+          text(d, "replaces"), text(d, "note"),   wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX)};
       const auto done = restorePieceRow(catalogue_, *added, {row(d, "by")}, piece);
       if (!done) return done;
     }
@@ -263,8 +264,8 @@ class Entering {
     photograph.side = fromWord<batch::Side>(text(p, "side"));
     const std::string camera = text(p, "camera");
     photograph.camera = camera.empty() ? 'A' : camera[0];
-    photograph.stop = p.at("stop").get<int>();
-    photograph.take = p.at("take").get<int>();
+    photograph.stop = wholeAt(p, "stop");
+    photograph.take = wholeAt(p, "take");
     photograph.path = here(text(p, "path"));
     photograph.serial = text(p, "serial");
     photograph.exif_json = text(p, "exif");
@@ -280,7 +281,7 @@ class Entering {
     ScanRecord scan;
     scan.batch = batch;
     scan.side = fromWord<batch::Side>(text(s, "side"));
-    scan.index = s.at("index").get<int>();
+    scan.index = wholeAt(s, "index");
     scan.name = text(s, "name");
     scan.path = here(text(s, "path"));
     take(s, "points", scan.points);
@@ -296,7 +297,7 @@ class Entering {
 
   Result<void> decision(const json& d, BatchRow batch) {
     PairDecision decision;
-    decision.at_ms = d.at("at_ms").get<std::int64_t>();
+    decision.at_ms = wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX);
     decision.batch = batch;
     decision.by = {row(d, "by")};
     decision.front = {own(d, "front")};
@@ -325,7 +326,7 @@ class Entering {
     file.id = text(f, "id");
     file.path = here(text(f, "path"));
     file.sha256 = text(f, "sha256");
-    file.bytes = f.at("bytes").get<std::int64_t>();
+    file.bytes = wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX);
     file.media_type = text(f, "media_type");
     file.role = "photo";
     file.batch = batch;

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/json_text.h"
 #include "base/text.h"
 #include "catalogue/names.h"
 #include "catalogue/values.h"
@@ -48,7 +49,7 @@ class Values {
   }
   // The user's own fields with what the columns say that are not known.
   std::string extra(const std::string& before) const {
-    nlohmann::ordered_json fields = nlohmann::ordered_json::parse(before, nullptr, false);
+    nlohmann::ordered_json fields = orderedJsonOrDiscarded(before);
     if (!fields.is_object()) fields = nlohmann::ordered_json::object();
     for (const std::string& column : table_.columns) {
       if (isKnown(column)) continue;

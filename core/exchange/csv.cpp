@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "base/limits.h"
 #include "catalogue/names.h"
 
 namespace ostraka::exchange {
 namespace {
 
-constexpr std::size_t kMostRows = 1'000'000, kMostField = 1 << 20;
+constexpr std::size_t kMostRows = limits::kTableRows.most,
+                      kMostField = limits::kTableFieldBytes.most;
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
 constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
 

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 #include "catalogue/names.h"
 #include "exchange/bagit.h"
 #include "exchange/json_fields.h"
@@ -136,7 +138,7 @@ ordered_json contextJson(const ContextRecord& c, const std::string& site,
   put(one, "date_edtf", c.date_edtf);
   put(one, "note", c.note);
   one["closed"] = c.closed;
-  if (const auto own = ordered_json::parse(c.extra_json, nullptr, false); !own.empty())
+  if (const auto own = orderedJsonOrDiscarded(c.extra_json); own.is_object() && !own.empty())
     one["extra"] = own;
   return one;
 }
@@ -210,8 +212,8 @@ class Reading {
       site.name = text(s, "name");
       site.gazetteer = text(s, "gazetteer");
       site.location_public = s.value("location_public", false);
-      if (s.contains("latitude_deg")) site.latitude_deg = s.at("latitude_deg").get<double>();
-      if (s.contains("longitude_deg")) site.longitude_deg = s.at("longitude_deg").get<double>();
+      if (s.contains("latitude_deg")) site.latitude_deg = numberAt(s, "latitude_deg");
+      if (s.contains("longitude_deg")) site.longitude_deg = numberAt(s, "longitude_deg");
       if (auto done = add(site); !done) return done;
     }
     for (const json& t : places.at("trenches")) {
@@ -245,8 +247,8 @@ class Reading {
       bag.number = text(b, "number");
       bag.collected_on = text(b, "collected_on");
       bag.storage = text(b, "storage");
-      if (b.contains("count_written")) bag.count_written = b.at("count_written").get<int>();
-      if (b.contains("weight_g")) bag.weight_g = b.at("weight_g").get<double>();
+      if (b.contains("count_written")) bag.count_written = wholeAt(b, "count_written");
+      if (b.contains("weight_g")) bag.weight_g = numberAt(b, "weight_g");
       if (auto done = add(bag); !done) return done;
     }
     return {};
@@ -371,10 +373,9 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const std::filesystem::pa
         return done.error();
     }
     return readBatches(catalogue, *batches, reading.rows(), act);
-  } catch (const json::exception&) {
-    return Error{ErrorCode::UnusableInput,
-                 "These places and batches are not written as Ostraka writes them.",
-                 metadata.string()};
+  } catch (const json::exception& refused) {
+    return unusableJson(refused, "These places and batches are not written as Ostraka writes them.",
+                        metadata.string());
   }
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/json.h"
+#include "base/json_text.h"
 #include "catalogue/values.h"
 #include "cloud/obj.h"
 #include "cloud/ply.h"
@@ -77,9 +78,9 @@ Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
     return no_glb;
   const std::size_t size = u32(glb, 12);
   if (size > glb.size() - 20) return no_glb;
-  const Result<nlohmann::json> checked = parseJson(glb.substr(20, size), where);
-  if (!checked) return checked.error();
-  ordered_json json = ordered_json::parse(glb.substr(20, size), nullptr, false);
+  Result<ordered_json> parsed = parseOrderedJson(glb.substr(20, size), where);
+  if (!parsed) return parsed.error();
+  ordered_json json = std::move(*parsed);
   if (!json.is_object() || !json.contains("nodes") || !json["nodes"].is_array() ||
       json["nodes"].empty() || !json["nodes"][0].is_object())
     return no_glb;

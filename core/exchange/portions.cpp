@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/json_numbers.h"
+#include "base/json_text.h"
+
 namespace ostraka::exchange {
 namespace {
 
@@ -69,11 +72,11 @@ std::vector<UnfinishedImport> unfinishedImports(const Catalogue& catalogue) {
   std::vector<UnfinishedImport> list;
   const Result<std::string> kept = catalogue.setting(kUnfinished);
   if (!kept) return list;
-  const json all = json::parse(*kept, nullptr, false);
+  const json all = jsonOrDiscarded(*kept);
   if (!all.is_array()) return list;
   for (const json& one : all)
     if (one.is_object())
-      list.push_back({one.value("source", ""), one.value("entered", 0), one.value("of", 0)});
+      list.push_back({one.value("source", ""), wholeOr(one, "entered", 0), wholeOr(one, "of", 0)});
   return list;
 }
 

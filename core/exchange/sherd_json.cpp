@@ -4,6 +4,8 @@
 #include <set>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 #include "base/text.h"
 #include "catalogue/values.h"
 #include "catalogue/words.h"
@@ -161,7 +163,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
   put(out, "licence", project->licence);
   put(out, "rights_holder", project->rights_holder);
   out["processing"] = {{"program", used_program}};
-  const ordered_json extra = ordered_json::parse(sherd.extra_json, nullptr, false);
+  const ordered_json extra = orderedJsonOrDiscarded(sherd.extra_json);
   if (extra.is_object() && !extra.empty()) out["extra"] = extra;
   return out.dump(1) + "\n";
 }
@@ -188,10 +190,10 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
     for (const json& m : value->value("measurements", json::array())) {
       catalogue::Measurement measurement;
       measurement.kind = m.at("kind").get<std::string>();
-      measurement.value = m.at("value").get<double>();
+      measurement.value = numberAt(m, "value");
       measurement.method = m.value("method", "program");
       measurement.model_sha256 = m.value("model_sha256", "");
-      if (m.contains("uncertainty")) measurement.uncertainty = m.at("uncertainty").get<double>();
+      if (m.contains("uncertainty")) measurement.uncertainty = numberAt(m, "uncertainty");
       if (m.value("unit", catalogue::unitOf(measurement.kind)) !=
           catalogue::unitOf(measurement.kind))
         return bad("The measurement " + measurement.kind + " has another unit than " +
@@ -200,7 +202,8 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
     }
     for (const json& f : value->value("files", json::array()))
       read.files.push_back({f.at("role").get<std::string>(), f.at("path").get<std::string>(),
-                            f.at("sha256").get<std::string>(), f.at("bytes").get<std::int64_t>()});
+                            f.at("sha256").get<std::string>(),
+                            wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX)});
     const json pairing = value->value("pairing", json::object());
     read.front = pairing.value("front", "");
     read.back = pairing.value("back", "");
@@ -210,8 +213,9 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
     for (const auto& [key, own] : value->items())
       if (!kKnown.contains(key))
         read.row.values["extra." + key] = own.is_string() ? own.get<std::string>() : own.dump();
-  } catch (const json::exception&) {
-    return bad("A value of the record has another type than it should.");
+  } catch (const json::exception& refused) {
+    return bad(
+        unusableJson(refused, "A value of the record has another type than it should.", {}).what);
   }
   return read;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 
+#include "base/json_text.h"
 #include "catalogue/values.h"
 #include "exchange/column_meanings.h"
 #include "exchange/csv.h"
@@ -78,7 +79,7 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const SherdRow> r
   Result<void> read =
       eachSherd(catalogue, rows, [&](const SherdRecord& sherd, const std::set<std::string>&) {
         if (sherd.extra_json == "{}") return;
-        const nlohmann::json extra = nlohmann::json::parse(sherd.extra_json, nullptr, false);
+        const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
         if (extra.is_object())
           for (const auto& [key, value] : extra.items()) own.insert(key);
       });

@@ -27,6 +27,7 @@ Result<void> addSide(BagWriter& bag, const fs::path& folder, const std::string& 
                      const std::stop_token& stop) {
   for (const fs::path& file : filesIn(folder)) {
     const std::string name = file.lexically_relative(folder).generic_string();
+    if (name == "lock") continue;  // of the working folder
     if (const auto added = bag.addFile(to + name, file, stop); !added) return added.error();
     if (!name.ends_with(kMask)) continue;
     // COLMAP looks for the image's whole name with .png behind it.
@@ -46,9 +47,9 @@ Result<void> addBothSides(BagWriter& bag, const fs::path& project, const std::st
     stereo::DenseOptions options;
     std::error_code code;
     if (fs::exists(batch / "plate.json", code)) options.floor_z_mm = 0.0;
-    const Result<void> written =
+    const Result<FolderLock> held =
         stereo::writeOutsideFolder(*views, options, scratch, stereo::MaskStyle::OpenMvs, stop);
-    if (!written) return written;
+    if (!held) return held.error();
     const std::string to = "views/" + number + "/" + batch::name(side) + "/";
     if (Result<void> added = addSide(bag, scratch, to, stop); !added) return added;
     std::string names = csvLine({"image", "photograph"});

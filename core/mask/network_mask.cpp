@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/limits.h"
 
 namespace ostraka::mask {
 namespace {
@@ -178,7 +179,7 @@ Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem
   if (const Result<void> ok = options.check(); !ok) return ok.error();
   if (photograph.type() != CV_8UC3 || photograph.empty())
     return Error{ErrorCode::UnusableInput, "The network needs a colour photograph of 8 bits.", {}};
-  const Result<std::string> model = readFile(onnx);
+  const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
   const std::optional<InputShape> shape = inputShapeOf(*model);
   if (!shape || shape->size() != 4) return unusable(onnx, "The network has no picture as input");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -41,7 +42,7 @@ void readScans(const json& list, batch::Side side, std::vector<ScanRef>& scans,
   for (const json& value : list) {
     const json& at = value.at("place_mm");
     scans.push_back({side, value.at("id").get<std::string>(),
-                     Eigen::Vector2d(at.at(0).get<double>(), at.at(1).get<double>()),
+                     Eigen::Vector2d(numberIn(at.at(0), "at"), numberIn(at.at(1), "at")),
                      value.value("photographs", "")});
     files.push_back(value.at("file").get<std::string>());
   }
@@ -78,26 +79,26 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
                                           const std::string& where) {
   RegisteredCandidate c;
   registration::Registration& r = c.registration;
-  r.rim_rms_mm = value.at("rim_rms_mm").get<double>();
-  r.rim_overlap = value.at("rim_overlap").get<double>();
-  r.uncertainty_mm = value.at("uncertainty_mm").get<double>();
-  r.runner_up_gap = value.at("runner_up_gap").get<double>();
-  r.runner_up_mm = value.at("runner_up_mm").get<double>();
-  r.crossing_share = value.at("crossing_share").get<double>();
-  r.thickness_mm = value.at("thickness_mm").get<double>();
-  r.scale = value.at("scale").get<double>();
+  r.rim_rms_mm = numberAt(value, "rim_rms_mm");
+  r.rim_overlap = numberAt(value, "rim_overlap");
+  r.uncertainty_mm = numberAt(value, "uncertainty_mm");
+  r.runner_up_gap = numberAt(value, "runner_up_gap");
+  r.runner_up_mm = numberAt(value, "runner_up_mm");
+  r.crossing_share = numberAt(value, "crossing_share");
+  r.thickness_mm = numberAt(value, "thickness_mm");
+  r.scale = numberAt(value, "scale");
   r.slipped = value.at("slipped").get<bool>();
   r.slip = slipOf(value.at("slip").get<std::string>());
   r.reason = value.at("reason").get<std::string>();
-  r.start = value.at("start").get<int>();
+  r.start = wholeAt(value, "start");
   const Result<Eigen::Isometry3d> pose = isometryFromJson(value.at("T_front_from_back"), where);
   if (!pose) return pose.error();
   r.front_from_back = *pose;
   for (const json& entry : value.at("starts")) {
     pairing::StartPose start;
-    start.shift = entry.at("shift").get<int>();
-    start.contour_rms_mm = entry.at("contour_rms_mm").get<double>();
-    start.log_likelihood = entry.at("log_likelihood").get<double>();
+    start.shift = wholeAt(entry, "shift");
+    start.contour_rms_mm = numberAt(entry, "contour_rms_mm");
+    start.log_likelihood = numberAt(entry, "log_likelihood");
     const Result<Eigen::Isometry3d> begin = isometryFromJson(entry.at("T_front_from_back"), where);
     if (!begin) return begin.error();
     start.front_from_back = *begin;
@@ -107,7 +108,7 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   c.evidence.back = indexOf(table.backs, value.at("back").get<std::string>());
   if (c.evidence.front < 0 || c.evidence.back < 0 || c.starts.empty())
     return Error{ErrorCode::UnusableInput, "A candidate names a scan that is not there.", where};
-  c.evidence.log_likelihood = value.at("log_likelihood").get<double>();
+  c.evidence.log_likelihood = numberAt(value, "log_likelihood");
   c.evidence.rim_rms_mm = r.rim_rms_mm;
   c.evidence.overlap = r.rim_overlap;
   c.evidence.slipped = r.slipped;
@@ -165,7 +166,7 @@ Result<CandidateTable> readCandidates(const std::filesystem::path& file) {
   try {
     readScans(text->at("fronts"), batch::Side::Front, table.fronts, table.front_files);
     readScans(text->at("backs"), batch::Side::Back, table.backs, table.back_files);
-    table.back_scale = text->at("back_scale").get<double>();
+    table.back_scale = numberAt(*text, "back_scale");
     table.has_scale = text->at("has_scale").get<bool>();
     table.on_plate = text->at("on_plate").get<bool>();
     for (const json& value : text->at("candidates")) {

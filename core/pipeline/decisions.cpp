@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_numbers.h"
 #include "base/text.h"
 #include "pipeline/review.h"
 
@@ -50,7 +51,7 @@ ordered_json toJson(const Eigen::Vector2d& p) {
 }
 
 Eigen::Vector2d pointFrom(const json& value) {
-  return {value.at(0).get<double>(), value.at(1).get<double>()};
+  return {numberIn(value.at(0), "place_mm"), numberIn(value.at(1), "place_mm")};
 }
 
 ordered_json toJson(const PairDecision& d) {
@@ -79,7 +80,7 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
                  "A decision is of a kind that this program does not know; a newer one wrote it.",
                  where};
   d.kind = *kind;
-  d.number = value.at("number").get<int>();
+  d.number = wholeAt(value, "number");
   d.replaces = value.at("replaces").get<std::vector<int>>();
   d.at = value.at("at").get<std::string>();
   d.by = value.at("by").get<std::string>();
@@ -262,7 +263,7 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
   if (!value) return value.error();
   Decisions decisions;
   try {
-    if (value->at("format").get<int>() > kFormat)
+    if (wholeAt(*value, "format") > kFormat)
       return Error{ErrorCode::UnusableInput,
                    "These decisions were written by a newer program; use that one.", where};
     for (const json& entry : value->at("decisions")) {
@@ -276,11 +277,11 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
       decisions.push_back(std::move(*decision));
     }
     for (PairDecision& d : decisions) nameMoments(d, decisions);
-  } catch (const json::exception&) {
-    return Error{ErrorCode::UnusableInput,
-                 "These are no decisions of this program; move the file away, or put a copy of it "
-                 "back.",
-                 where};
+  } catch (const json::exception& refused) {
+    return unusableJson(refused,
+                        "These are no decisions of this program; move the file away, or put a copy "
+                        "of it back.",
+                        where);
   }
   return decisions;
 }

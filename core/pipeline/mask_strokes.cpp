@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_numbers.h"
 #include "pipeline/chain.h"
 #include "pipeline/moved_batch.h"
 #include "rig/camera.h"
@@ -52,12 +53,12 @@ bool isUsable(const MaskStroke& s) {
 MaskStroke strokeFrom(const json& value) {
   MaskStroke s;
   s.side = value.at("side").get<std::string>() == "back" ? batch::Side::Back : batch::Side::Front;
-  s.camera = value.at("camera").get<int>();
-  s.stop = value.at("stop").get<int>();
+  s.camera = wholeAt(value, "camera");
+  s.stop = wholeAt(value, "stop");
   s.paint = value.at("paint").get<std::string>() == "sherd" ? MaskPaint::Sherd : MaskPaint::Plate;
-  s.radius_px = value.at("radius_px").get<double>();
+  s.radius_px = numberAt(value, "radius_px");
   for (const json& p : value.at("path_px"))
-    s.path_px.emplace_back(p.at(0).get<double>(), p.at(1).get<double>());
+    s.path_px.emplace_back(numberIn(p.at(0), "path_px"), numberIn(p.at(1), "path_px"));
   s.by = value.value("by", "");
   s.at = value.value("at", "");
   s.photograph = value.value("photograph", "");
@@ -82,8 +83,8 @@ Result<std::vector<MaskStroke>> readMaskStrokes(const fs::path& output) {
       strokes.push_back(strokeFrom(one));
       if (!isUsable(strokes.back())) return bad;
     }
-  } catch (const json::exception&) {
-    return bad;
+  } catch (const json::exception& refused) {
+    return unusableJson(refused, bad.what, bad.where);
   }
   return strokes;
 }

@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_numbers.h"
 #include "rig/calibrate.h"
 #include "rig/rig.h"
 
@@ -39,10 +40,10 @@ Result<std::vector<MovedCamera>> movedCameras(const fs::path& output) {
   try {
     for (const nlohmann::json& camera :
          stage->at("figures").value("cameras", nlohmann::json::array())) {
-      const double residual_px = camera.at("known_rig_residual_px").get<double>();
+      const double residual_px = numberAt(camera, "known_rig_residual_px");
       if (residual_px <= most_px) continue;
-      moved.push_back({camera.at("camera").get<int>(), residual_px,
-                       camera.at("moved_mm").get<double>(), camera.at("turned_rad").get<double>()});
+      moved.push_back({wholeAt(camera, "camera"), residual_px, numberAt(camera, "moved_mm"),
+                       numberAt(camera, "turned_rad")});
     }
   } catch (const nlohmann::json::exception&) {
     return Error::unusable("This file does not say how well the rig fitted.", file.string());

@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_text.h"
 #include "base/parallel.h"
 
 namespace ostraka::pipeline {
@@ -44,7 +45,7 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
                    "another or an empty one.",
                    output.string()};
   } else if (const Result<std::string> text = readFile(file)) {
-    const ordered_json earlier = ordered_json::parse(*text, nullptr, false);
+    const ordered_json earlier = orderedJsonOrDiscarded(*text);
     std::size_t same = 0;
     for (const batch::Shot& shot : batch.shots) {
       const std::string name = nameOf(shot.file, batch);

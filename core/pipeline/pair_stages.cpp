@@ -4,6 +4,8 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 #include "pipeline/chain.h"
 #include "pipeline/decided_pairs.h"
 #include "pipeline/run_log.h"
@@ -33,7 +35,7 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
   const Result<std::string> text = readFile(file);
   if (!text) return text.error();
   Pairs pairs;
-  pairs.json = ordered_json::parse(*text, nullptr, false);
+  pairs.json = orderedJsonOrDiscarded(*text);
   try {
     for (const ordered_json& p : pairs.json.at("pairs")) {
       const Result<Eigen::Isometry3d> pose =
@@ -47,7 +49,7 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
                              p.at("slipped"),
                              p.at("reason"),
                              *pose,
-                             p.at("rim_rms_mm").is_null() ? 0.0 : p.at("rim_rms_mm").get<double>(),
+                             p.at("rim_rms_mm").is_null() ? 0.0 : numberAt(p, "rim_rms_mm"),
                              p.at("rim_overlap"),
                              p.at("uncertainty_mm"),
                              {},

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
 #include "pipeline/mask_strokes.h"
 
 namespace ostraka::pipeline {
@@ -140,9 +141,9 @@ void readDecided(const std::filesystem::path& pairs_file, CandidateTable& table)
       done.registration.front_from_back = *pose;
       done.registration.start = 0;
       if (pair.at("rim_rms_mm").is_number())
-        done.registration.rim_rms_mm = pair.at("rim_rms_mm").get<double>();
-      done.registration.rim_overlap = pair.at("rim_overlap").get<double>();
-      done.registration.uncertainty_mm = pair.at("uncertainty_mm").get<double>();
+        done.registration.rim_rms_mm = numberAt(pair, "rim_rms_mm");
+      done.registration.rim_overlap = numberAt(pair, "rim_overlap");
+      done.registration.uncertainty_mm = numberAt(pair, "uncertainty_mm");
       done.registration.slipped = pair.at("slipped").get<bool>();
       table.decided.push_back(std::move(done));
     }

@@ -1,10 +1,10 @@
 #pragma once
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/log_file.h"
 #include "base/progress.h"
 
 namespace ostraka::pipeline {
@@ -31,22 +31,22 @@ class LoggedProgress final : public Progress {
  public:
   LoggedProgress(Progress& outer, const std::filesystem::path& file,
                  const std::vector<std::string>& before)
-      : outer_(outer), log_(file, std::ios::app) {
-    for (const std::string& warning : before) log_ << "warning: " << warning << std::endl;
+      : outer_(outer), log_(file) {
+    for (const std::string& warning : before) log_.line("warning: " + warning);
   }
   void begin(std::string_view stage, double share) override {
-    log_ << "stage " << stage << std::endl;
+    log_.line("stage " + std::string(stage));
     outer_.begin(stage, share);
   }
   void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
   void note(NoteLevel level, std::string_view text) override {
-    log_ << (level == NoteLevel::Warning ? "warning: " : "") << text << std::endl;
+    log_.line((level == NoteLevel::Warning ? "warning: " : "") + std::string(text));
     outer_.note(level, text);
   }
 
  private:
   Progress& outer_;
-  std::ofstream log_;
+  LogFile log_;
 };
 
 }  // namespace ostraka::pipeline

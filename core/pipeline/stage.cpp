@@ -7,6 +7,8 @@
 
 #include "base/files.h"
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -42,7 +44,7 @@ std::string outputsHash(const ordered_json& files, const ordered_json& figures) 
 std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string& key_hash) {
   const Result<std::string> text = readFile(folder / "stage.json");
   if (!text) return {};
-  const ordered_json stage = ordered_json::parse(*text, nullptr, false);
+  const ordered_json stage = orderedJsonOrDiscarded(*text);
   if (!stage.is_object() || !stage.contains("key") || stage["key"] != key_hash) return {};
   const Result<ordered_json> files = hashesOf(folder);
   if (!files || !stage.contains("files") || *files != stage["files"]) return {};
@@ -50,8 +52,8 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
   try {
     record.notes.figures = stage.at("figures");
     record.notes.warnings = stage.at("warnings").get<std::vector<std::string>>();
-    record.seconds = stage.at("seconds").get<double>();
-    record.peak_memory_mb = stage.at("peak_memory_mb").get<double>();
+    record.seconds = numberAt(stage, "seconds");
+    record.peak_memory_mb = numberAt(stage, "peak_memory_mb");
   } catch (const nlohmann::json::exception&) {
     return {};
   }

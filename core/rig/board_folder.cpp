@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/limits.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 
@@ -30,26 +32,22 @@ Result<Target> readTarget(const fs::path& file) {
     if (!board) return board.error();
     return Target{{}, *board};
   }
+  constexpr int kMostSquares = limits::kBoardSquares.most;
+  constexpr double kMost_mm = limits::kPlateReach_mm.most;
   MarkerGrid grid;
   try {
     grid.dictionary = json->at("dictionary").get<std::string>();
-    grid.markers_x = json->at("markers_x").get<int>();
-    grid.markers_y = json->at("markers_y").get<int>();
-    grid.marker_mm = json->at("marker_length").get<double>();
-    grid.gap_mm = json->at("marker_separation").get<double>();
-    grid.first_id = json->value("first_id", 0);
-  } catch (const nlohmann::json::exception&) {
-    return Error{ErrorCode::UnusableInput,
-                 "A grid of markers needs 'dictionary', 'markers_x', 'markers_y', "
-                 "'marker_length' and 'marker_separation'.",
-                 file.string()};
+    grid.markers_x = wholeAt(*json, "markers_x", 1, kMostSquares);
+    grid.markers_y = wholeAt(*json, "markers_y", 1, kMostSquares);
+    grid.marker_mm = numberAt(*json, "marker_length", 0.01, kMost_mm);
+    grid.gap_mm = numberAt(*json, "marker_separation", 0.01, kMost_mm);
+    grid.first_id = wholeOr(*json, "first_id", 0, 0, 1'000'000);
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(refused,
+                        "A grid of markers needs 'dictionary', 'markers_x', 'markers_y', "
+                        "'marker_length' and 'marker_separation'.",
+                        file.string());
   }
-  const bool sizes = grid.markers_x > 0 && grid.markers_y > 0 && grid.markers_x <= 100 &&
-                     grid.markers_y <= 100 && grid.marker_mm > 0 && grid.gap_mm > 0;
-  if (!sizes)
-    return Error{ErrorCode::UnusableInput,
-                 "The grid's markers have no valid number or size, or no gap between them.",
-                 file.string()};
   return Target{grid, {}};
 }
 

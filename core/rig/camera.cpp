@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/limits.h"
 
 namespace ostraka::rig {
 namespace {
@@ -21,15 +23,15 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
   try {
     image.file = value.at("file").get<std::string>();
     if (value.contains("side") && value["side"] == "back") image.side = batch::Side::Back;
-    image.camera = value.value("camera", 0);
-    image.stop = value.value("stop", 0);
-    image.intrinsics.width = value.at("width").get<int>();
-    image.intrinsics.height = value.at("height").get<int>();
+    image.camera = wholeOr(value, "camera", 0, 0, limits::kRigCameras.most);
+    image.stop = wholeOr(value, "stop", 0, 0, limits::kRigStops.most);
+    image.intrinsics.width = wholeAt(value, "width", 8, limits::kImageSide.most);
+    image.intrinsics.height = wholeAt(value, "height", 8, limits::kImageSide.most);
     const auto& k = value.at("K");
-    image.intrinsics.fx = k.at(0).at(0).get<double>();
-    image.intrinsics.fy = k.at(1).at(1).get<double>();
-    image.intrinsics.cx = k.at(0).at(2).get<double>();
-    image.intrinsics.cy = k.at(1).at(2).get<double>();
+    image.intrinsics.fx = numberIn(k.at(0).at(0), "K");
+    image.intrinsics.fy = numberIn(k.at(1).at(1), "K");
+    image.intrinsics.cx = numberIn(k.at(0).at(2), "K");
+    image.intrinsics.cy = numberIn(k.at(1).at(2), "K");
     const std::vector<double> d = value.value("dist", std::vector<double>{});
     if (d.size() > 5)
       return Error{ErrorCode::UnusableInput,
@@ -39,8 +41,8 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     std::copy(d.begin(), d.end(), image.intrinsics.distortion.begin());
     Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
     for (int r = 0; r < 3; ++r) {
-      for (int c = 0; c < 3; ++c) pose(r, c) = value.at("R").at(r).at(c).get<double>();
-      pose(r, 3) = value.at("t").at(r).get<double>();
+      for (int c = 0; c < 3; ++c) pose(r, c) = numberIn(value.at("R").at(r).at(c), "R");
+      pose(r, 3) = numberIn(value.at("t").at(r), "t");
     }
     const Eigen::Matrix3d rotation = pose.topLeftCorner<3, 3>();
     const bool rigid =
@@ -49,17 +51,16 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
             1e-3 &&
         rotation.determinant() > 0;
     const Intrinsics& i = image.intrinsics;
-    if (!rigid || !(i.fx > 0 && i.fy > 0) || i.width < 8 || i.height < 8 || i.width > 100'000 ||
-        i.height > 100'000 || !std::isfinite(i.cx + i.cy))
+    if (!rigid || !(i.fx > 0 && i.fy > 0))
       return Error{ErrorCode::UnusableInput,
                    "The camera of '" + image.file + "' has no valid K, R, t or size.", where};
     image.camera_from_plate.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
     image.camera_from_plate.translation() = pose.topRightCorner<3, 1>();
-  } catch (const nlohmann::json::exception&) {
-    return Error{ErrorCode::UnusableInput,
-                 "An image lacks file, width, height, K, R or t" +
-                     (image.file.empty() ? std::string() : " (" + image.file + ")") + ".",
-                 where};
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(refused,
+                        "An image lacks file, width, height, K, R or t" +
+                            (image.file.empty() ? std::string() : " (" + image.file + ")") + ".",
+                        where);
   }
   return image;
 }

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/files.h"
 #include "base/median.h"
 #include "base/parallel.h"
 #include "batch/label_mask.h"
@@ -28,8 +29,10 @@ class Session {
 
   // Links to the photographs, one folder per camera, and masks as COLMAP names them.
   Result<void> prepare(const std::vector<batch::Shot>& shots) {
+    Result<FolderLock> held = claimWorkspace(workspace_);
+    if (!held) return held.error();
+    held_.emplace(std::move(*held));
     std::error_code failed;
-    fs::remove_all(workspace_, failed);
     for (std::size_t i = 0; i < shots.size(); ++i) {
       const std::string name = "cam" + std::to_string(shots[i].camera) + "/" + std::to_string(i) +
                                shots[i].file.extension().string();
@@ -120,13 +123,11 @@ class Session {
                      mask.error().sentence() + " This photograph is posed without its mask.");
       return {};
     }
-    const fs::path target = workspace_ / "masks" / (name + ".png");
-    std::error_code failed;
-    fs::create_directories(target.parent_path(), failed);
-    if (failed || !cv::imwrite(target.string(), *mask))
-      return Error{ErrorCode::CannotWrite, "The mask cannot be written.", target.string()};
+    std::vector<unsigned char> bytes;
+    cv::imencode(".png", *mask, bytes);
     with_masks_ = true;
-    return {};
+    return writeFileAtomically(workspace_ / "masks" / (name + ".png"),
+                               {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
 
   Result<void> step(int done, const std::string& word, const std::vector<std::string>& arguments) {
@@ -136,6 +137,7 @@ class Session {
   }
 
   fs::path program_, workspace_;
+  std::optional<FolderLock> held_;
   std::string threads_;
   Progress& progress_;
   std::stop_token stop_;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/folder_lock.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "batch/batch.h"
@@ -16,8 +17,13 @@ namespace ostraka::rig {
 /// A program on the PATH, or nothing.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 
-/// Runs a program to its end, its output appended to `log`; killed when a stop is asked for.
-/// Errors: Missing (cannot be started), Cancelled, Failed (exit status; the log is named).
+/// An empty folder for other programs, held as long as the lock is. Errors: CannotWrite, also when
+/// another run holds it.
+Result<FolderLock> claimWorkspace(const std::filesystem::path& folder);
+
+/// Runs a program to its end, its output appended to `log`. It is killed, with all programs that it
+/// started, when a stop is asked for and when this process ends, however that happens. Errors:
+/// Missing (cannot be started), Cancelled, Failed (exit status; the log is named).
 Result<void> runProgram(const std::filesystem::path& program,
                         const std::vector<std::string>& arguments, const std::filesystem::path& log,
                         std::stop_token stop);

@@ -5,21 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
+#include "base/limits.h"
 
 namespace ostraka::rig {
 namespace {
 
 constexpr const char* kFormat = "ostraka-rig/1";
 
-bool usable(const RigCamera& camera) {
-  const Intrinsics& i = camera.intrinsics;
-  const bool size = i.width > 0 && i.height > 0 && i.width <= 100'000 && i.height <= 100'000;
-  bool finite = std::isfinite(i.cx) && std::isfinite(i.cy);
-  for (const double d : i.distortion) finite = finite && std::isfinite(d);
-  return camera.camera >= 0 && size && finite && std::isfinite(i.fx) && std::isfinite(i.fy) &&
-         i.fx > 0 && i.fy > 0;
-}
-
+constexpr double kLeastFocal_px = 1, kMost_px = 1e7;
 constexpr std::size_t kParameters = 15;  // of a camera with its pose
 
 nlohmann::ordered_json toJson(const RigCamera& camera) {
@@ -44,31 +38,29 @@ nlohmann::ordered_json toJson(const RigCamera& camera) {
 // Throws nlohmann's exceptions; the caller words them.
 Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesystem::path& file) {
   RigCamera camera;
-  camera.camera = value.at("camera").get<int>();
+  camera.camera = wholeAt(value, "camera", 0, limits::kRigCameras.most);
   Intrinsics& i = camera.intrinsics;
-  i.width = value.at("width").get<int>();
-  i.height = value.at("height").get<int>();
+  i.width = wholeAt(value, "width", 1, limits::kImageSide.most);
+  i.height = wholeAt(value, "height", 1, limits::kImageSide.most);
   const nlohmann::json& k = value.at("K");
-  i.fx = k.at(0).at(0).get<double>();
-  i.fy = k.at(1).at(1).get<double>();
-  i.cx = k.at(0).at(2).get<double>();
-  i.cy = k.at(1).at(2).get<double>();
-  i.distortion = value.at("dist").get<std::array<double, 5>>();
+  i.fx = numberIn(k.at(0).at(0), "K", kLeastFocal_px, kMost_px);
+  i.fy = numberIn(k.at(1).at(1), "K", kLeastFocal_px, kMost_px);
+  i.cx = numberIn(k.at(0).at(2), "K", -kMost_px, kMost_px);
+  i.cy = numberIn(k.at(1).at(2), "K", -kMost_px, kMost_px);
+  const nlohmann::json& terms = value.at("dist");
+  for (std::size_t d = 0; d < i.distortion.size(); ++d)
+    i.distortion[d] = numberIn(terms.at(d), "dist");
   const Result<Eigen::Isometry3d> pose =
       isometryFromJson(value.at("camera_from_turntable"), file.string());
   if (!pose) return pose.error();
   camera.camera_from_turntable = *pose;
-  camera.focal_sd_px = value.value("focal_sd_px", 0.0);
-  camera.intrinsics_rms_px = value.value("intrinsics_rms_px", 0.0);
-  camera.marker_inset_px = value.value("marker_inset_px", 0.0);
+  camera.focal_sd_px = numberOr(value, "focal_sd_px", 0.0, 0);
+  camera.intrinsics_rms_px = numberOr(value, "intrinsics_rms_px", 0.0, 0);
+  camera.marker_inset_px = numberOr(value, "marker_inset_px", 0.0);
   camera.covariance = value.value("covariance", std::vector<double>());
   if (!camera.covariance.empty() && camera.covariance.size() != kParameters * kParameters)
     return Error::unusable("Camera " + std::to_string(camera.camera) +
                                " has a covariance of another size; calibrate the rig again.",
-                           file);
-  if (!usable(camera))
-    return Error::unusable("Camera " + std::to_string(camera.camera) +
-                               " has no valid size, K or dist; calibrate the rig again.",
                            file);
   return camera;
 }
@@ -98,12 +90,12 @@ Result<Rig> readRig(const std::filesystem::path& file) {
       rig.cameras.push_back(std::move(*camera));
     }
     for (const nlohmann::json& value : json->at("stops")) {
-      rig.stops.push_back(value.at("stop").get<int>());
-      rig.stop_angles_rad.push_back(value.at("angle_deg").get<double>() * M_PI / 180);
+      rig.stops.push_back(wholeAt(value, "stop", 0, limits::kRigStops.most));
+      rig.stop_angles_rad.push_back(numberAt(value, "angle_deg", -36000, 36000) * M_PI / 180);
     }
-    rig.reprojection_rms_px = json->value("reprojection_rms_px", 0.0);
-  } catch (const nlohmann::json::exception&) {
-    return Error::unusable("This is no rig file (RIG.json); calibrate the rig again.", file);
+    rig.reprojection_rms_px = numberOr(*json, "reprojection_rms_px", 0.0, 0);
+  } catch (const nlohmann::json::exception& refused) {
+    return unusableJson(refused, "This is no rig file (RIG.json); calibrate the rig again.", file);
   }
   if (rig.cameras.empty())
     return Error::unusable("The rig has no camera; calibrate it again.", file);

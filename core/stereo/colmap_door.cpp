@@ -47,9 +47,9 @@ Result<PointCloud> reconstructWithColmap(std::span<const View> views, const Dens
   if (!program) return program.error();
   const fs::path folder = fs::absolute(workspace), log = folder / "log.txt";
   progress.report(0, 10);
-  if (const Result<void> r = writeOutsideFolder(views, options, folder, MaskStyle::Colmap, stop);
-      !r)
-    return r.error();
+  const Result<FolderLock> held =
+      writeOutsideFolder(views, options, folder, MaskStyle::Colmap, stop);
+  if (!held) return held.error();
   if (const Result<void> r = writeStereoFolder(folder, views.size()); !r) return r.error();
   progress.report(1, 10);
   progress.note(NoteLevel::Info, "stereo: COLMAP's patch_match_stereo");

@@ -20,9 +20,9 @@ Result<PointCloud> reconstructWithOpenMvs(std::span<const View> views, const Den
   if (!densify) return densify.error();
   const fs::path folder = fs::absolute(workspace), log = folder / "log.txt";
   progress.report(0, 10);
-  if (const Result<void> r = writeOutsideFolder(views, options, folder, MaskStyle::OpenMvs, stop);
-      !r)
-    return r.error();
+  const Result<FolderLock> held =
+      writeOutsideFolder(views, options, folder, MaskStyle::OpenMvs, stop);
+  if (!held) return held.error();
   progress.report(1, 10);
   progress.note(NoteLevel::Info, "stereo: OpenMVS's InterfaceCOLMAP");
   const std::string scene = (folder / "scene.mvs").string();

@@ -175,17 +175,13 @@ std::string viewName(std::size_t view) {
   return std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
 }
 
-Result<void> writeOutsideFolder(std::span<const View> views, const DenseOptions& options,
-                                const fs::path& folder, MaskStyle style, std::stop_token stop) {
-  if (const Result<void> good = check(views); !good) return good;
-  if (const Result<void> good = options.check(); !good) return good;
-  std::error_code failed;
-  fs::remove_all(folder, failed);
-  fs::create_directories(folder / "sparse", failed);
-  if (failed)
-    return Error{ErrorCode::CannotWrite,
-                 "The working folder cannot be written (" + failed.message() + ").",
-                 folder.string()};
+Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOptions& options,
+                                      const fs::path& folder, MaskStyle style,
+                                      std::stop_token stop) {
+  if (const Result<void> good = check(views); !good) return good.error();
+  if (const Result<void> good = options.check(); !good) return good.error();
+  Result<FolderLock> held = rig::claimWorkspace(folder);
+  if (!held) return held;
   std::vector<rig::PosedImage> cameras;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -203,9 +199,12 @@ Result<void> writeOutsideFolder(std::span<const View> views, const DenseOptions&
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
   rig::ColmapModel model = rig::toColmap(cameras, names);
-  if (const Result<void> done = addPoints(views, options, model, stop); !done) return done;
+  if (const Result<void> done = addPoints(views, options, model, stop); !done) return done.error();
   // Text: every version of both programs reads it.
-  return rig::writeColmapModel(folder / "sparse", model, rig::ColmapFormat::Text);
+  const Result<void> written =
+      rig::writeColmapModel(folder / "sparse", model, rig::ColmapFormat::Text);
+  if (!written) return written.error();
+  return held;
 }
 
 Result<PointCloud> readOutsideCloud(const fs::path& file, const std::string& program,

@@ -4,6 +4,7 @@
 #include <stop_token>
 #include <string>
 
+#include "base/folder_lock.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "cloud/point_cloud.h"
@@ -26,11 +27,11 @@ enum class MaskStyle {
 /// The <k> of a view.
 std::string viewName(std::size_t view);
 
-/// Fills `folder`, which is emptied first. Errors: NotEnough (fewer than 3 views, no common
-/// object), UnusableInput (sizes), CannotWrite, Cancelled.
-Result<void> writeOutsideFolder(std::span<const View> views, const DenseOptions& options,
-                                const std::filesystem::path& folder, MaskStyle style,
-                                std::stop_token stop);
+/// Fills `folder`, which is emptied first and held as long as the lock is. Errors: NotEnough (fewer
+/// than 3 views, no common object), UnusableInput (sizes), CannotWrite, Cancelled.
+Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOptions& options,
+                                      const std::filesystem::path& folder, MaskStyle style,
+                                      std::stop_token stop);
 
 /// The cloud that a program left, without what lies below the floor, beyond the bounds, or outside
 /// more than one view's mask or inside too few (as the built-in stereo cuts). Whether the program

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json.h"
+#include "base/json_numbers.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
 #include "evaluate/model.h"
@@ -182,7 +183,7 @@ Result<Times> timesOf(const fs::path& output) {
   for (const nlohmann::json& stage : report->at("stages")) {
     const auto name = stage.at("stage").get<std::string>();
     const bool of_sherds = name.starts_with("stereo") || name.starts_with("model");
-    (of_sherds ? times.sherds_s : times.fixed_s) += stage.at("seconds").get<double>();
+    (of_sherds ? times.sherds_s : times.fixed_s) += numberAt(stage, "seconds");
   }
   return times;
 }

@@ -139,6 +139,19 @@ TEST(Structure, NothingInCoreIncludesTheApplication) {
     }
 }
 
+// Duplicate keys, depth and size are refused by its own reader only; and only its own writers and
+// openers are known to follow no link and to wait for nobody.
+TEST(Structure, JsonIsParsedAndFilesAreOpenedInBaseAlone) {
+  for (const char* part : {"core", "app", "ui"})
+    for (const fs::path& file : sourcesUnder(root() / part)) {
+      if (file.parent_path().filename() == "base") continue;
+      for (const std::string& line : linesOf(file))
+        for (const char* call : {"json::parse(", "Json::parse(", "std::ofstream", "cv::imread(",
+                                 "cv::imwrite(", "temp_directory_path("})
+          EXPECT_EQ(line.find(call), std::string::npos) << file << ": " << line;
+    }
+}
+
 int uiRankOf(const std::string& folder) {
   const auto found = std::find(kUiOrder.begin(), kUiOrder.end(), folder);
   return found == kUiOrder.end() ? -1 : static_cast<int>(found - kUiOrder.begin());

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/files.h"
+#include "base/limits.h"
 #include "catalogue/project.h"
 #include "exchange/csv.h"
 #include "exchange/read_back.h"
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostRows = 1000;
-constexpr std::size_t kLargest = std::size_t{256} << 20;
+constexpr std::size_t kLargest = limits::kTableBytes.most;
 
 struct Task {
   fs::path source;

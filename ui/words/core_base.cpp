@@ -16,7 +16,6 @@ Sentences sentencesOfBase() {
           "This cannot be written (%1); choose another place, or check its permissions."),
       QT_TRANSLATE_NOOP("ostraka::Error", "There is no such file; check its name."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The file cannot be opened (%1); check its permissions."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "This is not a regular file; name a file."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The file is larger than the %1 bytes that are read here; is it the right one?"),
@@ -80,7 +79,6 @@ Sentences sentencesOfBase() {
       QT_TRANSLATE_NOOP("ostraka::Error", "This is no JPEG, PNG or TIFF image."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The known lengths cannot be used: %1."),
       QT_TRANSLATE_NOOP("ostraka::Error", "'side' must be 'front' or 'back'"),
-      QT_TRANSLATE_NOOP("ostraka::Error", "'length' must lie between 0 and 10000 mm"),
       QT_TRANSLATE_NOOP("ostraka::Error", "'ends' must be two lists of marks"),
       QT_TRANSLATE_NOOP("ostraka::Error", "each end must be marked on two photographs at least"),
       QT_TRANSLATE_NOOP("ostraka::Error", "their unit must be mm"),
@@ -97,12 +95,9 @@ Sentences sentencesOfBase() {
       QT_TRANSLATE_NOOP("ostraka::Error", "The plate names no marker."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Marker %1 of the plate has no valid corners."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Marker %1 stands twice on the plate."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The plate's diameter is no length in mm."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The board's squares and markers have no valid number or size."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The mesh has no faces to write."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A face of the mesh names a vertex that is not there."),
       QT_TRANSLATE_NOOP("ostraka::Error",
@@ -135,6 +130,37 @@ Sentences sentencesOfBase() {
                         "The PLY file holds more than its header claims; export it again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The PLY file holds no usable point; export the scan again."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This is a folder, not a file; name a file."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This is a pipe, not a file; name a file."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This is a socket, not a file; name a file."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This is a device, not a file; name a file."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A link stands where the lock of this folder belongs; delete it."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "No temporary folder can be made here (%1); make room, or set TMPDIR to another folder."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The JSON names '%1' twice in one object; delete one of the two."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "'%1' must be a whole number from %2 to %3; mend it."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "'%1' must be a number from %2 to %3; mend it."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "'%1' must be a number; mend it."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Marker %1 of the plate is mirrored: its corners go round "
+                        "counter-clockwise as seen from above; print the plate's file again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Marker %1 of the plate is not convex; name its corners one after the "
+                        "other along its edge."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "The markers %1 and %2 of the plate overlap; print the plate's file again."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "A face of the PLY has more than %1 corners; export it again as triangles."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The PLY file has more than %1 of '%2'; export it with fewer."),
   };
   return kAll;
 }

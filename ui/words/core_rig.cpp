@@ -15,8 +15,6 @@ Sentences sentencesOfRig() {
                         "A grid of markers needs 'dictionary', 'markers_x', 'markers_y', "
                         "'marker_length' and 'marker_separation'."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The grid's markers have no valid number or size, or no gap between them."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
                         "There is nothing to calibrate from: photograph the plate at each stop "
                         "into 'front' (cam0_pos00.jpg and so on) and the board into 'calib', and "
                         "copy plate.json and board.json beside them."),
@@ -172,7 +170,6 @@ Sentences sentencesOfRig() {
       QT_TRANSLATE_NOOP("ostraka::Error", "Line %1 is not as COLMAP writes it; run COLMAP again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "COLMAP's workspace cannot be written (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This photograph is posed without its mask."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The mask cannot be written."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Without plate.json poses come from COLMAP, which is not installed; "
                         "install the package 'colmap' or photograph on a marker plate."),
@@ -255,8 +252,6 @@ Sentences sentencesOfRig() {
           "print the file at 100 %, without 'fit to page', and measure again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Camera %1 has a covariance of another size; calibrate the rig again."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
-                        "Camera %1 has no valid size, K or dist; calibrate the rig again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "This rig was written by another version; calibrate the rig again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Camera %1 stands twice in the rig."),

@@ -1,12 +1,18 @@
 #include "base/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 namespace ostraka {
 namespace {
@@ -73,6 +79,92 @@ TEST_F(Files, SayWhatIsWrongWithWhatCannotBeRead) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "large", std::string(1000, 'x')).has_value());
   EXPECT_TRUE(readFile(folder_ / "large", 1000).has_value());
   EXPECT_FALSE(readFile(folder_ / "large", 999).has_value());
+}
+
+TEST_F(Files, PlantedLinksAreReplacedAndWhatTheyLeadToStays) {
+  const fs::path precious = folder_ / "precious", file = folder_ / "in/file.txt";
+  ASSERT_TRUE(writeFileAtomically(precious, "keep me").has_value());
+  fs::create_directories(folder_ / "in");
+  fs::create_symlink(precious, file.string() + ".partial");
+  fs::create_symlink(precious, file);
+  ASSERT_TRUE(writeFileAtomically(file, "new").has_value());
+  EXPECT_EQ(*readFile(precious), "keep me");
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(file)));
+  EXPECT_EQ(*readFile(file), "new");
+  fs::remove(file);
+  fs::create_symlink(folder_ / "not made", file);
+  ASSERT_TRUE(writeFileAtomically(file, "new").has_value());
+  EXPECT_FALSE(fs::exists(folder_ / "not made"));
+}
+
+TEST_F(Files, KeepThePermissionsThatTheyHadAndNewOnesFollowTheUmask) {
+  const mode_t before = ::umask(027);
+  const fs::path fresh = folder_ / "fresh", closed = folder_ / "closed", open = folder_ / "open";
+  const auto modeOf = [](const fs::path& file) {
+    struct stat info {};
+    EXPECT_EQ(::stat(file.c_str(), &info), 0);
+    return info.st_mode & 0777;
+  };
+  for (const fs::path& file : {fresh, closed, open})
+    ASSERT_TRUE(writeFileAtomically(file, "1").has_value());
+  EXPECT_EQ(modeOf(fresh), 0640U);
+  ASSERT_EQ(::chmod(closed.c_str(), 0600), 0);
+  ASSERT_EQ(::chmod(open.c_str(), 0664), 0);
+  for (const fs::path& file : {closed, open})
+    ASSERT_TRUE(writeFileAtomically(file, "2").has_value());
+  ::umask(before);
+  EXPECT_EQ(modeOf(closed), 0600U);
+  EXPECT_EQ(modeOf(open), 0664U);
+}
+
+TEST_F(Files, WhatAKilledWriteLeftGoesWithTheNextWriteButALiveOneStays) {
+  const fs::path file = folder_ / "file.txt";
+  const fs::path dead = folder_ / ".file.txt.0123456789ab.partial",
+                 alive = folder_ / ".file.txt.ba9876543210.partial",
+                 foreign = folder_ / ".file.txt.mine.partial",
+                 others = folder_ / ".other.txt.0123456789ab.partial";
+  for (const fs::path& left : {dead, alive, foreign, others}) std::ofstream(left) << "half";
+  const int held = ::open(alive.c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  ASSERT_TRUE(writeFileAtomically(file, "whole").has_value());
+  EXPECT_FALSE(fs::exists(dead));
+  for (const fs::path& kept : {alive, foreign, others}) EXPECT_TRUE(fs::exists(kept)) << kept;
+  ::close(held);
+}
+
+TEST_F(Files, WritersOfOneNameAtTheSameTimeAllSucceed) {
+  const fs::path file = folder_ / "file.txt";
+  std::atomic<int> failures = 0;
+  std::vector<std::thread> writers;
+  for (int w = 0; w < 8; ++w)
+    writers.emplace_back([&, w] {
+      for (int k = 0; k < 25; ++k)
+        if (!writeFileAtomically(file, std::string(1000, static_cast<char>('a' + w)))) ++failures;
+    });
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(failures, 0);
+  const std::string last = *readFile(file);
+  EXPECT_EQ(last, std::string(1000, last[0]));
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, DoNotTakeThePlaceOfAPipeOrADeviceOrAFolder) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  fs::create_symlink("/dev/null", folder_ / "null");
+  fs::create_directories(folder_ / "folder");
+  for (const auto& [name, word] :
+       {std::pair{"pipe", "a pipe"}, {"null", "a device"}, {"folder", "a folder"}}) {
+    const Result<void> written = writeFileAtomically(folder_ / name, "x");
+    ASSERT_FALSE(written.has_value()) << name;
+    EXPECT_EQ(written.error().code, ErrorCode::CannotWrite);
+    EXPECT_NE(written.error().what.find(word), std::string::npos) << written.error().what;
+  }
+  EXPECT_TRUE(fs::is_symlink(folder_ / "null"));
+}
+
+TEST_F(Files, ANameOfTheGreatestLengthCanBeWritten) {
+  EXPECT_TRUE(writeFileAtomically(folder_ / std::string(255, 'n'), "x").has_value());
+  EXPECT_EQ(entries(), 1u);
 }
 
 TEST_F(Files, CannotBeWrittenWhereAFileStandsInTheWay) {

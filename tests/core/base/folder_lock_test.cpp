@@ -25,6 +25,15 @@ TEST_F(FolderLocks, OneHolderAtATimeAndTheSecondIsToldWhich) {
   EXPECT_TRUE(FolderLock::take(folder).has_value());
 }
 
+TEST_F(FolderLocks, ALinkInThePlaceOfTheLockIsRefusedAndNotFollowed) {
+  std::filesystem::create_directories(folder);
+  std::filesystem::create_symlink(folder / "elsewhere", folder / "lock");
+  const Result<FolderLock> held = FolderLock::take(folder);
+  ASSERT_FALSE(held.has_value());
+  EXPECT_NE(held.error().sentence().find("lock"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere"));
+}
+
 TEST_F(FolderLocks, AProcessThatDiesLetsGo) {
   std::filesystem::create_directories(folder);
   int ready[2];

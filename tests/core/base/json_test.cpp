@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/json_numbers.h"
+#include "base/json_text.h"
 
 namespace ostraka {
 namespace {
@@ -36,6 +40,58 @@ TEST(ParseJson, LimitsTheDepth) {
   const auto deep = parseJson(nested(100'000), "x");
   ASSERT_FALSE(deep.has_value());
   EXPECT_NE(deep.error().what.find("64"), std::string::npos);
+}
+
+TEST(ParseJson, RefusesAKeyThatOneObjectHasTwice) {
+  for (const char* text :
+       {R"({"unit":"mm","unit":"m"})", R"({"a":[{"b":{"unit":1,"c":2,"unit":1}}]})"}) {
+    const auto value = parseJson(text, "plate.json");
+    ASSERT_FALSE(value.has_value()) << text;
+    EXPECT_NE(value.error().what.find("'unit' twice"), std::string::npos) << value.error().what;
+    EXPECT_FALSE(parseOrderedJson(text, "plate.json").has_value()) << text;
+    EXPECT_TRUE(jsonOrDiscarded(text).is_discarded());
+    EXPECT_TRUE(orderedJsonOrDiscarded(text).is_discarded());
+  }
+  EXPECT_TRUE(parseJson(R"({"a":{"unit":1},"b":{"unit":1},"unit":[{"unit":1}]})", "x").has_value());
+}
+
+TEST(ParseOrderedJson, KeepsTheOrderOfKeys) {
+  EXPECT_EQ(parseOrderedJson(R"({"z":1,"a":{"y":2,"b":3}})", "x")->dump(),
+            R"({"z":1,"a":{"y":2,"b":3}})");
+}
+
+std::string refusal(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Json::exception& refused) {
+    return unusableJson(refused, "something is missing", "board.json").what;
+  }
+  return "accepted";
+}
+
+TEST(JsonNumbers, WholeOnesAreReadWithinTheirRangeOnly) {
+  const Json json = Json::parse(R"({"nine":9,"point":9.0,"half":9.5,"large":4294967305,
+      "huge":18446744073709551615,"below":-1,"flag":true,"word":"9","none":null})");
+  EXPECT_EQ(wholeAt(json, "nine", 2, 100), 9);
+  EXPECT_EQ(wholeAt(json, "point", 2, 100), 9);
+  EXPECT_EQ(wholeOr(json, "absent", 7), 7);
+  for (const char* name : {"half", "large", "huge", "below", "flag", "word", "none"})
+    EXPECT_EQ(refusal([&] { wholeAt(json, name, 2, 100); }),
+              "'" + std::string(name) + "' must be a whole number from 2 to 100; mend it.");
+  EXPECT_EQ(refusal([&] { wholeAt(json, "absent"); }), "something is missing");
+  EXPECT_EQ(wholeIn(Json(INT64_MAX), "bytes", 0, INT64_MAX), INT64_MAX);
+}
+
+TEST(JsonNumbers, OthersAreFiniteAndWithinTheirRange) {
+  const Json json = Json::parse(R"({"good":2.5,"whole":3,"far":1e300,"word":"2.5","flag":false})");
+  EXPECT_EQ(numberAt(json, "good", 0, 10), 2.5);
+  EXPECT_EQ(numberAt(json, "whole", 0, 10), 3);
+  EXPECT_EQ(numberOr(json, "absent", 1.5), 1.5);
+  for (const char* name : {"far", "word", "flag"})
+    EXPECT_EQ(refusal([&] { numberAt(json, name, 0.5, 10); }),
+              "'" + std::string(name) + "' must be a number from 0.5 to 10; mend it.");
+  EXPECT_EQ(refusal([&] { numberAt(json, "word"); }), "'word' must be a number; mend it.");
+  EXPECT_EQ(refusal([&] { numberIn(Json(NAN), "x"); }), "'x' must be a number; mend it.");
 }
 
 TEST(WriteJson, KeepsTheOrderOfKeysAndEndsWithALine) {

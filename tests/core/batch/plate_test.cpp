@@ -61,6 +61,59 @@ TEST(ReadPlate, RefusesWhatIsNoPlate) {
               HasSubstr("mm"));
 }
 
+TEST(ReadPlate, RefusesMarkersThatNoPrinterMakes) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {R"({"id":3,"corners":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]})", "is mirrored"},
+      {R"({"id":3,"corners":[[0,-1,0],[1,-1,0],[1,0,0],[0,0,0]]})", "is mirrored"},
+      {R"({"id":3,"corners":[[0,10,0],[10,10,0],[2,8,0],[0,0,0]]})", "is not convex"},
+      {R"({"id":3,"corners":[[0,10,0],[10,0,0],[12,9,0],[0,1,0]]})", "is not convex"},
+      {R"({"id":3.5,"corners":[[0,1,0],[1,1,0],[1,0,0],[0,0,0]]})",
+       "'id' must be a whole number from 0 to 1000000"},
+      {R"({"id":4294967299,"corners":[[0,1,0],[1,1,0],[1,0,0],[0,0,0]]})", "'id' must be a whole"},
+      {R"({"id":3,"corners":[[0,1e9,0],[1,1,0],[1,0,0],[0,0,0]]})",
+       "'corners' must be a number from -10000 to 10000"},
+      {R"({"id":3,"id":4,"corners":[[0,1,0],[1,1,0],[1,0,0],[0,0,0]]})", "'id' twice"}};
+  for (const auto& [marker, words] : wrong) {
+    const auto plate = plateOf(plateText(marker));
+    ASSERT_FALSE(plate.has_value()) << marker;
+    EXPECT_THAT(plate.error().what, HasSubstr(words));
+    EXPECT_THAT(plate.error().where, HasSubstr("plate.json"));
+  }
+}
+
+TEST(ReadPlate, RefusesMarkersThatOverlapAndTakesThoseThatTouch) {
+  const std::string first = R"({"id":1,"corners":[[0,10,0],[10,10,0],[10,0,0],[0,0,0]]},)";
+  EXPECT_THAT(
+      plateOf(plateText(first + R"({"id":2,"corners":[[9,15,0],[19,15,0],[19,5,0],[9,5,0]]})"))
+          .error()
+          .what,
+      HasSubstr("markers 1 and 2 of the plate overlap"));
+  EXPECT_TRUE(
+      plateOf(plateText(first + R"({"id":2,"corners":[[10,10,0],[20,10,0],[20,0,0],[10,0,0]]})"))
+          .has_value());
+  // Turned by 45 degrees, with its bounds over the first one's corner, but beside it.
+  EXPECT_TRUE(
+      plateOf(plateText(first + R"({"id":2,"corners":[[8,16,0],[16,24,0],[24,16,0],[16,8,0]]})"))
+          .has_value());
+}
+
+TEST(ReadBoard, RefusesNumbersThatNoBoardHas) {
+  const TemporaryFolder folder("boards");
+  const std::pair<const char*, const char*> wrong[] = {
+      {"4294967305", "'squares_x' must be a whole number from 2 to 100"},
+      {"9.5", "'squares_x' must be a whole number from 2 to 100"},
+      {"1", "'squares_x' must be a whole number from 2 to 100"},
+      {R"(9,"squares_x":9)", "'squares_x' twice"}};
+  for (const auto& [squares, words] : wrong) {
+    folder.write("d.json", R"({"dictionary":"D","squares_x":)" + std::string(squares) +
+                               R"(,"squares_y":7,"square_mm":22,"marker_mm":16})");
+    const auto board = readBoard(folder.path() / "d.json");
+    ASSERT_FALSE(board.has_value()) << squares;
+    EXPECT_THAT(board.error().what, HasSubstr(words));
+    EXPECT_THAT(board.error().where, HasSubstr("d.json"));
+  }
+}
+
 TEST(ReadBoard, ReadsOurNamesAndThoseOfOthers) {
   const TemporaryFolder folder("boards");
   folder.write("a.json",

@@ -1,6 +1,10 @@
 // Files that lie, end early or are no PLY: each gets a sentence, none memory that it only claims.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdint>
+#include <string>
+
 #include "cloud/ply.h"
 
 namespace ostraka {
@@ -64,8 +68,22 @@ TEST(BadPly, ListsLongerThanTheFileAreRefused) {
   expectRefused(header("binary_little_endian",
                        "element vertex 1\n" + kXyz +
                            "element face 1\nproperty list uint int vertex_indices\n") +
-                    std::string(12, '\0') + "\xff\xff\xff\x7f" + std::string(8, '\0'),
+                    std::string(12, '\0') + "\x84\x03" + std::string(10, '\0'),
                 "ends within its faces");
+}
+
+// A fan of 30 million corners kept `evaluate` busy beyond a minute.
+TEST(BadPly, AFaceOfMillionsOfCornersIsRefusedAtOnce) {
+  constexpr std::uint32_t kCorners = 30'000'000;
+  std::string bytes = header("binary_little_endian",
+                             "element vertex 3\n" + kXyz +
+                                 "element face 1\nproperty list uint int vertex_indices\n") +
+                      std::string(36, '\0');
+  bytes.append(reinterpret_cast<const char*>(&kCorners), sizeof kCorners);
+  bytes.append(std::size_t{4} * kCorners, '\0');
+  const auto begin = std::chrono::steady_clock::now();
+  expectRefused(bytes, "more than 1000 corners");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
 TEST(BadPly, EveryCutOffEndIsRefused) {

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "cloud/ply.h"
+#include "rig/colmap_program.h"
 #include "stand_in.h"
 #include "textured_ball.h"
 
@@ -92,6 +93,18 @@ TEST_F(ColmapDoor, NamesTheProgramThatIsMissing) {
   EXPECT_EQ(cloud.error().sentence(),
             "The program colmap is not on the PATH, but --dense colmap needs it; install it, or "
             "use --dense builtin, which needs nothing.");
+}
+
+TEST_F(ColmapDoor, LeavesTheWorkspaceOfAnotherRunAlone) {
+  put("colmap", "exit 0");
+  const Result<FolderLock> other = rig::claimWorkspace(work());
+  ASSERT_TRUE(other.has_value());
+  std::ofstream(work() / "database.db") << "in use";
+  const auto cloud = run();
+  ASSERT_FALSE(cloud.has_value());
+  EXPECT_THAT(cloud.error().sentence(), HasSubstr("Another run is writing here"));
+  EXPECT_EQ(textOf(work() / "database.db"), "in use");
+  EXPECT_EQ(calls(), "");
 }
 
 TEST_F(ColmapDoor, KillsTheProgramWhenAStopIsAskedFor) {

@@ -1,0 +1,64 @@
+#pragma once
+#include <cstdint>
+
+namespace ostraka {
+
+/// The most of something that is read from a file. docs/limits.md shows them all.
+struct Limit {
+  const char* what;
+  std::uint64_t most;
+  const char* unit;
+  const char* reason;
+};
+
+namespace limits {
+
+constexpr std::uint64_t kMiB = std::uint64_t{1} << 20;
+
+inline constexpr Limit kFileBytes{"Any file read at once", 4096 * kMiB, "bytes",
+                                  "a file is held in memory whole"};
+inline constexpr Limit kJsonBytes{"JSON text", 64 * kMiB, "bytes",
+                                  "parsed it takes ten times as much memory"};
+inline constexpr Limit kJsonDepth{"JSON lists and objects within each other", 64, "levels",
+                                  "the deepest file of the program has 9"};
+inline constexpr Limit kPlateMarkers{"Markers of a plate", 1024, "markers",
+                                     "the largest dictionary has as many"};
+inline constexpr Limit kPlateReach_mm{"Distance of a marker from the plate's middle", 10'000, "mm",
+                                      "a plate of 20 m is a mistake in the unit"};
+inline constexpr Limit kBoardSquares{"Squares of a calibration board in a row", 100, "squares",
+                                     "a photograph cannot resolve more"};
+inline constexpr Limit kRigCameras{"Number of a camera", 1000, "",
+                                   "a rig has a few; more is a damaged file"};
+inline constexpr Limit kRigStops{"Number of a turntable position", 100'000, "",
+                                 "finer than any turntable turns"};
+inline constexpr Limit kImageSide{"Width or height of an image", 100'000, "pixels",
+                                  "larger ones are damaged headers"};
+inline constexpr Limit kImagePixels{"Pixels of an image", std::uint64_t{1} << 30, "pixels",
+                                    "OpenCV decodes no more"};
+inline constexpr Limit kImageBytes{"Image file", 2047 * kMiB, "bytes",
+                                   "OpenCV counts the bytes of an image with 31 bits"};
+inline constexpr Limit kNetworkBytes{"Network for masks (ONNX)", 1024 * kMiB, "bytes",
+                                     "it is held in memory twice while it is read"};
+inline constexpr Limit kVertices{"Vertices of a PLY file", 200'000'000, "vertices",
+                                 "they take up to 8 GB of memory"};
+inline constexpr Limit kFaces{"Faces of a PLY file", 200'000'000, "faces",
+                              "they take 2.4 GB of memory"};
+inline constexpr Limit kFaceCorners{"Corners of a face", 1000, "corners",
+                                    "each becomes a triangle; scanners write 3 or 4"};
+inline constexpr Limit kTableBytes{"Table (CSV)", 256 * kMiB, "bytes",
+                                   "it is held in memory whole, and shown"};
+inline constexpr Limit kTableRows{"Rows of a table", 1'000'000, "rows",
+                                  "ten times the largest find database known"};
+inline constexpr Limit kTableFieldBytes{"Field of a table", kMiB, "bytes",
+                                        "a quotation mark that is never closed ends there"};
+inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "bytes",
+                                   "a remark of 500 pages"};
+
+inline constexpr Limit kAll[] = {kFileBytes,     kJsonBytes,       kJsonDepth,   kPlateMarkers,
+                                 kPlateReach_mm, kBoardSquares,    kRigCameras,  kRigStops,
+                                 kImageSide,     kImagePixels,     kImageBytes,  kNetworkBytes,
+                                 kVertices,      kFaces,           kFaceCorners, kTableBytes,
+                                 kTableRows,     kTableFieldBytes, kValueBytes};
+
+}  // namespace limits
+}  // namespace ostraka

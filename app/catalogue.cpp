@@ -8,9 +8,12 @@
 #include "base/files.h"
 #include "base/limits.h"
 #include "catalogue/enter_results.h"
+#include "catalogue/file_check.h"
 #include "catalogue/filter.h"
 #include "catalogue/project.h"
 #include "command.h"
+#include "damage.h"
+#include "exchange/archive.h"
 #include "exchange/export_folder.h"
 #include "exchange/read_back.h"
 
@@ -30,7 +33,7 @@ struct Options {
   catalogue::ProjectRecord record;
   std::vector<Form> forms;
   double lighter_mm = 0;
-  bool enter = false, make_places = false;
+  bool enter = false, make_places = false, quick = false, with_damage = false;
 };
 
 int said(Session& session, nlohmann::ordered_json json, const std::string& words) {
@@ -170,11 +173,28 @@ int runArchive(const Options& options, Session& session) {
   const Result<Project> project = Project::open(options.project);
   if (!project) return fail(session, project.error());
   session.progress.begin("archive", 1.0);
-  const auto bytes =
-      exchange::archiveProject(*project, options.output, kProgram, session.progress, session.stop);
-  if (!bytes) return fail(session, bytes.error());
-  return said(session, {{"output", options.output.string()}, {"bytes", *bytes}},
-              "The whole project: " + options.output.string());
+  const auto done = exchange::archiveProject(
+      *project,
+      {options.output, kProgram,
+       options.with_damage ? exchange::DamagedFiles::Seal : exchange::DamagedFiles::Refuse},
+      session.progress, session.stop);
+  if (!done) return fail(session, done.error());
+  session.finishProgress();
+  printDamage(done->damage);
+  const std::string damaged = "damaged files: " + std::to_string(done->damage.size());
+  std::string words = "The whole project: " + options.output.string();
+  if (!done->damage.empty())
+    words = done->sealed
+                ? "The project, " + damaged + ", which damage.txt lists: " + options.output.string()
+                : "Nothing was archived; " + damaged +
+                      ". Put them back from a copy, or archive --with-damage.";
+  return said(session,
+              {{"output", options.output.string()},
+               {"sealed", done->sealed},
+               {"bytes", done->bytes},
+               {"damaged", damageJson(done->damage)},
+               {"exit_status", done->damage.empty() ? Whole : NotWhole}},
+              words);
 }
 
 int runRestore(const Options& options, Session& session) {
@@ -182,8 +202,17 @@ int runRestore(const Options& options, Session& session) {
   const auto done =
       exchange::restoreProject(options.other, options.output, session.progress, session.stop);
   if (!done) return fail(session, done.error());
-  return said(session, {{"output", options.output.string()}},
-              "The project is back: " + options.output.string());
+  session.finishProgress();
+  for (const std::string& line : done->damage) std::fprintf(stderr, "%s\n", line.c_str());
+  return said(session,
+              {{"output", options.output.string()},
+               {"damage", done->damage},
+               {"exit_status", done->damage.empty() ? Whole : NotWhole}},
+              done->damage.empty()
+                  ? "The project is back: " + options.output.string()
+                  : "The project is back with the damage that it was archived with; damaged "
+                    "files: " +
+                        std::to_string(done->damage.size()) + ": " + options.output.string());
 }
 
 int runCheck(const Options& options, Session& session) {
@@ -193,22 +222,31 @@ int runCheck(const Options& options, Session& session) {
   if (!whole) return fail(session, whole.error());
   const auto saved = project->backUp();
   if (!saved) return fail(session, saved.error());
-  const auto files = project->catalogue().files();
-  if (!files) return fail(session, files.error());
-  std::vector<std::string> gone;
-  for (const catalogue::FileRecord& file : *files) {
-    std::error_code error;
-    if (!std::filesystem::exists(project->folder() / file.path, error)) gone.push_back(file.path);
-  }
-  if (!gone.empty())
-    return fail(session,
-                {ErrorCode::Missing,
-                 std::to_string(gone.size()) + " of " + std::to_string(files->size()) +
-                     " files that the catalogue names are not there, the first is " + gone.front() +
-                     "; put them back from a copy. The catalogue itself is whole.",
-                 project->folder().string()});
-  return said(session, {{"whole", true}, {"backup", saved->string()}},
-              "The catalogue is whole; a backup was made: " + saved->string());
+  session.progress.begin("check", 1.0);
+  const auto checked = catalogue::checkFiles(
+      project->catalogue(), project->folder(),
+      options.quick ? catalogue::CheckDepth::NamesAndSizes : catalogue::CheckDepth::Hashes,
+      session.progress, session.stop);
+  if (!checked)
+    return fail(session, checked.error(),
+                options.quick ? WhenStopped::BeginsAnew : WhenStopped::GoesOn);
+  session.finishProgress();
+  printDamage(checked->damaged);
+  const bool good = checked->damaged.empty();
+  const std::string files = std::to_string(checked->files);
+  return said(session,
+              {{"whole", good},
+               {"backup", saved->string()},
+               {"files", checked->files},
+               {"checked", checked->checked},
+               {"damaged", damageJson(checked->damaged)},
+               {"exit_status", good ? Whole : NotWhole}},
+              good ? "The catalogue and its " + files +
+                         " files are whole; a backup was made: " + saved->string()
+                   : "Damaged files: " + std::to_string(checked->damaged.size()) + " of " + files +
+                         "; put them back from a copy. The catalogue itself is whole; a backup "
+                         "was made: " +
+                         saved->string());
 }
 
 CLI::Option* addProject(CLI::App* command, Options& options) {
@@ -280,12 +318,17 @@ void addCatalogue(CLI::App& root, Command& chosen) {
       add("archive", "Write the whole project as a folder with checksums", runArchive);
   addProject(archive, *options);
   addOutput(archive, *options, "New folder for the archive");
+  archive->add_flag("--with-damage", options->with_damage,
+                    "Archive it though files are missing or changed, and list them in it");
   CLI::App* restore = add("restore", "Make a project from an archive", runRestore);
   restore->add_option("ARCHIVE", options->other, "Folder that 'catalogue archive' wrote")
       ->required()
       ->check(CLI::ExistingDirectory);
   addOutput(restore, *options, "New folder for the project");
-  addProject(add("check", "Check the catalogue, and back it up", runCheck), *options);
+  CLI::App* check = add("check", "Check the catalogue and its files, and back it up", runCheck);
+  addProject(check, *options);
+  check->add_flag("--quick", options->quick,
+                  "Only names and sizes of the files, not what is in them");
 }
 
 }  // namespace ostraka::app

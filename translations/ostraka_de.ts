@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
-  <context>
+<context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
@@ -57,8 +57,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: diese Nummer wurde auf der Platte getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -265,8 +265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rückseite</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
@@ -278,8 +278,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist ein Fehler des Programms; bitte mit dem Protokoll melden (%1).</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>PlaceText</name>
     <message>
       <source>%1 bag %2</source>
@@ -311,8 +311,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Beutel %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Rig</name>
     <message>
       <source>its file is missing</source>
@@ -337,8 +337,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>virtuell</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Stage</name>
     <message>
       <source>cameras</source>
@@ -405,8 +405,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>weitere Kandidaten für zweifelhafte Paare</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Time</name>
     <message numerus="yes">
       <source>%n s left</source>
@@ -429,8 +429,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>noch %1 h %2 min</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
@@ -869,16 +869,16 @@
             <numerusform>%n Scherben behalten Nummern des alten Befunds: %1.</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -890,8 +890,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kopie lässt sich nicht an ihren Platz legen: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -1109,16 +1109,16 @@
             <numerusform>%1; %n seither noch einmal aufgenommen</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Taste: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
@@ -1226,8 +1226,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Anhalten und zurücknehmen</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
@@ -1266,8 +1266,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, noch frei</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureFoot</name>
     <message>
       <source>Space</source>
@@ -1289,8 +1289,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einlesen, anderer Messplatz, beiseitelegen</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureStation</name>
     <message>
       <source>Space</source>
@@ -1460,8 +1460,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie stimmen</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureWizard</name>
     <message>
       <source>Opening the rig</source>
@@ -1788,8 +1788,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie haben %1 Scherben gezählt, die Fotos zeigen %2: Sehen Sie nach, ob eine in Teilen daliegt oder etwas, das keine Scherbe ist, oder berichtigen Sie die Zahl.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
@@ -1924,8 +1924,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wählen Sie die Scherben, die Nummern bekommen sollen.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::DrawingPage</name>
     <message>
       <source>Scale of the drawing</source>
@@ -2123,8 +2123,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zeichnung geht an den Drucker; drucken Sie mit 100 %.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
@@ -2206,8 +2206,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Angehalten; nichts blieb zurück.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
@@ -2402,8 +2402,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Ausgabe ist nicht fertig, und nichts davon bliebe. Noch einmal schließen, um sie abzubrechen.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FilterLine</name>
     <message>
       <source>Filter of the catalogue</source>
@@ -2433,8 +2433,8 @@
         <numerusform>%n Scherben</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
@@ -2456,8 +2456,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nichts zu berechnen</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
@@ -2487,8 +2487,8 @@
         <numerusform>Platte: Platz für %n Ladungen</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
@@ -2540,8 +2540,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Handbuch gibt es nur auf Englisch.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportDialog</name>
     <message>
       <source>new</source>
@@ -2691,8 +2691,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die anderen Fassungen behalten</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportModel</name>
     <message>
       <source>%1 '%2': %3</source>
@@ -2727,8 +2727,8 @@
         <numerusform>Angehalten: %n Zeilen sind nicht eingetragen. Für den Rest die Tabelle noch einmal einlesen.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::JoinMode</name>
     <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
@@ -2740,8 +2740,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Welche Vorderseite gehört zu der von %1? Wählen Sie ihre Karte (Pfeile und Eingabe); ein Klick auf das Bild einer Rückseite verbindet die Rückseiten.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
@@ -2873,8 +2873,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Projekt kann nur gelesen werden: alles ansehen geht, Änderungen werden abgelehnt.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
@@ -2977,8 +2977,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
@@ -3000,8 +3000,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rückseite</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MessagePanel</name>
     <message>
       <source>What happened</source>
@@ -3018,8 +3018,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gut</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ModelPane</name>
     <message>
       <source>Picture of the sherd</source>
@@ -3051,8 +3051,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modell einer Scherbe</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
@@ -3079,8 +3079,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Virtueller Messplatz</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
@@ -3112,8 +3112,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Unterschied %1 rad</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
@@ -3265,8 +3265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert, mit Ihrem Namen; aber die Ränder von %1 und %2 treffen sich kaum: %3 davon.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
@@ -3313,8 +3313,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pfeile verschieben die Linie, mit Umschalt drehen sie sie, Auf oder Ab nimmt die andere Seite, Enter schneidet. Oder mit der Maus eine Linie ziehen.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlaceEdit</name>
     <message>
       <source>&amp;Bag</source>
@@ -3346,8 +3346,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neu: %1 (Esc nimmt es zurück)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlateView</name>
     <message>
       <source>Picture of the plate</source>
@@ -3367,8 +3367,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>5 cm</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::QueueStation</name>
     <message>
       <source>Pause</source>
@@ -3498,8 +3498,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Ladung beiseitelegen</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
@@ -3516,8 +3516,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
@@ -3684,8 +3684,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klicken Sie auf der Scherbe auf ein Ende der Strecke, dann auf das andere. D beendet.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
@@ -3800,8 +3800,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert. Beim Berechnen geht die Nummer %1 an die Hälfte, auf der sie getippt wurde, sonst an die größere. Rückgängig macht sie wieder zu einer.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigPage</name>
     <message>
       <source>Two of them look alike</source>
@@ -3888,8 +3888,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Leertaste</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>
@@ -3921,8 +3921,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rechte ändern</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
@@ -4004,16 +4004,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zurück zur Arbeit (Esc)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SheetView</name>
     <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zeichnung auf ihrem Blatt</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -4195,8 +4195,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 ist die laufende Nummer im Befund der Scherbe; =7 ist die Nummer 7 selbst.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
@@ -4234,8 +4234,8 @@
         <numerusform>%n Scherben bekamen keine Nummer: %1</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
@@ -4267,8 +4267,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Der Maßstab von Ladung %2 ist zweifelhaft; ihr Bericht sagt, warum und was zu tun ist.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
@@ -4280,8 +4280,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Bildschirm hat kein OpenGL 3.2; die Scherbe lässt sich nicht räumlich zeigen. Alles andere geht; Aufnahmen und Umrisse stehen daneben.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
@@ -4417,8 +4417,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hilfe</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StopBoard</name>
     <message>
       <source>Photographs of this side</source>
@@ -4430,16 +4430,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 von %2 Halten sind fertig</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bild</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4476,8 +4476,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>grau: die andere Seite reicht nicht heran</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
       <source>7, the whole number, or scan its label</source>
@@ -4499,8 +4499,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1 bekam keine Nummer. %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskModel</name>
     <message>
       <source>%1, camera %2, stop %3</source>
@@ -4532,8 +4532,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Malen auf einer Maske</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskPage</name>
     <message>
       <source>Masks of %1</source>
@@ -4608,8 +4608,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was blau verschleiert ist, gilt als Scherbe. Malen Sie, was fehlt, oder als Teller, was zu viel ist; die Masken des Programms bleiben erhalten.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskView</name>
     <message>
       <source>Photograph with its mask</source>
@@ -4621,8 +4621,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Pfeile bewegen den Pinsel, die Leertaste malt, Plus und Minus vergrößern und verkleinern.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
       <source>A sherd will be</source>
@@ -4692,8 +4692,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, und {n} einmal; {n:04} hat mindestens vier Ziffern</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingModel</name>
     <message>
       <source>%1: %2</source>
@@ -4720,8 +4720,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ändern der Nummerierung</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
       <source>&amp;Save the words</source>
@@ -4798,8 +4798,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Wörter sind noch nicht gespeichert.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CountEdit</name>
     <message>
       <source>&amp;Sherds</source>
@@ -4821,16 +4821,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zählen Sie sie, wenn Sie mögen: Sie werden gefragt, wenn die Fotos eine andere Zahl zeigen (S)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigRenewal</name>
     <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kalibrierung nach %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportLine</name>
     <message>
       <source>How far the import is</source>
@@ -4842,8 +4842,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Einlesen anhalten</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ImportBatch</name>
     <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
@@ -4855,8 +4855,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner lässt sich nicht zu Ende lesen: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdNumbers</name>
     <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
@@ -4878,8 +4878,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1: %2 ist nicht so, wie die Scherben dieses Beutels nummeriert werden (%3). Wenn das kein Versehen ist, weiter.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Doubts</name>
     <message>
       <source>(%1, %2) mm</source>
@@ -4931,8 +4931,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vorn waren %1 Scherben zu sehen, hinten %2: kam eine hinzu, oder zerbrach eine?</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::Error</name>
     <message>
       <source>Stopped on request.</source>
@@ -5198,6 +5198,11 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei lässt sich nicht öffnen (%1); ihre Zugriffsrechte prüfen.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist keine gewöhnliche Datei; eine Datei nennen.</translation>
     </message>
     <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
@@ -6820,86 +6825,6 @@
       <translation>Die PLY-Datei enthält keinen brauchbaren Punkt; den Scan neu ausgeben.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Ordner, keine Datei; eine Datei nennen.</translation>
-    </message>
-    <message>
-      <source>This is a pipe, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist eine Pipe, keine Datei; eine Datei nennen.</translation>
-    </message>
-    <message>
-      <source>This is a socket, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Socket, keine Datei; eine Datei nennen.</translation>
-    </message>
-    <message>
-      <source>This is a device, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist ein Gerät, keine Datei; eine Datei nennen.</translation>
-    </message>
-    <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Link liegt dort, wo die Sperre dieses Ordners hingehört; ihn löschen.</translation>
-    </message>
-    <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hier lässt sich kein temporärer Ordner anlegen (%1); Platz schaffen oder TMPDIR auf einen anderen Ordner setzen.</translation>
-    </message>
-    <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das JSON nennt „%1“ zweimal in einem Objekt; eines von beiden löschen.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>„%1“ muss eine ganze Zahl von %2 bis %3 sein; sie berichtigen.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>„%1“ muss eine Zahl von %2 bis %3 sein; sie berichtigen.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>„%1“ muss eine Zahl sein; sie berichtigen.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 des Tellers ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Datei des Tellers neu drucken.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Marke %1 des Tellers ist nicht konvex; ihre Ecken der Reihe nach am Rand entlang nennen.</translation>
-    </message>
-    <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Marken %1 und %2 des Tellers überlappen sich; die Datei des Tellers neu drucken.</translation>
-    </message>
-    <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Marken der Tafel müssen kleiner als ihre Felder sein; „marker_mm“ oder „square_mm“ berichtigen.</translation>
-    </message>
-    <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Fläche der PLY-Datei hat mehr als %1 Ecken; sie als Dreiecke neu exportieren.</translation>
-    </message>
-    <message>
-      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die PLY-Datei hat mehr als %1 von „%2“; sie mit weniger exportieren.</translation>
-    </message>
-    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kein Abschnitt der Kante kann ein Stück Rand sein; diese Scherbe als eine ohne Rand zeichnen.</translation>
@@ -6938,16 +6863,6 @@
       <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Zeichnung braucht ein geschlossenes Modell; es mit 'ostraka process' erzeugen.</translation>
-    </message>
-    <message>
-      <source>This file is missing or cannot be read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Datei fehlt oder lässt sich nicht lesen.</translation>
-    </message>
-    <message>
-      <source>The disk cannot read this file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Datenträger kann diese Datei nicht lesen.</translation>
     </message>
     <message>
       <source>The manifest is missing; this is no export of Ostraka.</source>
@@ -8674,5 +8589,121 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nach dem Zeichen = steht eine Nummer.</translation>
     </message>
-  </context>
+    <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Ordner, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist eine Pipe, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Socket, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Gerät, keine Datei; eine Datei nennen.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Link liegt dort, wo die Sperre dieses Ordners hingehört; ihn löschen.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier lässt sich kein temporärer Ordner anlegen (%1); Platz schaffen oder TMPDIR auf einen anderen Ordner setzen.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das JSON nennt „%1“ zweimal in einem Objekt; eines von beiden löschen.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ muss eine ganze Zahl von %2 bis %3 sein; sie berichtigen.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ muss eine Zahl von %2 bis %3 sein; sie berichtigen.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ muss eine Zahl sein; sie berichtigen.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marke %1 des Tellers ist gespiegelt: ihre Ecken laufen von oben gesehen gegen den Uhrzeigersinn; die Datei des Tellers neu drucken.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Marke %1 des Tellers ist nicht konvex; ihre Ecken der Reihe nach am Rand entlang nennen.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken %1 und %2 des Tellers überlappen sich; die Datei des Tellers neu drucken.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken der Tafel müssen kleiner als ihre Felder sein; „marker_mm“ oder „square_mm“ berichtigen.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Fläche der PLY-Datei hat mehr als %1 Ecken; sie als Dreiecke neu exportieren.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei hat mehr als %1 von „%2“; sie mit weniger exportieren.</translation>
+    </message>
+    <message>
+      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wo ein Ordner hingehört, steht eine Verknüpfung oder eine Datei, oder eine Verknüpfung, wo eine Datei hingehört; die Dateien selbst dorthin legen.</translation>
+    </message>
+    <message>
+      <source>There is a file of this name already; it is not overwritten.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es gibt schon eine Datei dieses Namens; sie wird nicht überschrieben.</translation>
+    </message>
+    <message>
+      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Export nennt einen Ort im Projekt, an den keine solche Datei gehört; nichts wurde eingetragen.</translation>
+    </message>
+    <message>
+      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Archiv enthält ein Journal seines Katalogs, was kein Archiv von Ostraka tut; nichts wurde geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::FileWatch</name>
+    <message>
+      <source>Check of the files</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Prüfung der Dateien</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Datei dieses Projekts fehlt oder wurde verändert: %1. Aus einer Kopie zurücklegen; »ostraka catalogue check« nennt sie.</numerusform>
+        <numerusform>%n Dateien dieses Projekts fehlen oder wurden verändert, zuerst %1. Aus einer Kopie zurücklegen; »ostraka catalogue check« nennt alle.</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="el" sourcelanguage="en">
-  <context>
+<context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
@@ -57,8 +57,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ο αριθμός αυτός πληκτρολογήθηκε στην πλάκα, αλλά ανήκει σε άλλο όστρακο· δείτε ποιο από τα δύο τον φέρει και δώστε στο άλλο νέο αριθμό.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -265,8 +265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πίσω όψη</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
@@ -278,8 +278,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό είναι σφάλμα του προγράμματος· αναφέρετέ το μαζί με το ημερολόγιο (%1).</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>PlaceText</name>
     <message>
       <source>%1 bag %2</source>
@@ -311,8 +311,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>σακούλα %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Rig</name>
     <message>
       <source>its file is missing</source>
@@ -337,8 +337,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>εικονική</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Stage</name>
     <message>
       <source>cameras</source>
@@ -405,8 +405,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>περισσότεροι υποψήφιοι για αμφίβολα ζεύγη</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Time</name>
     <message numerus="yes">
       <source>%n s left</source>
@@ -429,8 +429,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>απομένουν %1 ώρες %2 λεπτά</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
@@ -869,16 +869,16 @@
             <numerusform>%n όστρακα κρατούν αριθμούς του παλιού πλαισίου: %1.</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -890,8 +890,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αντίγραφο δεν μπορεί να μπει στη θέση του: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -1109,16 +1109,16 @@
             <numerusform>%1· %n φωτογραφήθηκαν ξανά από τότε</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πλήκτρο: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
@@ -1226,8 +1226,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακοπή και ανάκληση</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
@@ -1266,8 +1266,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ελεύθερο</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureFoot</name>
     <message>
       <source>Space</source>
@@ -1289,8 +1289,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εισαγωγή, άλλη διάταξη, παραμερισμός</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureStation</name>
     <message>
       <source>Space</source>
@@ -1460,8 +1460,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι σωστοί</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureWizard</name>
     <message>
       <source>Opening the rig</source>
@@ -1788,8 +1788,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: δείτε μήπως κάποιο είναι σε κομμάτια ή υπάρχει κάτι που δεν είναι όστρακο, ή διορθώστε τον αριθμό.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
@@ -1924,8 +1924,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Επιλέξτε τα όστρακα που θα πάρουν αριθμό.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::DrawingPage</name>
     <message>
       <source>Scale of the drawing</source>
@@ -2123,8 +2123,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το σχέδιο στέλνεται στον εκτυπωτή· τυπώστε το στο 100 %.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
@@ -2206,8 +2206,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σταμάτησε· δεν έμεινε τίποτα πίσω.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
@@ -2402,8 +2402,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εξαγωγή δεν έχει τελειώσει και δεν θα έμενε τίποτα από αυτήν. Κλείστε ξανά για να διακοπεί.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FilterLine</name>
     <message>
       <source>Filter of the catalogue</source>
@@ -2433,8 +2433,8 @@
         <numerusform>%n όστρακα</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
@@ -2456,8 +2456,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τίποτα για υπολογισμό</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
@@ -2487,8 +2487,8 @@
         <numerusform>Δίσκος: χώρος για %n παρτίδες</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
@@ -2540,8 +2540,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το εγχειρίδιο υπάρχει μόνο στα αγγλικά.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportDialog</name>
     <message>
       <source>new</source>
@@ -2691,8 +2691,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κράτηση των άλλων εκδοχών</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportModel</name>
     <message>
       <source>%1 '%2': %3</source>
@@ -2727,8 +2727,8 @@
         <numerusform>Σταμάτησε: %n γραμμές δεν καταχωρήθηκαν. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::JoinMode</name>
     <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
@@ -2740,8 +2740,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ποια μπροστινή όψη ανήκει σε εκείνη του %1; Επιλέξτε την κάρτα της (βέλη και Enter)· ένα κλικ στην εικόνα μιας πίσω όψης ενώνει τις πίσω.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
@@ -2873,8 +2873,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί: δείτε τα πάντα· οι αλλαγές δεν γίνονται δεκτές.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
@@ -2977,8 +2977,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
@@ -3000,8 +3000,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πίσω όψη</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MessagePanel</name>
     <message>
       <source>What happened</source>
@@ -3018,8 +3018,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εντάξει</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ModelPane</name>
     <message>
       <source>Picture of the sherd</source>
@@ -3051,8 +3051,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μοντέλο ενός οστράκου</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
@@ -3079,8 +3079,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικονική διάταξη</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
@@ -3112,8 +3112,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>διαφορά %1 rad</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
@@ -3265,8 +3265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι ακμές του %1 και του %2 μόλις συναντιούνται: το %3.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
@@ -3313,8 +3313,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα βέλη μετακινούν τη γραμμή, με Shift τη στρέφουν, Πάνω ή Κάτω παίρνει την άλλη όψη, Enter κόβει. Ή σχεδιάστε γραμμή με το ποντίκι.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlaceEdit</name>
     <message>
       <source>&amp;Bag</source>
@@ -3346,8 +3346,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Νέα: %1 (το Esc τα αναιρεί)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlateView</name>
     <message>
       <source>Picture of the plate</source>
@@ -3367,8 +3367,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>5 εκ.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::QueueStation</name>
     <message>
       <source>Pause</source>
@@ -3498,8 +3498,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παραμερισμός αυτής της παρτίδας</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
@@ -3516,8 +3516,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
@@ -3684,8 +3684,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάντε κλικ στο ένα άκρο του μήκους πάνω στο όστρακο, μετά στο άλλο. Το D τελειώνει.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
@@ -3800,8 +3800,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε. Κατά τον υπολογισμό ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα ενώνει πάλι.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigPage</name>
     <message>
       <source>Two of them look alike</source>
@@ -3888,8 +3888,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διάστημα</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>
@@ -3921,8 +3921,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αλλαγή δικαιωμάτων</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
@@ -4004,16 +4004,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πίσω στη δουλειά (Esc)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SheetView</name>
     <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το σχέδιο στο φύλλο του</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -4195,8 +4195,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 είναι ο αύξων αριθμός στο πλαίσιο του οστράκου· =7 είναι ο ίδιος ο αριθμός 7.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
@@ -4234,8 +4234,8 @@
         <numerusform>%n όστρακα δεν πήραν αριθμό: %1</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
@@ -4267,8 +4267,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: η κλίμακα της παρτίδας %2 είναι αμφίβολη· η αναφορά της λέει γιατί και τι να γίνει.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
@@ -4280,8 +4280,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η οθόνη δεν έχει OpenGL 3.2, οπότε το όστρακο δεν φαίνεται σε τρεις διαστάσεις. Όλα τα άλλα λειτουργούν· φωτογραφίες και περιγράμματα είναι δίπλα.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
@@ -4417,8 +4417,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Βοήθεια</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StopBoard</name>
     <message>
       <source>Photographs of this side</source>
@@ -4430,16 +4430,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έγιναν %1 από %2 στάσεις</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικόνα</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4476,8 +4476,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>γκρι: η άλλη πλευρά δεν φτάνει εδώ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
       <source>7, the whole number, or scan its label</source>
@@ -4499,8 +4499,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όστρακο %1 δεν πήρε αριθμό. %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskModel</name>
     <message>
       <source>%1, camera %2, stop %3</source>
@@ -4532,8 +4532,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ζωγραφική σε μάσκα</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskPage</name>
     <message>
       <source>Masks of %1</source>
@@ -4608,8 +4608,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό,τι καλύπτεται με γαλάζιο θεωρείται όστρακο. Ζωγραφίστε ό,τι λείπει ή, ως δίσκο, ό,τι περισσεύει· οι μάσκες του προγράμματος μένουν.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskView</name>
     <message>
       <source>Photograph with its mask</source>
@@ -4621,8 +4621,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα βέλη μετακινούν το πινέλο, το διάστημα ζωγραφίζει, το συν και το πλην μεγεθύνουν και σμικρύνουν.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
       <source>A sherd will be</source>
@@ -4692,8 +4692,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, και {n} μία φορά· το {n:04} έχει τουλάχιστον τέσσερα ψηφία</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingModel</name>
     <message>
       <source>%1: %2</source>
@@ -4720,8 +4720,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αλλαγή της αρίθμησης</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
       <source>&amp;Save the words</source>
@@ -4798,8 +4798,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτές οι λέξεις δεν έχουν αποθηκευτεί ακόμη.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CountEdit</name>
     <message>
       <source>&amp;Sherds</source>
@@ -4821,16 +4821,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήστε τα αν θέλετε: ερωτάστε όταν οι φωτογραφίες δείχνουν άλλον αριθμό (S)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigRenewal</name>
     <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Βαθμονόμηση από το %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportLine</name>
     <message>
       <source>How far the import is</source>
@@ -4842,8 +4842,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακοπή της εισαγωγής</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ImportBatch</name>
     <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
@@ -4855,8 +4855,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος δεν διαβάζεται ως το τέλος: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdNumbers</name>
     <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
@@ -4878,8 +4878,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακο %1: το %2 δεν είναι όπως αριθμούνται τα όστρακα αυτής της σακούλας (%3). Αν δεν είναι λάθος, συνεχίστε.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Doubts</name>
     <message>
       <source>(%1, %2) mm</source>
@@ -4931,8 +4931,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: προστέθηκε κάποιο ή έσπασε κάποιο;</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::Error</name>
     <message>
       <source>Stopped on request.</source>
@@ -5198,6 +5198,11 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο δεν ανοίγει (%1)· ελέγξτε τα δικαιώματά του.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι κανονικό αρχείο· δώστε ένα αρχείο.</translation>
     </message>
     <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
@@ -6820,86 +6825,6 @@
       <translation>Το αρχείο PLY δεν περιέχει κανένα χρήσιμο σημείο· εξαγάγετε ξανά τη σάρωση.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό είναι φάκελος, όχι αρχείο· δώστε ένα αρχείο.</translation>
-    </message>
-    <message>
-      <source>This is a pipe, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό είναι διοχέτευση, όχι αρχείο· δώστε ένα αρχείο.</translation>
-    </message>
-    <message>
-      <source>This is a socket, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό είναι υποδοχή (socket), όχι αρχείο· δώστε ένα αρχείο.</translation>
-    </message>
-    <message>
-      <source>This is a device, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό είναι συσκευή, όχι αρχείο· δώστε ένα αρχείο.</translation>
-    </message>
-    <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένας σύνδεσμος βρίσκεται στη θέση του κλειδώματος αυτού του φακέλου· διαγράψτε τον.</translation>
-    </message>
-    <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν μπορεί να δημιουργηθεί προσωρινός φάκελος εδώ (%1)· ελευθερώστε χώρο ή ορίστε άλλον φάκελο στο TMPDIR.</translation>
-    </message>
-    <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το JSON ονομάζει το «%1» δύο φορές σε ένα αντικείμενο· διαγράψτε ένα από τα δύο.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το «%1» πρέπει να είναι ακέραιος από %2 έως %3· διορθώστε το.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το «%1» πρέπει να είναι αριθμός από %2 έως %3· διορθώστε το.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το «%1» πρέπει να είναι αριθμός· διορθώστε το.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο δείκτης %1 του δίσκου είναι κατοπτρικός: από πάνω οι γωνίες του πηγαίνουν αριστερόστροφα· τυπώστε ξανά το αρχείο του δίσκου.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο δείκτης %1 του δίσκου δεν είναι κυρτός· δώστε τις γωνίες του τη μία μετά την άλλη κατά μήκος της ακμής.</translation>
-    </message>
-    <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι δείκτες %1 και %2 του δίσκου επικαλύπτονται· τυπώστε ξανά το αρχείο του δίσκου.</translation>
-    </message>
-    <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι δείκτες του πίνακα βαθμονόμησης πρέπει να είναι μικρότεροι από τα τετράγωνά του· διορθώστε το «marker_mm» ή το «square_mm».</translation>
-    </message>
-    <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια έδρα του PLY έχει πάνω από %1 γωνίες· εξαγάγετέ το ξανά ως τρίγωνα.</translation>
-    </message>
-    <message>
-      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το αρχείο PLY έχει πάνω από %1 από «%2»· εξαγάγετέ το με λιγότερα.</translation>
-    </message>
-    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα τμήμα της ακμής δεν μπορεί να είναι χείλος· σχεδιάστε αυτό το όστρακο ως όστρακο χωρίς χείλος.</translation>
@@ -6938,16 +6863,6 @@
       <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα σχέδιο χρειάζεται κλειστό μοντέλο· φτιάξτε το με το 'ostraka process'.</translation>
-    </message>
-    <message>
-      <source>This file is missing or cannot be read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το αρχείο λείπει ή δεν διαβάζεται.</translation>
-    </message>
-    <message>
-      <source>The disk cannot read this file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο σκληρός δίσκος δεν μπορεί να διαβάσει αυτό το αρχείο.</translation>
     </message>
     <message>
       <source>The manifest is missing; this is no export of Ostraka.</source>
@@ -8674,5 +8589,121 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετά το σύμβολο = ακολουθεί αριθμός.</translation>
     </message>
-  </context>
+    <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι φάκελος, όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι διοχέτευση, όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι υποδοχή (socket), όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι συσκευή, όχι αρχείο· δώστε ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας σύνδεσμος βρίσκεται στη θέση του κλειδώματος αυτού του φακέλου· διαγράψτε τον.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν μπορεί να δημιουργηθεί προσωρινός φάκελος εδώ (%1)· ελευθερώστε χώρο ή ορίστε άλλον φάκελο στο TMPDIR.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το JSON ονομάζει το «%1» δύο φορές σε ένα αντικείμενο· διαγράψτε ένα από τα δύο.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» πρέπει να είναι ακέραιος από %2 έως %3· διορθώστε το.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» πρέπει να είναι αριθμός από %2 έως %3· διορθώστε το.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» πρέπει να είναι αριθμός· διορθώστε το.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δείκτης %1 του δίσκου είναι κατοπτρικός: από πάνω οι γωνίες του πηγαίνουν αριστερόστροφα· τυπώστε ξανά το αρχείο του δίσκου.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δείκτης %1 του δίσκου δεν είναι κυρτός· δώστε τις γωνίες του τη μία μετά την άλλη κατά μήκος της ακμής.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες %1 και %2 του δίσκου επικαλύπτονται· τυπώστε ξανά το αρχείο του δίσκου.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες του πίνακα βαθμονόμησης πρέπει να είναι μικρότεροι από τα τετράγωνά του· διορθώστε το «marker_mm» ή το «square_mm».</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια έδρα του PLY έχει πάνω από %1 γωνίες· εξαγάγετέ το ξανά ως τρίγωνα.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY έχει πάνω από %1 από «%2»· εξαγάγετέ το με λιγότερα.</translation>
+    </message>
+    <message>
+      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας σύνδεσμος ή ένα αρχείο βρίσκεται στη θέση φακέλου, ή ένας σύνδεσμος στη θέση αρχείου· βάλτε εκεί τα ίδια τα αρχεία.</translation>
+    </message>
+    <message>
+      <source>There is a file of this name already; it is not overwritten.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα· δεν αντικαθίσταται.</translation>
+    </message>
+    <message>
+      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εξαγωγή ορίζει στο έργο μια θέση όπου δεν ανήκει τέτοιο αρχείο· δεν καταχωρίστηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχειοθετημένο έργο περιέχει ημερολόγιο του καταλόγου του, κάτι που δεν κάνει κανένα του Ostraka· δεν γράφτηκε τίποτα.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::FileWatch</name>
+    <message>
+      <source>Check of the files</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Έλεγχος των αρχείων</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n αρχείο αυτού του έργου λείπει ή άλλαξε: %1. Επαναφέρετέ το από αντίγραφο· το «ostraka catalogue check» το αναφέρει.</numerusform>
+        <numerusform>%n αρχεία αυτού του έργου λείπουν ή άλλαξαν, πρώτο το %1. Επαναφέρετέ τα από αντίγραφο· το «ostraka catalogue check» τα αναφέρει όλα.</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
-  <context>
+<context>
     <name>ComputeBatch</name>
     <message numerus="yes">
       <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
@@ -10,8 +10,8 @@
         <numerusform>%n sherds were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Rig</name>
     <message numerus="yes">
       <source>ready (%n day(s) old)</source>
@@ -20,8 +20,8 @@
         <numerusform>ready (%n days old)</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Time</name>
     <message numerus="yes">
       <source>%n s left</source>
@@ -37,8 +37,8 @@
         <numerusform>%n min left</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -89,8 +89,8 @@
         <numerusform>%1; %n photographed again since</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BulkEdit</name>
     <message numerus="yes">
       <source>%n sherd(s) chosen</source>
@@ -106,8 +106,8 @@
         <numerusform>Change %n sherds</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureStation</name>
     <message numerus="yes">
       <source>%1: %n file(s) imported; it is in the queue.</source>
@@ -116,8 +116,8 @@
         <numerusform>%1: %n files imported; it is in the queue.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureWizard</name>
     <message numerus="yes">
       <source>The %n photograph(s) of this side so far are safe.</source>
@@ -154,8 +154,8 @@
         <numerusform>Room for about %n more</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
@@ -164,8 +164,8 @@
         <numerusform>change %1 of %n sherds</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::DrawingPage</name>
     <message numerus="yes">
       <source>Drawing %n sherd(s) …</source>
@@ -181,8 +181,8 @@
         <numerusform>Draw plates of %n sherds</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportModel</name>
     <message numerus="yes">
       <source>about %n minute(s)</source>
@@ -219,8 +219,8 @@
         <numerusform>%n sherds, %1, manifest checked</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportStation</name>
     <message numerus="yes">
       <source>The %n chosen in the catalogue</source>
@@ -229,8 +229,8 @@
         <numerusform>The %n chosen in the catalogue</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FilterLine</name>
     <message numerus="yes">
       <source>%n sherd(s)</source>
@@ -239,8 +239,8 @@
         <numerusform>%n sherds</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HeaderLine</name>
     <message numerus="yes">
       <source>Disk: room for %n batch(es)</source>
@@ -249,8 +249,8 @@
         <numerusform>Disk: room for %n batches</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportDialog</name>
     <message numerus="yes">
       <source>Enter %n row(s)</source>
@@ -259,8 +259,8 @@
         <numerusform>Enter %n rows</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportModel</name>
     <message numerus="yes">
       <source>Stopped: %n row(s) are not entered. Import the table again for the rest.</source>
@@ -269,8 +269,8 @@
         <numerusform>Stopped: %n rows are not entered. Import the table again for the rest.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapStation</name>
     <message numerus="yes">
       <source>%n label(s) are sent to the printer.</source>
@@ -286,8 +286,8 @@
         <numerusform>%n sherds of this batch have no number yet: their labels name the batch.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlateView</name>
     <message numerus="yes">
       <source>%n sherd(s) seen</source>
@@ -296,8 +296,8 @@
         <numerusform>%n sherds seen</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::QueueStation</name>
     <message numerus="yes">
       <source>%n batch(es) stopped and need you</source>
@@ -306,8 +306,8 @@
         <numerusform>%n batches stopped and need you</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewStation</name>
     <message numerus="yes">
       <source>%n pair(s) need your eye</source>
@@ -316,8 +316,8 @@
         <numerusform>%n pairs need your eye</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
@@ -333,8 +333,8 @@
         <numerusform>%n sherds got no number: %1</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskPage</name>
     <message numerus="yes">
       <source>%n photograph(s) mended; what follows from them is computed again.</source>
@@ -343,8 +343,8 @@
         <numerusform>%n photographs mended; what follows from them is computed again.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message numerus="yes">
       <source>and in %n more context(s)</source>
@@ -353,8 +353,8 @@
         <numerusform>and in %n more contexts</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui</name>
     <message numerus="yes">
       <source>%1 of %n sherd(s)</source>
@@ -384,5 +384,15 @@
         <numerusform>%n sherds keep numbers of the old context: %1.</numerusform>
       </translation>
     </message>
-  </context>
+</context>
+<context>
+    <name>ostraka::ui::FileWatch</name>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translation>
+        <numerusform>%n file of this project is missing or was changed: %1. Put it back from a copy; &apos;ostraka catalogue check&apos; lists it.</numerusform>
+        <numerusform>%n files of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="es" sourcelanguage="en">
-  <context>
+<context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
@@ -57,8 +57,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: este número se escribió en la placa, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -265,8 +265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>reverso</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
@@ -278,8 +278,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es un defecto del programa; comuníquelo con el registro (%1).</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>PlaceText</name>
     <message>
       <source>%1 bag %2</source>
@@ -311,8 +311,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bolsa %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Rig</name>
     <message>
       <source>its file is missing</source>
@@ -337,8 +337,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>virtual</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Stage</name>
     <message>
       <source>cameras</source>
@@ -405,8 +405,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>más candidatos para las parejas dudosas</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Time</name>
     <message numerus="yes">
       <source>%n s left</source>
@@ -429,8 +429,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>quedan %1 h %2 min</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
@@ -869,16 +869,16 @@
             <numerusform>%n fragmentos conservan números del contexto antiguo: %1.</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -890,8 +890,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La copia no se puede poner en su sitio: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -1109,16 +1109,16 @@
             <numerusform>%1; %n fotografiados de nuevo desde entonces</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tecla: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
@@ -1226,8 +1226,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detener y deshacer</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
@@ -1266,8 +1266,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, libre</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureFoot</name>
     <message>
       <source>Space</source>
@@ -1289,8 +1289,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importar, otro equipo, apartar</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureStation</name>
     <message>
       <source>Space</source>
@@ -1460,8 +1460,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Son correctos</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureWizard</name>
     <message>
       <source>Opening the rig</source>
@@ -1788,8 +1788,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ha contado %1 fragmentos, las fotos muestran %2: mire si alguno está en partes o si hay algo que no es un fragmento, o corrija el número.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
@@ -1924,8 +1924,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elija los fragmentos que deben recibir número.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::DrawingPage</name>
     <message>
       <source>Scale of the drawing</source>
@@ -2123,8 +2123,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El dibujo va a la impresora; imprímalo al 100 %.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
@@ -2206,8 +2206,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detenida; no quedó nada a medias.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
@@ -2402,8 +2402,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La exportación no ha terminado y no quedaría nada de ella. Cierre otra vez para detenerla.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FilterLine</name>
     <message>
       <source>Filter of the catalogue</source>
@@ -2433,8 +2433,8 @@
         <numerusform>%n fragmentos</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
@@ -2456,8 +2456,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nada que calcular</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
@@ -2487,8 +2487,8 @@
         <numerusform>Disco: sitio para %n tandas</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
@@ -2540,8 +2540,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El manual solo está en inglés.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportDialog</name>
     <message>
       <source>new</source>
@@ -2691,8 +2691,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardar las otras versiones</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportModel</name>
     <message>
       <source>%1 '%2': %3</source>
@@ -2727,8 +2727,8 @@
         <numerusform>Detenido: %n filas no se han introducido. Importe la tabla otra vez para el resto.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::JoinMode</name>
     <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
@@ -2740,8 +2740,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>¿Qué anverso va con el de %1? Elija su ficha (flechas e Intro); un clic en la imagen de un reverso une los reversos.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
@@ -2873,8 +2873,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este proyecto solo se puede leer: mire todo; los cambios se rechazan.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
@@ -2977,8 +2977,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
@@ -3000,8 +3000,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>reverso</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MessagePanel</name>
     <message>
       <source>What happened</source>
@@ -3018,8 +3018,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De acuerdo</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ModelPane</name>
     <message>
       <source>Picture of the sherd</source>
@@ -3051,8 +3051,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modelo de un fragmento</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
@@ -3079,8 +3079,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Equipo virtual</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
@@ -3112,8 +3112,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>difieren en %1 rad</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
@@ -3265,8 +3265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado, con su nombre; pero los bordes de %1 y %2 apenas se encuentran: el %3.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
@@ -3313,8 +3313,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las flechas mueven la línea, con Mayús la giran, Arriba o Abajo toma el otro lado, Intro corta. O trace una línea con el ratón.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlaceEdit</name>
     <message>
       <source>&amp;Bag</source>
@@ -3346,8 +3346,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nuevo: %1 (Esc lo deshace)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlateView</name>
     <message>
       <source>Picture of the plate</source>
@@ -3367,8 +3367,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>5 cm</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::QueueStation</name>
     <message>
       <source>Pause</source>
@@ -3498,8 +3498,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Apartar esta tanda</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
@@ -3516,8 +3516,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
@@ -3684,8 +3684,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Haga clic en un extremo de la longitud sobre el fragmento y luego en el otro. D termina.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
@@ -3800,8 +3800,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado. Al calcular, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigPage</name>
     <message>
       <source>Two of them look alike</source>
@@ -3888,8 +3888,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Espacio</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>
@@ -3921,8 +3921,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>cambiar los derechos</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
@@ -4004,16 +4004,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Volver al trabajo (Esc)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SheetView</name>
     <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El dibujo en su hoja</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -4195,8 +4195,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 es el número correlativo en el contexto del fragmento; =7 es el propio número 7.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
@@ -4234,8 +4234,8 @@
         <numerusform>%n fragmentos no recibieron número: %1</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
@@ -4267,8 +4267,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: la escala del lote %2 es dudosa; su informe dice por qué y qué hacer.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
@@ -4280,8 +4280,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta pantalla no tiene OpenGL 3.2; el fragmento no se puede mostrar en tres dimensiones. Todo lo demás funciona; fotografías y contornos están al lado.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
@@ -4417,8 +4417,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ayuda</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StopBoard</name>
     <message>
       <source>Photographs of this side</source>
@@ -4430,16 +4430,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de %2 paradas hechas</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imagen</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4476,8 +4476,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>gris: la otra cara no llega aquí</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
       <source>7, the whole number, or scan its label</source>
@@ -4499,8 +4499,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El fragmento %1 no recibió número. %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskModel</name>
     <message>
       <source>%1, camera %2, stop %3</source>
@@ -4532,8 +4532,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>pintar en una máscara</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskPage</name>
     <message>
       <source>Masks of %1</source>
@@ -4608,8 +4608,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo velado en azul se toma por fragmento. Pinte lo que falta o, como plato, lo que sobra; las máscaras del programa se conservan.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskView</name>
     <message>
       <source>Photograph with its mask</source>
@@ -4621,8 +4621,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las flechas mueven el pincel, Espacio pinta, más y menos amplían y reducen.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
       <source>A sherd will be</source>
@@ -4692,8 +4692,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, y {n} una vez; {n:04} tiene al menos cuatro cifras</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingModel</name>
     <message>
       <source>%1: %2</source>
@@ -4720,8 +4720,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>cambiar la numeración</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
       <source>&amp;Save the words</source>
@@ -4798,8 +4798,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estas palabras aún no están guardadas.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CountEdit</name>
     <message>
       <source>&amp;Sherds</source>
@@ -4821,16 +4821,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cuéntelos si quiere: se le pregunta cuando las fotos muestran otro número (S)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigRenewal</name>
     <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Calibración según %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportLine</name>
     <message>
       <source>How far the import is</source>
@@ -4842,8 +4842,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Detener la importación</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ImportBatch</name>
     <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
@@ -4855,8 +4855,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta no se puede leer hasta el final: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdNumbers</name>
     <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
@@ -4878,8 +4878,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fragmento %1: %2 no es como se numeran los fragmentos de esta bolsa (%3). Si no es un descuido, siga.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Doubts</name>
     <message>
       <source>(%1, %2) mm</source>
@@ -4931,8 +4931,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El anverso mostró %1 fragmentos, el dorso %2: ¿se añadió uno, o se rompió uno?</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::Error</name>
     <message>
       <source>Stopped on request.</source>
@@ -5198,6 +5198,11 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo no se puede abrir (%1); revise sus permisos.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un archivo normal; indique un archivo.</translation>
     </message>
     <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
@@ -6820,86 +6825,6 @@
       <translation>El archivo PLY no contiene ningún punto utilizable; exporte otra vez el escaneo.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es una carpeta, no un archivo; indique un archivo.</translation>
-    </message>
-    <message>
-      <source>This is a pipe, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es una tubería, no un archivo; indique un archivo.</translation>
-    </message>
-    <message>
-      <source>This is a socket, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es un socket, no un archivo; indique un archivo.</translation>
-    </message>
-    <message>
-      <source>This is a device, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es un dispositivo, no un archivo; indique un archivo.</translation>
-    </message>
-    <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay un enlace en el lugar del bloqueo de esta carpeta; bórrelo.</translation>
-    </message>
-    <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aquí no se puede crear una carpeta temporal (%1); libere espacio o asigne otra carpeta a TMPDIR.</translation>
-    </message>
-    <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El JSON nombra «%1» dos veces en un objeto; borre uno de los dos.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>«%1» debe ser un número entero de %2 a %3; corríjalo.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>«%1» debe ser un número de %2 a %3; corríjalo.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>«%1» debe ser un número; corríjalo.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marca %1 del plato está reflejada: vistas desde arriba, sus esquinas van en sentido antihorario; imprima de nuevo el archivo del plato.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marca %1 del plato no es convexa; indique sus esquinas una tras otra a lo largo del borde.</translation>
-    </message>
-    <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las marcas %1 y %2 del plato se superponen; imprima de nuevo el archivo del plato.</translation>
-    </message>
-    <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las marcas del tablero deben ser menores que sus cuadrados; corrija «marker_mm» o «square_mm».</translation>
-    </message>
-    <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una cara del PLY tiene más de %1 esquinas; expórtelo de nuevo como triángulos.</translation>
-    </message>
-    <message>
-      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El archivo PLY tiene más de %1 de «%2»; expórtelo con menos.</translation>
-    </message>
-    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún tramo del contorno puede ser parte de un borde; dibuje este fragmento como uno sin borde.</translation>
@@ -6938,16 +6863,6 @@
       <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dibujo necesita un modelo cerrado; hágalo con 'ostraka process'.</translation>
-    </message>
-    <message>
-      <source>This file is missing or cannot be read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este archivo falta o no se puede leer.</translation>
-    </message>
-    <message>
-      <source>The disk cannot read this file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El disco no puede leer este archivo.</translation>
     </message>
     <message>
       <source>The manifest is missing; this is no export of Ostraka.</source>
@@ -8674,5 +8589,121 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tras el signo = va un número.</translation>
     </message>
-  </context>
+    <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es una carpeta, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es una tubería, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un socket, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un dispositivo, no un archivo; indique un archivo.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay un enlace en el lugar del bloqueo de esta carpeta; bórrelo.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aquí no se puede crear una carpeta temporal (%1); libere espacio o asigne otra carpeta a TMPDIR.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El JSON nombra «%1» dos veces en un objeto; borre uno de los dos.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» debe ser un número entero de %2 a %3; corríjalo.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» debe ser un número de %2 a %3; corríjalo.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» debe ser un número; corríjalo.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marca %1 del plato está reflejada: vistas desde arriba, sus esquinas van en sentido antihorario; imprima de nuevo el archivo del plato.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marca %1 del plato no es convexa; indique sus esquinas una tras otra a lo largo del borde.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas %1 y %2 del plato se superponen; imprima de nuevo el archivo del plato.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas del tablero deben ser menores que sus cuadrados; corrija «marker_mm» o «square_mm».</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una cara del PLY tiene más de %1 esquinas; expórtelo de nuevo como triángulos.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY tiene más de %1 de «%2»; expórtelo con menos.</translation>
+    </message>
+    <message>
+      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay un enlace o un archivo donde corresponde una carpeta, o un enlace donde corresponde un archivo; ponga allí los archivos mismos.</translation>
+    </message>
+    <message>
+      <source>There is a file of this name already; it is not overwritten.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ya hay un archivo con este nombre; no se sobrescribe.</translation>
+    </message>
+    <message>
+      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La exportación indica un lugar del proyecto donde no corresponde un archivo así; no se ha introducido nada.</translation>
+    </message>
+    <message>
+      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo histórico contiene un diario de su catálogo, cosa que ninguno de Ostraka contiene; no se ha escrito nada.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::FileWatch</name>
+    <message>
+      <source>Check of the files</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comprobación de los archivos</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Falta %n archivo de este proyecto o ha sido modificado: %1. Repóngalo desde una copia; «ostraka catalogue check» lo enumera.</numerusform>
+        <numerusform>Faltan %n archivos de este proyecto o han sido modificados, el primero %1. Repóngalos desde una copia; «ostraka catalogue check» los enumera todos.</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

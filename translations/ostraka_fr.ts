@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
-  <context>
+<context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
@@ -57,8 +57,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : ce numéro a été saisi sur le plateau, mais c&apos;est celui d&apos;un autre tesson ; regardez lequel des deux le porte et donnez à l&apos;autre un nouveau numéro.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -265,8 +265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>face arrière</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
@@ -278,8 +278,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>C’est un défaut du programme ; signalez-le avec le journal (%1).</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>PlaceText</name>
     <message>
       <source>%1 bag %2</source>
@@ -311,8 +311,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sac %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Rig</name>
     <message>
       <source>its file is missing</source>
@@ -337,8 +337,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>virtuel</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Stage</name>
     <message>
       <source>cameras</source>
@@ -405,8 +405,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>autres candidats pour les paires douteuses</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Time</name>
     <message numerus="yes">
       <source>%n s left</source>
@@ -429,8 +429,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>encore %1 h %2 min</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
@@ -869,16 +869,16 @@
             <numerusform>%n tessons gardent des numéros de l&apos;ancien contexte : %1.</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -890,8 +890,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La copie ne peut pas être mise à sa place : %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -1109,16 +1109,16 @@
             <numerusform>%1 ; %n rephotographiés depuis</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Touche : %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
@@ -1226,8 +1226,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêter et annuler</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
@@ -1266,8 +1266,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, libre</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureFoot</name>
     <message>
       <source>Space</source>
@@ -1289,8 +1289,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Importer, autre banc, mettre de côté</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureStation</name>
     <message>
       <source>Space</source>
@@ -1460,8 +1460,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ils sont justes</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureWizard</name>
     <message>
       <source>Opening the rig</source>
@@ -1788,8 +1788,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous avez compté %1 tessons, les photos en montrent %2 : regardez si l&apos;un d&apos;eux est en morceaux ou s&apos;il y a là une chose qui n&apos;est pas un tesson, ou corrigez le nombre.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
@@ -1924,8 +1924,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Choisissez les tessons qui doivent recevoir un numéro.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::DrawingPage</name>
     <message>
       <source>Scale of the drawing</source>
@@ -2123,8 +2123,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dessin part à l’imprimante ; imprimez-le à 100 %.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
@@ -2206,8 +2206,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêté ; rien n’est resté.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
@@ -2402,8 +2402,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;exportation n&apos;est pas terminée, et rien n&apos;en resterait. Fermez encore une fois pour l&apos;arrêter.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FilterLine</name>
     <message>
       <source>Filter of the catalogue</source>
@@ -2433,8 +2433,8 @@
         <numerusform>%n tessons</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
@@ -2456,8 +2456,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rien à calculer</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
@@ -2487,8 +2487,8 @@
         <numerusform>Disque : place pour %n lots</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
@@ -2540,8 +2540,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le manuel n’existe qu’en anglais.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportDialog</name>
     <message>
       <source>new</source>
@@ -2691,8 +2691,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Garder les autres versions</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportModel</name>
     <message>
       <source>%1 '%2': %3</source>
@@ -2727,8 +2727,8 @@
         <numerusform>Arrêté : %n lignes ne sont pas saisies. Importez de nouveau le tableau pour le reste.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::JoinMode</name>
     <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
@@ -2740,8 +2740,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Quelle face avant va avec celle de %1 ? Choisissez sa carte (flèches et Entrée) ; un clic sur l’image d’une face arrière joint les faces arrière.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
@@ -2873,8 +2873,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce projet ne peut être que lu : regardez tout ; les modifications sont refusées.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
@@ -2977,8 +2977,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré : %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
@@ -3000,8 +3000,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>face arrière</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MessagePanel</name>
     <message>
       <source>What happened</source>
@@ -3018,8 +3018,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>D’accord</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ModelPane</name>
     <message>
       <source>Picture of the sherd</source>
@@ -3051,8 +3051,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modèle d’un tesson</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
@@ -3079,8 +3079,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Banc virtuel</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
@@ -3112,8 +3112,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>diffèrent de %1 rad</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
@@ -3265,8 +3265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré, avec votre nom ; mais les bords de %1 et %2 se rencontrent à peine : %3 d’entre eux.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
@@ -3313,8 +3313,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les flèches déplacent la ligne, avec Maj elles la tournent, Haut ou Bas prend l'autre face, Entrée coupe. Ou tracez une ligne à la souris.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlaceEdit</name>
     <message>
       <source>&amp;Bag</source>
@@ -3346,8 +3346,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nouveau : %1 (Échap l’annule)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlateView</name>
     <message>
       <source>Picture of the plate</source>
@@ -3367,8 +3367,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>5 cm</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::QueueStation</name>
     <message>
       <source>Pause</source>
@@ -3498,8 +3498,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mettre ce lot de côté</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
@@ -3516,8 +3516,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
@@ -3684,8 +3684,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cliquez sur le tesson à un bout de la longueur, puis à l’autre. D termine.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
@@ -3800,8 +3800,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré. Au calcul, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les réunit.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigPage</name>
     <message>
       <source>Two of them look alike</source>
@@ -3888,8 +3888,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Espace</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>
@@ -3921,8 +3921,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>modifier les droits</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
@@ -4004,16 +4004,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Retour au travail (Échap)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SheetView</name>
     <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dessin sur sa feuille</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -4195,8 +4195,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 est le numéro d&apos;ordre dans le contexte du tesson ; =7 est le numéro 7 lui-même.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
@@ -4234,8 +4234,8 @@
         <numerusform>%n tessons n’ont pas reçu de numéro : %1</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
@@ -4267,8 +4267,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : l’échelle du lot %2 est douteuse ; son rapport dit pourquoi et que faire.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
@@ -4280,8 +4280,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cet écran n’a pas OpenGL 3.2 : le tesson ne peut pas être montré en trois dimensions. Tout le reste fonctionne ; photographies et contours sont à côté.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
@@ -4417,8 +4417,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aide</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StopBoard</name>
     <message>
       <source>Photographs of this side</source>
@@ -4430,16 +4430,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 arrêts sur %2 sont faits</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Image</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4476,8 +4476,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>gris : l’autre face ne touche pas ici</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
       <source>7, the whole number, or scan its label</source>
@@ -4499,8 +4499,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le tesson %1 n’a pas reçu de numéro. %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskModel</name>
     <message>
       <source>%1, camera %2, stop %3</source>
@@ -4532,8 +4532,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>peinture sur un masque</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskPage</name>
     <message>
       <source>Masks of %1</source>
@@ -4608,8 +4608,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui est voilé de bleu est pris pour du tesson. Peignez ce qui manque, ou comme plateau ce qui est en trop ; les masques du programme restent.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskView</name>
     <message>
       <source>Photograph with its mask</source>
@@ -4621,8 +4621,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les flèches déplacent le pinceau, Espace peint, plus et moins agrandissent et réduisent.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
       <source>A sherd will be</source>
@@ -4692,8 +4692,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, et {n} une fois ; {n:04} a au moins quatre chiffres</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingModel</name>
     <message>
       <source>%1: %2</source>
@@ -4720,8 +4720,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>modification de la numérotation</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
       <source>&amp;Save the words</source>
@@ -4798,8 +4798,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces mots ne sont pas encore enregistrés.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CountEdit</name>
     <message>
       <source>&amp;Sherds</source>
@@ -4821,16 +4821,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comptez-les si vous voulez : on vous interroge quand les photos montrent un autre nombre (S)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigRenewal</name>
     <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Calibration d'après %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportLine</name>
     <message>
       <source>How far the import is</source>
@@ -4842,8 +4842,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêter l'importation</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ImportBatch</name>
     <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
@@ -4855,8 +4855,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier ne peut pas être lu jusqu'au bout : %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdNumbers</name>
     <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
@@ -4878,8 +4878,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tesson %1 : %2 n'est pas comme on numérote les tessons de ce sac (%3). Si ce n'est pas une erreur, continuez.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Doubts</name>
     <message>
       <source>(%1, %2) mm</source>
@@ -4931,8 +4931,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le recto montrait %1 tessons, le verso %2 : un tesson a-t-il été ajouté, ou s’est-il cassé ?</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::Error</name>
     <message>
       <source>Stopped on request.</source>
@@ -5198,6 +5198,11 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier ne peut pas être ouvert (%1) ; vérifiez ses droits d’accès.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un fichier ordinaire ; indiquez un fichier.</translation>
     </message>
     <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
@@ -6820,86 +6825,6 @@
       <translation>Le fichier PLY ne contient aucun point utilisable ; exportez à nouveau la numérisation.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un dossier, pas un fichier ; indiquez un fichier.</translation>
-    </message>
-    <message>
-      <source>This is a pipe, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un tube nommé, pas un fichier ; indiquez un fichier.</translation>
-    </message>
-    <message>
-      <source>This is a socket, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un socket, pas un fichier ; indiquez un fichier.</translation>
-    </message>
-    <message>
-      <source>This is a device, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>C'est un périphérique, pas un fichier ; indiquez un fichier.</translation>
-    </message>
-    <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un lien se trouve à la place du verrou de ce dossier ; supprimez-le.</translation>
-    </message>
-    <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun dossier temporaire ne peut être créé ici (%1) ; libérez de la place ou donnez un autre dossier à TMPDIR.</translation>
-    </message>
-    <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le JSON nomme « %1 » deux fois dans un objet ; supprimez l'un des deux.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>« %1 » doit être un nombre entier de %2 à %3 ; corrigez-le.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>« %1 » doit être un nombre de %2 à %3 ; corrigez-le.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>« %1 » doit être un nombre ; corrigez-le.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marque %1 du plateau est inversée : vus d'en haut, ses coins tournent dans le sens antihoraire ; imprimez de nouveau le fichier du plateau.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La marque %1 du plateau n'est pas convexe ; indiquez ses coins l'un après l'autre le long du bord.</translation>
-    </message>
-    <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les marques %1 et %2 du plateau se chevauchent ; imprimez de nouveau le fichier du plateau.</translation>
-    </message>
-    <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les marques de la mire doivent être plus petites que ses carrés ; corrigez « marker_mm » ou « square_mm ».</translation>
-    </message>
-    <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une face du PLY a plus de %1 coins ; exportez-le de nouveau en triangles.</translation>
-    </message>
-    <message>
-      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le fichier PLY a plus de %1 de « %2 » ; exportez-le avec moins.</translation>
-    </message>
-    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune partie du contour ne peut être un morceau de bord ; dessinez ce tesson comme un tesson sans bord.</translation>
@@ -6938,16 +6863,6 @@
       <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un dessin demande un modèle fermé ; créez-le avec 'ostraka process'.</translation>
-    </message>
-    <message>
-      <source>This file is missing or cannot be read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce fichier manque ou ne peut pas être lu.</translation>
-    </message>
-    <message>
-      <source>The disk cannot read this file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le disque ne peut pas lire ce fichier.</translation>
     </message>
     <message>
       <source>The manifest is missing; this is no export of Ostraka.</source>
@@ -8674,5 +8589,121 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le signe = est suivi d&apos;un numéro.</translation>
     </message>
-  </context>
+    <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un dossier, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un tube nommé, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un socket, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C'est un périphérique, pas un fichier ; indiquez un fichier.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un lien se trouve à la place du verrou de ce dossier ; supprimez-le.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun dossier temporaire ne peut être créé ici (%1) ; libérez de la place ou donnez un autre dossier à TMPDIR.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le JSON nomme « %1 » deux fois dans un objet ; supprimez l'un des deux.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » doit être un nombre entier de %2 à %3 ; corrigez-le.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » doit être un nombre de %2 à %3 ; corrigez-le.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » doit être un nombre ; corrigez-le.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marque %1 du plateau est inversée : vus d'en haut, ses coins tournent dans le sens antihoraire ; imprimez de nouveau le fichier du plateau.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La marque %1 du plateau n'est pas convexe ; indiquez ses coins l'un après l'autre le long du bord.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques %1 et %2 du plateau se chevauchent ; imprimez de nouveau le fichier du plateau.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques de la mire doivent être plus petites que ses carrés ; corrigez « marker_mm » ou « square_mm ».</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une face du PLY a plus de %1 coins ; exportez-le de nouveau en triangles.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY a plus de %1 de « %2 » ; exportez-le avec moins.</translation>
+    </message>
+    <message>
+      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un lien ou un fichier se trouve à la place d&apos;un dossier, ou un lien à la place d&apos;un fichier ; mettez-y les fichiers eux-mêmes.</translation>
+    </message>
+    <message>
+      <source>There is a file of this name already; it is not overwritten.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fichier de ce nom existe déjà ; il n&apos;est pas écrasé.</translation>
+    </message>
+    <message>
+      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L&apos;export nomme un endroit du projet où un tel fichier n&apos;a pas sa place ; rien n&apos;a été enregistré.</translation>
+    </message>
+    <message>
+      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L&apos;archive contient un journal de son catalogue, ce qu&apos;aucune archive d&apos;Ostraka ne contient ; rien n&apos;a été écrit.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::FileWatch</name>
+    <message>
+      <source>Check of the files</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérification des fichiers</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fichier de ce projet manque ou a été modifié : %1. Remettez-le depuis une copie ; « ostraka catalogue check » le nomme.</numerusform>
+        <numerusform>%n fichiers de ce projet manquent ou ont été modifiés, d&apos;abord %1. Remettez-les depuis une copie ; « ostraka catalogue check » les nomme tous.</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="hy" sourcelanguage="en">
-  <context>
+<context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
@@ -57,8 +57,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. այս համարը գրվել է սալի վրա, բայց այլ բեկորինն է. նայեք՝ երկուսից որն է կրում այն, և մյուսին նոր համար տվեք։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -265,8 +265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հետևի երես</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
@@ -278,8 +278,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա ծրագրի սխալ է. խնդրում ենք հայտնել մատյանի հետ (%1)։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>PlaceText</name>
     <message>
       <source>%1 bag %2</source>
@@ -311,8 +311,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տոպրակ %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Rig</name>
     <message>
       <source>its file is missing</source>
@@ -337,8 +337,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>վիրտուալ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Stage</name>
     <message>
       <source>cameras</source>
@@ -405,8 +405,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>այլ թեկնածուներ կասկածելի զույգերի համար</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Time</name>
     <message numerus="yes">
       <source>%n s left</source>
@@ -429,8 +429,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մնաց %1 ժ %2 րոպե</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
@@ -869,16 +869,16 @@
             <numerusform>%n բեկոր պահում են հին համատեքստի համարներ. %1։</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -890,8 +890,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատճենը հնարավոր չէ դնել իր տեղը՝ %1։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -1109,16 +1109,16 @@
             <numerusform>%1. %n՝ արդեն նորից լուսանկարված</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ստեղն՝ %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
@@ -1226,8 +1226,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցնել և հետ վերցնել</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
@@ -1266,8 +1266,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ազատ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureFoot</name>
     <message>
       <source>Space</source>
@@ -1289,8 +1289,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծել, այլ սարքակազմ, մի կողմ դնել</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureStation</name>
     <message>
       <source>Space</source>
@@ -1460,8 +1460,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրանք ճիշտ են</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureWizard</name>
     <message>
       <source>Opening the rig</source>
@@ -1788,8 +1788,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. նայեք՝ արդյոք մեկը մասերով է դրված, կամ կա մի բան, որ բեկոր չէ, կամ ուղղեք քանակը։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
@@ -1924,8 +1924,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընտրեք այն բեկորները, որոնք պետք է համար ստանան։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::DrawingPage</name>
     <message>
       <source>Scale of the drawing</source>
@@ -2123,8 +2123,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարն ուղարկվում է տպիչին. տպեք 100 % չափով։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
@@ -2206,8 +2206,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցված է. ոչինչ չի մնացել։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
@@ -2402,8 +2402,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանումն ավարտված չէ, և դրանից ոչինչ չէր մնա։ Դադարեցնելու համար փակեք ևս մեկ անգամ։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FilterLine</name>
     <message>
       <source>Filter of the catalogue</source>
@@ -2433,8 +2433,8 @@
         <numerusform>%n բեկոր</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
@@ -2456,8 +2456,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաշվելու բան չկա</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
@@ -2487,8 +2487,8 @@
         <numerusform>Սկավառակ՝ տեղ %n խմբաքանակի համար</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
@@ -2540,8 +2540,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ձեռնարկը միայն անգլերեն է։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportDialog</name>
     <message>
       <source>new</source>
@@ -2691,8 +2691,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահել մյուս տարբերակները</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportModel</name>
     <message>
       <source>%1 '%2': %3</source>
@@ -2727,8 +2727,8 @@
         <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::JoinMode</name>
     <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
@@ -2740,8 +2740,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ո՞ր առջևի երեսն է %1-ի առջևի երեսինը։ Ընտրեք նրա քարտը (սլաքներ և Enter). սեղմումը հետևի երեսի պատկերին միացնում է հետևի երեսները։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
@@ -2873,8 +2873,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս նախագիծը կարելի է միայն կարդալ. դիտեք ամեն ինչ, փոփոխությունները մերժվում են։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
@@ -2977,8 +2977,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահպանված է՝ %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
@@ -3000,8 +3000,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հետևի երես</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MessagePanel</name>
     <message>
       <source>What happened</source>
@@ -3018,8 +3018,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լավ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ModelPane</name>
     <message>
       <source>Picture of the sherd</source>
@@ -3051,8 +3051,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորի մոդել</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
@@ -3079,8 +3079,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիրտուալ սարքակազմ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
@@ -3112,8 +3112,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>տարբերություն՝ %1 rad</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
@@ -3265,8 +3265,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի եզրերը հազիվ են հանդիպում՝ %3-ը։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
@@ -3313,8 +3313,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սլաքները տեղաշարժում են գիծը, Shift-ի հետ՝ թեքում, Վերև կամ Ներքև՝ մյուս կողմը, Enter՝ կտրում է: Կամ մկնիկով գիծ քաշեք:</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlaceEdit</name>
     <message>
       <source>&amp;Bag</source>
@@ -3346,8 +3346,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր՝ %1 (Esc-ը հետ է վերցնում)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlateView</name>
     <message>
       <source>Picture of the plate</source>
@@ -3367,8 +3367,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>5 սմ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::QueueStation</name>
     <message>
       <source>Pause</source>
@@ -3498,8 +3498,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի կողմ դնել այս խմբաքանակը</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
@@ -3516,8 +3516,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
@@ -3684,8 +3684,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղմեք բեկորի վրա երկարության մի ծայրին, ապա՝ մյուսին։ D-ն ավարտում է։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
@@ -3800,8 +3800,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է։ Հաշվարկելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիացնի դրանք։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigPage</name>
     <message>
       <source>Two of them look alike</source>
@@ -3888,8 +3888,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացատ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>
@@ -3921,8 +3921,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>փոխել իրավունքները</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
@@ -4004,16 +4004,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վերադառնալ աշխատանքին (Esc)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SheetView</name>
     <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարն իր թերթին</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -4195,8 +4195,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7-ը հերթական համարն է բեկորի համատեքստում. =7-ը հենց 7 համարն է։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
@@ -4234,8 +4234,8 @@
         <numerusform>%n խեցաբեկոր համար չստացավ. %1</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
@@ -4267,8 +4267,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. %2 խմբաքանակի մասշտաբը կասկածելի է. դրա հաշվետվությունն ասում է ինչու և ինչ անել։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
@@ -4280,8 +4280,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս էկրանը OpenGL 3.2 չունի, ուստի բեկորը եռաչափ ցույց տալ հնարավոր չէ։ Մնացած ամեն ինչ աշխատում է. լուսանկարներն ու ուրվագծերը կողքին են։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
@@ -4417,8 +4417,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օգնություն</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StopBoard</name>
     <message>
       <source>Photographs of this side</source>
@@ -4430,16 +4430,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արված է %2 կանգառից %1-ը</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկեր</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4476,8 +4476,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մոխրագույն. մյուս կողմը չի հասնում</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
       <source>7, the whole number, or scan its label</source>
@@ -4499,8 +4499,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 խեցաբեկորը համար չստացավ. %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskModel</name>
     <message>
       <source>%1, camera %2, stop %3</source>
@@ -4532,8 +4532,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նկարել դիմակի վրա</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskPage</name>
     <message>
       <source>Masks of %1</source>
@@ -4608,8 +4608,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կապույտով ծածկվածը համարվում է բեկոր։ Նկարեք այն, ինչ պակասում է, կամ որպես սկավառակ՝ այն, ինչ ավելորդ է. ծրագրի դիմակները մնում են։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskView</name>
     <message>
       <source>Photograph with its mask</source>
@@ -4621,8 +4621,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սլաքները շարժում են վրձինը, բացատը նկարում է, գումարման և հանման նշանները մեծացնում ու փոքրացնում են։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
       <source>A sherd will be</source>
@@ -4692,8 +4692,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, և {n}՝ մեկ անգամ. {n:04}-ն ունի առնվազն չորս նիշ</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingModel</name>
     <message>
       <source>%1: %2</source>
@@ -4720,8 +4720,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>փոխել համարակալումը</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
       <source>&amp;Save the words</source>
@@ -4798,8 +4798,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս բառերը դեռ պահված չեն։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CountEdit</name>
     <message>
       <source>&amp;Sherds</source>
@@ -4821,16 +4821,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաշվեք, եթե ուզում եք. ձեզ կհարցնեն, երբ լուսանկարները այլ թիվ ցույց տան (S)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigRenewal</name>
     <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափում ըստ %1-ի</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportLine</name>
     <message>
       <source>How far the import is</source>
@@ -4842,8 +4842,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցնել ներմուծումը</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ImportBatch</name>
     <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
@@ -4855,8 +4855,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակը հնարավոր չէ կարդալ մինչև վերջ՝ %1։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdNumbers</name>
     <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
@@ -4878,8 +4878,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկոր %1. %2-ը այնպես չէ, ինչպես համարակալվում են այս տոպրակի բեկորները (%3)։ Եթե սխալ չէ, շարունակեք։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Doubts</name>
     <message>
       <source>(%1, %2) mm</source>
@@ -4931,8 +4931,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևում երևացել է %1 բեկոր, հակառակ կողմում՝ %2. մեկը ավելացվե՞լ է, թե՞ կոտրվել։</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::Error</name>
     <message>
       <source>Stopped on request.</source>
@@ -5198,6 +5198,11 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը չի բացվում (%1). ստուգեք դրա թույլտվությունները։</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա սովորական ֆայլ չէ. նշեք ֆայլ։</translation>
     </message>
     <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
@@ -6820,86 +6825,6 @@
       <translation>PLY ֆայլում ոչ մի պիտանի կետ չկա. նորից արտահանեք սկանը։</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա պանակ է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
-    </message>
-    <message>
-      <source>This is a pipe, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա խողովակ է (pipe), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
-    </message>
-    <message>
-      <source>This is a socket, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա վարդակ է (socket), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
-    </message>
-    <message>
-      <source>This is a device, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա սարք է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
-    </message>
-    <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս պանակի կողպեքի տեղում հղում է. ջնջեք այն։</translation>
-    </message>
-    <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այստեղ ժամանակավոր պանակ չի ստեղծվում (%1). տեղ ազատեք կամ TMPDIR-ում այլ պանակ նշեք։</translation>
-    </message>
-    <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>JSON-ը մեկ օբյեկտում երկու անգամ նշում է «%1». ջնջեք երկուսից մեկը։</translation>
-    </message>
-    <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>«%1»-ը պետք է լինի ամբողջ թիվ՝ %2-ից %3. ուղղեք։</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>«%1»-ը պետք է լինի թիվ՝ %2-ից %3. ուղղեք։</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>«%1»-ը պետք է թիվ լինի. ուղղեք։</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակի %1 նշիչը հայելային է. վերևից նայելիս անկյունները գնում են ժամսլաքին հակառակ. սկավառակի ֆայլը նորից տպեք։</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակի %1 նշիչը ուռուցիկ չէ. անկյունները նշեք հերթով՝ եզրի երկայնքով։</translation>
-    </message>
-    <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակի %1 և %2 նշիչները վերադրվում են. սկավառակի ֆայլը նորից տպեք։</translation>
-    </message>
-    <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տրամաչափման տախտակի նշիչները պետք է փոքր լինեն քառակուսիներից. ուղղեք «marker_mm»-ը կամ «square_mm»-ը։</translation>
-    </message>
-    <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY-ի մի նիստ ունի %1-ից ավելի անկյուն. նորից արտահանեք եռանկյուններով։</translation>
-    </message>
-    <message>
-      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY ֆայլում «%2»-ից %1-ից ավելին կա. արտահանեք ավելի քչով։</translation>
-    </message>
-    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եզրի ոչ մի հատված շուրթի մաս չի կարող լինել. այս բեկորը գծեք որպես առանց շուրթի բեկոր։</translation>
@@ -6938,16 +6863,6 @@
       <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարին պետք է փակ մոդել. ստեղծեք այն 'ostraka process'-ով։</translation>
-    </message>
-    <message>
-      <source>This file is missing or cannot be read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս ֆայլը բացակայում է կամ չի կարդացվում։</translation>
-    </message>
-    <message>
-      <source>The disk cannot read this file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կոշտ սկավառակը չի կարող կարդալ այս ֆայլը։</translation>
     </message>
     <message>
       <source>The manifest is missing; this is no export of Ostraka.</source>
@@ -8674,5 +8589,121 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>= նշանից հետո համար է գրվում։</translation>
     </message>
-  </context>
+    <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա պանակ է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա խողովակ է (pipe), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա վարդակ է (socket), ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա սարք է, ոչ թե ֆայլ. նշեք ֆայլ։</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակի կողպեքի տեղում հղում է. ջնջեք այն։</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այստեղ ժամանակավոր պանակ չի ստեղծվում (%1). տեղ ազատեք կամ TMPDIR-ում այլ պանակ նշեք։</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JSON-ը մեկ օբյեկտում երկու անգամ նշում է «%1». ջնջեք երկուսից մեկը։</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը պետք է լինի ամբողջ թիվ՝ %2-ից %3. ուղղեք։</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը պետք է լինի թիվ՝ %2-ից %3. ուղղեք։</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը պետք է թիվ լինի. ուղղեք։</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %1 նշիչը հայելային է. վերևից նայելիս անկյունները գնում են ժամսլաքին հակառակ. սկավառակի ֆայլը նորից տպեք։</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %1 նշիչը ուռուցիկ չէ. անկյունները նշեք հերթով՝ եզրի երկայնքով։</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի %1 և %2 նշիչները վերադրվում են. սկավառակի ֆայլը նորից տպեք։</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տրամաչափման տախտակի նշիչները պետք է փոքր լինեն քառակուսիներից. ուղղեք «marker_mm»-ը կամ «square_mm»-ը։</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY-ի մի նիստ ունի %1-ից ավելի անկյուն. նորից արտահանեք եռանկյուններով։</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլում «%2»-ից %1-ից ավելին կա. արտահանեք ավելի քչով։</translation>
+    </message>
+    <message>
+      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պանակի տեղում հղում կամ ֆայլ է, կամ ֆայլի տեղում՝ հղում. այնտեղ դրեք հենց ֆայլերը։</translation>
+    </message>
+    <message>
+      <source>There is a file of this name already; it is not overwritten.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս անունով ֆայլ արդեն կա. այն չի վերագրվում։</translation>
+    </message>
+    <message>
+      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չմուտքագրվեց։</translation>
+    </message>
+    <message>
+      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արխիվը պարունակում է իր կատալոգի մատյանը, ինչը Ostraka-ի ոչ մի արխիվ չունի. ոչինչ չգրվեց։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::FileWatch</name>
+    <message>
+      <source>Check of the files</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլերի ստուգում</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է՝ %1։ Վերականգնեք այն պատճենից. «ostraka catalogue check»-ը նշում է այն։</numerusform>
+        <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է, առաջինը՝ %1։ Վերականգնեք դրանք պատճենից. «ostraka catalogue check»-ը նշում է բոլորը։</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

@@ -1,7 +1,7 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="tr" sourcelanguage="en">
-  <context>
+<context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
@@ -56,8 +56,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: bu numara plakada yazıldı, ama başka bir parçanın; ikisinden hangisinin taşıdığına bakın ve ötekine yeni bir numara verin.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -264,8 +264,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>arka yüz</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Job</name>
     <message>
       <source>The memory does not suffice; close other programs and try again.</source>
@@ -277,8 +277,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu programın bir hatasıdır; lütfen günlükle (%1) birlikte bildirin.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>PlaceText</name>
     <message>
       <source>%1 bag %2</source>
@@ -310,8 +310,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>torba %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Rig</name>
     <message>
       <source>its file is missing</source>
@@ -335,8 +335,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sanal</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Stage</name>
     <message>
       <source>cameras</source>
@@ -403,8 +403,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kuşkulu çiftler için başka adaylar</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>Time</name>
     <message numerus="yes">
       <source>%n s left</source>
@@ -425,8 +425,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 sa %2 dk kaldı</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui</name>
     <message>
       <source>numbered</source>
@@ -861,16 +861,16 @@
             <numerusform>%n parça eski konteksten bir numarayı koruyor: %1.</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchDelegate</name>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -882,8 +882,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kopya yerine konamıyor: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -1094,16 +1094,16 @@
             <numerusform>%1; %n o zamandan beri yeniden fotoğraflandı</numerusform>
         </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BigButton</name>
     <message>
       <source>Key: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tuş: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::BulkEdit</name>
     <message>
       <source>Field to change</source>
@@ -1209,8 +1209,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durdur ve geri al</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CandidateBar</name>
     <message>
       <source>Another back …</source>
@@ -1249,8 +1249,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, boşta</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureFoot</name>
     <message>
       <source>Space</source>
@@ -1272,8 +1272,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Al, başka düzenek, kenara koy</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureStation</name>
     <message>
       <source>Space</source>
@@ -1442,8 +1442,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Doğrular</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CaptureWizard</name>
     <message>
       <source>Opening the rig</source>
@@ -1765,8 +1765,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: parçalar hâlinde duran biri ya da parça olmayan bir şey var mı bakın veya sayıyı düzeltin.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CatalogueStation</name>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
@@ -1900,8 +1900,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara alacak parçaları seçin.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::DrawingPage</name>
     <message>
       <source>Scale of the drawing</source>
@@ -2097,8 +2097,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim yazıcıya gönderiliyor; % 100 boyutta yazdırın.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportModel</name>
     <message>
       <source>Size of the export</source>
@@ -2175,8 +2175,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durduruldu; geride bir şey kalmadı.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ExportStation</name>
     <message>
       <source>Exported: %1</source>
@@ -2370,8 +2370,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarma bitmedi ve ondan hiçbir şey kalmazdı. Durdurmak için bir kez daha kapatın.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FilterLine</name>
     <message>
       <source>Filter of the catalogue</source>
@@ -2400,8 +2400,8 @@
         <numerusform>%n parça</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::FooterLine</name>
     <message>
       <source>What the computer does</source>
@@ -2423,8 +2423,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hesaplanacak bir şey yok</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HeaderLine</name>
     <message>
       <source>Where</source>
@@ -2453,8 +2453,8 @@
         <numerusform>Disk: %n partilik yer</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::HelpPage</name>
     <message>
       <source>Manual</source>
@@ -2506,8 +2506,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kılavuz yalnızca İngilizcedir.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportDialog</name>
     <message>
       <source>new</source>
@@ -2656,8 +2656,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Öteki sürümleri sakla</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportModel</name>
     <message>
       <source>%1 '%2': %3</source>
@@ -2691,8 +2691,8 @@
         <numerusform>Durduruldu: %n satır girilmedi. Kalanı için tabloyu yeniden alın.</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::JoinMode</name>
     <message>
       <source>Which back belongs to the one of %1? Choose its card (arrows and Enter).</source>
@@ -2704,8 +2704,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ön yüzüne hangi ön yüz ait? Kartını seçin (oklar ve Enter); bir arka yüz resmine tıklamak arka yüzleri birleştirir.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MainWindow</name>
     <message>
       <source>Ostraka</source>
@@ -2837,8 +2837,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu proje yalnızca okunabilir: her şeye bakın; değişiklikler kabul edilmez.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapStation</name>
     <message>
       <source>Batch</source>
@@ -2939,8 +2939,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi: %1</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MapView</name>
     <message>
       <source>Plate, front and back</source>
@@ -2962,8 +2962,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>arka yüz</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MessagePanel</name>
     <message>
       <source>What happened</source>
@@ -2980,8 +2980,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tamam</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ModelPane</name>
     <message>
       <source>Picture of the sherd</source>
@@ -3013,8 +3013,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parçanın modeli</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NewProject</name>
     <message>
       <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
@@ -3041,8 +3041,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sanal düzenek</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
       <source>Outlines laid over each other, and their turning angles</source>
@@ -3074,8 +3074,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>fark %1 rad</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PairReviewModel</name>
     <message>
       <source>Small pictures of the sherds</source>
@@ -3227,8 +3227,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Adınızla kaydedildi; ama %1 ile %2 kenarları pek buluşmuyor: buluşan pay %3.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PicturePair</name>
     <message>
       <source>Photographs of both sides</source>
@@ -3275,8 +3275,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Oklar çizgiyi kaydırır, Shift ile döndürür, Yukarı veya Aşağı öbür yüzü alır, Enter keser. Ya da fareyle bir çizgi çizin.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlaceEdit</name>
     <message>
       <source>&amp;Bag</source>
@@ -3308,8 +3308,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni: %1 (Esc geri alır)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::PlateView</name>
     <message>
       <source>Picture of the plate</source>
@@ -3328,8 +3328,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>5 cm</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::QueueStation</name>
     <message>
       <source>Pause</source>
@@ -3458,8 +3458,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partiyi kenara koy</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Rail</name>
     <message>
       <source>Stations</source>
@@ -3476,8 +3476,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewPane</name>
     <message>
       <source>Pairs, most doubtful first</source>
@@ -3644,8 +3644,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parçanın üzerinde uzunluğun bir ucuna, sonra öbür ucuna tıklayın. D bitirir.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ReviewStation</name>
     <message>
       <source>Batch</source>
@@ -3759,8 +3759,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi. Hesaplanınca %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigPage</name>
     <message>
       <source>Two of them look alike</source>
@@ -3847,8 +3847,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Boşluk</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>
@@ -3880,8 +3880,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>hakları değiştir</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SettingsPage</name>
     <message>
       <source>As the desktop</source>
@@ -3963,16 +3963,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İşe dön (Esc)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SheetView</name>
     <message>
       <source>The drawing on its sheet</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yaprağındaki çizim</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdDetails</name>
     <message>
       <source>missing</source>
@@ -4154,8 +4154,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, parçanın kontekstindeki sıra numarasıdır; =7 ise 7 numarasının kendisidir.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdEdits</name>
     <message numerus="yes">
       <source>number %n sherd(s)</source>
@@ -4191,8 +4191,8 @@
         <numerusform>%n parça numara almadı: %1</numerusform>
       </translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdTableModel</name>
     <message>
       <source>Picture of a sherd</source>
@@ -4224,8 +4224,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: %2 partisinin ölçeği şüpheli; raporu nedenini ve ne yapılacağını söyler.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdView</name>
     <message>
       <source>Sherd in three dimensions</source>
@@ -4237,8 +4237,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu ekranda OpenGL 3.2 yok, bu yüzden parça üç boyutlu gösterilemiyor. Geri kalan her şey çalışır; fotoğraflar ve dış çizgiler yanda.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StartScreen</name>
     <message>
       <source>Ostraka</source>
@@ -4374,8 +4374,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yardım</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::StopBoard</name>
     <message>
       <source>Photographs of this side</source>
@@ -4387,16 +4387,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 duraktan %1 tamam</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Thumbnails</name>
     <message>
       <source>Picture</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4433,8 +4433,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>gri: öteki yüz buraya değmiyor</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberEdit</name>
     <message>
       <source>7, the whole number, or scan its label</source>
@@ -4456,8 +4456,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numaralı parça numara almadı. %2</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskModel</name>
     <message>
       <source>%1, camera %2, stop %3</source>
@@ -4489,8 +4489,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maske üzerine boyama</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskPage</name>
     <message>
       <source>Masks of %1</source>
@@ -4564,8 +4564,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mavi örtülü olan yer parça sayılır. Eksik olanı boyayın ya da fazla olanı tabla olarak boyayın; programın kendi maskeleri kalır.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::MaskView</name>
     <message>
       <source>Photograph with its mask</source>
@@ -4577,8 +4577,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Oklar fırçayı taşır, boşluk boyar, artı ve eksi büyütür ve küçültür.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingEdit</name>
     <message>
       <source>A sherd will be</source>
@@ -4647,8 +4647,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>{site} {trench} {context} {bag} {batch} {yyyy} {yy}, ve bir kez {n}; {n:04} en az dört hanelidir</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::NumberingModel</name>
     <message>
       <source>%1: %2</source>
@@ -4675,8 +4675,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>numaralamayı değiştirme</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::VocabularyEdit</name>
     <message>
       <source>&amp;Save the words</source>
@@ -4753,8 +4753,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu sözcükler henüz kaydedilmedi.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::CountEdit</name>
     <message>
       <source>&amp;Sherds</source>
@@ -4776,16 +4776,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İsterseniz sayın: fotoğraflar başka bir sayı gösterirse size sorulur (S)</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::RigRenewal</name>
     <message>
       <source>Calibration by %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ile ayarlama</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::ImportLine</name>
     <message>
       <source>How far the import is</source>
@@ -4797,8 +4797,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Almayı durdur</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ImportBatch</name>
     <message>
       <source>There are no scans (*.ply) in its folder %1/. Choose a folder that holds front/ and back/.</source>
@@ -4810,8 +4810,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasör sonuna kadar okunamıyor: %1.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::SherdNumbers</name>
     <message>
       <source>%1 is no sherd's number: it has a digit, no space and at most %2 characters.</source>
@@ -4833,8 +4833,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parça %1: %2 bu torbanın parçalarının numaralanışı gibi değil (%3). Yanlış değilse devam edin.</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::ui::Doubts</name>
     <message>
       <source>(%1, %2) mm</source>
@@ -4886,8 +4886,8 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Önde %1 parça göründü, arkada %2: biri mi eklendi, yoksa biri mi kırıldı?</translation>
     </message>
-  </context>
-  <context>
+</context>
+<context>
     <name>ostraka::Error</name>
     <message>
       <source>Stopped on request.</source>
@@ -5153,6 +5153,11 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya açılamıyor (%1); izinlerini denetleyin.</translation>
+    </message>
+    <message>
+      <source>This is not a regular file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu olağan bir dosya değil; bir dosya belirtin.</translation>
     </message>
     <message>
       <source>The file is larger than the %1 bytes that are read here; is it the right one?</source>
@@ -6775,86 +6780,6 @@
       <translation>PLY dosyasında kullanılabilir nokta yok; taramayı yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>This is a folder, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir klasör, dosya değil; bir dosya belirtin.</translation>
-    </message>
-    <message>
-      <source>This is a pipe, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir boru, dosya değil; bir dosya belirtin.</translation>
-    </message>
-    <message>
-      <source>This is a socket, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir soket, dosya değil; bir dosya belirtin.</translation>
-    </message>
-    <message>
-      <source>This is a device, not a file; name a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu bir aygıt, dosya değil; bir dosya belirtin.</translation>
-    </message>
-    <message>
-      <source>A link stands where the lock of this folder belongs; delete it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu klasörün kilidinin yerinde bir bağlantı duruyor; onu silin.</translation>
-    </message>
-    <message>
-      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Burada geçici klasör oluşturulamıyor (%1); yer açın veya TMPDIR'i başka bir klasöre ayarlayın.</translation>
-    </message>
-    <message>
-      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>JSON bir nesnede '%1' adını iki kez veriyor; ikisinden birini silin.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1', %2 ile %3 arasında bir tam sayı olmalı; düzeltin.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number from %2 to %3; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1', %2 ile %3 arasında bir sayı olmalı; düzeltin.</translation>
-    </message>
-    <message>
-      <source>'%1' must be a number; mend it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' bir sayı olmalı; düzeltin.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablanın %1 numaralı işareti aynalanmış: köşeleri yukarıdan bakınca saat yönünün tersine dönüyor; tabla dosyasını yeniden yazdırın.</translation>
-    </message>
-    <message>
-      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablanın %1 numaralı işareti dışbükey değil; köşelerini kenar boyunca sırayla belirtin.</translation>
-    </message>
-    <message>
-      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablanın %1 ve %2 numaralı işaretleri üst üste geliyor; tabla dosyasını yeniden yazdırın.</translation>
-    </message>
-    <message>
-      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ayar levhasının işaretleri karelerinden küçük olmalı; 'marker_mm' veya 'square_mm' değerini düzeltin.</translation>
-    </message>
-    <message>
-      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY'nin bir yüzünün %1'den fazla köşesi var; üçgenler olarak yeniden dışa aktarın.</translation>
-    </message>
-    <message>
-      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY dosyasında %1'den fazla '%2' var; daha azıyla dışa aktarın.</translation>
-    </message>
-    <message>
       <source>No stretch of the edge can be a piece of a rim; draw this sherd as one without a rim.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kenarın hiçbir bölümü ağız kenarı olamaz; bu parçayı ağızsız bir parça olarak çizin.</translation>
@@ -6893,16 +6818,6 @@
       <source>A drawing needs a closed model; make it with 'ostraka process'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizim için kapalı bir model gerekir; 'ostraka process' ile yapın.</translation>
-    </message>
-    <message>
-      <source>This file is missing or cannot be read.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu dosya eksik ya da okunamıyor.</translation>
-    </message>
-    <message>
-      <source>The disk cannot read this file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Disk bu dosyayı okuyamıyor.</translation>
     </message>
     <message>
       <source>The manifest is missing; this is no export of Ostraka.</source>
@@ -8629,5 +8544,120 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>= işaretinden sonra bir numara gelir.</translation>
     </message>
-  </context>
+    <message>
+      <source>This is a folder, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir klasör, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>This is a pipe, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir boru, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>This is a socket, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir soket, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>This is a device, not a file; name a file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir aygıt, dosya değil; bir dosya belirtin.</translation>
+    </message>
+    <message>
+      <source>A link stands where the lock of this folder belongs; delete it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörün kilidinin yerinde bir bağlantı duruyor; onu silin.</translation>
+    </message>
+    <message>
+      <source>No temporary folder can be made here (%1); make room, or set TMPDIR to another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Burada geçici klasör oluşturulamıyor (%1); yer açın veya TMPDIR'i başka bir klasöre ayarlayın.</translation>
+    </message>
+    <message>
+      <source>The JSON names '%1' twice in one object; delete one of the two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>JSON bir nesnede '%1' adını iki kez veriyor; ikisinden birini silin.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a whole number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1', %2 ile %3 arasında bir tam sayı olmalı; düzeltin.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number from %2 to %3; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1', %2 ile %3 arasında bir sayı olmalı; düzeltin.</translation>
+    </message>
+    <message>
+      <source>'%1' must be a number; mend it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'%1' bir sayı olmalı; düzeltin.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is mirrored: its corners go round counter-clockwise as seen from above; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın %1 numaralı işareti aynalanmış: köşeleri yukarıdan bakınca saat yönünün tersine dönüyor; tabla dosyasını yeniden yazdırın.</translation>
+    </message>
+    <message>
+      <source>Marker %1 of the plate is not convex; name its corners one after the other along its edge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın %1 numaralı işareti dışbükey değil; köşelerini kenar boyunca sırayla belirtin.</translation>
+    </message>
+    <message>
+      <source>The markers %1 and %2 of the plate overlap; print the plate's file again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın %1 ve %2 numaralı işaretleri üst üste geliyor; tabla dosyasını yeniden yazdırın.</translation>
+    </message>
+    <message>
+      <source>The board's markers must be smaller than its squares; mend 'marker_mm' or 'square_mm'.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ayar levhasının işaretleri karelerinden küçük olmalı; 'marker_mm' veya 'square_mm' değerini düzeltin.</translation>
+    </message>
+    <message>
+      <source>A face of the PLY has more than %1 corners; export it again as triangles.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY'nin bir yüzünün %1'den fazla köşesi var; üçgenler olarak yeniden dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>The PLY file has more than %1 of '%2'; export it with fewer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY dosyasında %1'den fazla '%2' var; daha azıyla dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>A link or a file stands where a folder belongs, or a link where a file does; put the files themselves there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Klasör olması gereken yerde bir bağlantı ya da dosya, ya da dosya olması gereken yerde bir bağlantı var; oraya dosyaların kendisini koyun.</translation>
+    </message>
+    <message>
+      <source>There is a file of this name already; it is not overwritten.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu adda bir dosya zaten var; üzerine yazılmaz.</translation>
+    </message>
+    <message>
+      <source>The export names a place in the project where no such file belongs; nothing was entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dışa aktarım, projede böyle bir dosyanın yeri olmayan bir konum belirtiyor; hiçbir şey girilmedi.</translation>
+    </message>
+    <message>
+      <source>The archive holds a journal of its catalogue, which no archive of Ostraka does; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arşiv, kataloğunun bir günlüğünü içeriyor; Ostraka&apos;nın hiçbir arşivi bunu içermez; hiçbir şey yazılmadı.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::FileWatch</name>
+    <message>
+      <source>Check of the files</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dosyaların denetimi</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Bu projenin %n dosyası eksik ya da değiştirilmiş, ilki %1. Bir kopyadan geri koyun; &apos;ostraka catalogue check&apos; hepsini listeler.</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

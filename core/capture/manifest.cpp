@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/contained_path.h"
 #include "base/json.h"
 #include "base/json_numbers.h"
 #include "base/limits.h"
@@ -72,9 +73,7 @@ ManifestEntry entryFromJson(const nlohmann::json& json) {
 
 // Names stay within the batch's folder.
 bool isOwnName(const std::string& file) {
-  const std::filesystem::path path(file);
-  return !file.empty() && path.is_relative() &&
-         std::none_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
+  return ContainedPath::parse(file).has_value();
 }
 
 }  // namespace

@@ -226,7 +226,10 @@ void Database::copyTo(const fs::path& file) const {
     code = sqlite3_exec(target, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
   const std::string text = sqlite3_errmsg(target);
   sqlite3_close(target);
-  if (code != SQLITE_OK) throw SqlFailure(code, text);
+  if (code == SQLITE_OK) return;
+  Error error = errorOf({code, text});
+  if (error.code == ErrorCode::CannotWrite) error.where = file.string();  // not this one
+  throw Refused(std::move(error));
 }
 
 Error Database::errorOf(const SqlFailure& failure) const {

@@ -176,7 +176,8 @@ class Reading {
     const json& figures = s.at("figures");
     if (figures.value("model", false)) {
       stopIfAsked();
-      const fs::path made = out_ / "sherds" / s.at("number").get<std::string>();
+      const fs::path made =
+          out_ / "sherds" / orRefuse(checkedPath(s.at("number").get<std::string>()));
       sherd.folder = orRefuse(keepModel(project_, batch_number_, made)) + "/";
       sherd.model_path = sherd.folder + "model.ply";
       sherd.preview_path = sherd.folder + "preview.png";

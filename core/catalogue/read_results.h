@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "catalogue/records.h"
+#include "catalogue/sherd.h"
 #include "pipeline/decisions.h"
 
 namespace ostraka::catalogue {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/contained_path.h"
 #include "base/json_text.h"
 #include "base/limits.h"
 #include "catalogue/names.h"
@@ -217,24 +218,10 @@ std::vector<std::string> termsFromJson(std::string_view text) {
 }
 
 Result<std::string> checkedPath(std::string_view typed) {
-  const auto refused = [&] {
-    return Error::unusable(
-        "'" + std::string(typed) +
-        "' is no path inside the project; it must be relative, with '/' and without '..'.");
-  };
-  if (typed.empty() || typed.size() > 4096 || !isUtf8(typed)) return refused();
-  const std::string path = composed(typed);
-  if (path.find_first_of("\\\r\n\t") != std::string::npos || path.starts_with('/') ||
-      (path.size() > 1 && path[1] == ':'))
-    return refused();
-  std::string_view rest = path;
-  while (true) {
-    const std::size_t at = rest.find('/');
-    const std::string_view part = rest.substr(0, at);
-    if (part.empty() || part == "." || part == "..") return refused();
-    if (at == std::string_view::npos) return path;
-    rest.remove_prefix(at + 1);
-  }
+  if (!isUtf8(typed)) return Error::unusable("The text is not valid UTF-8, or holds a zero byte.");
+  const Result<ContainedPath> path = ContainedPath::parse(composed(typed));
+  if (!path) return path.error();
+  return path->text();
 }
 
 }  // namespace ostraka::catalogue

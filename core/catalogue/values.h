@@ -28,7 +28,7 @@ std::string joinTerms(const std::vector<std::string>& terms);
 /// A JSON array of texts, and back; what is no array of texts reads as empty.
 std::string termsJson(const std::vector<std::string>& terms);
 std::vector<std::string> termsFromJson(std::string_view json);
-/// Relative, '/', NFC, no '..', no empty parts, no line break, no NUL.
+/// A ContainedPath in UTF-8, composed (NFC).
 Result<std::string> checkedPath(std::string_view path);
 
 }  // namespace ostraka::catalogue

@@ -1,25 +1,38 @@
-// A whole project as one bag, and back.
-#include <algorithm>
-#include <ctime>
+#include "exchange/archive.h"
 
+#include <algorithm>
+#include <cerrno>
+#include <map>
+#include <set>
+
+#include "base/checksum.h"
+#include "exchange/bag_reader.h"
 #include "exchange/bagit.h"
-#include "exchange/read_back.h"
 
 namespace ostraka::exchange {
 namespace {
 
 namespace fs = std::filesystem;
 
-// All files of the project but the catalogue itself, whose copy is made by SQLite.
+constexpr const char* kCatalogue = "catalogue.sqlite";
+
+// What belongs to the programs that have the project open, not to the project: the catalogue's
+// journals, whose copy SQLite makes, the window's lock, what is half written, and what was checked.
+bool isOfAProgram(const fs::path& name) {
+  const std::string text = name.string();
+  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == "file-checks.txt";
+}
+
 Result<std::vector<fs::path>> filesOf(const fs::path& project) {
   std::vector<fs::path> files;
   std::error_code code;
   for (auto it = fs::recursive_directory_iterator(project, code);
        it != fs::recursive_directory_iterator(); it.increment(code)) {
-    const bool own =
-        it.depth() == 0 && it->path().filename().string().starts_with("catalogue.sqlite");
-    const bool half = it->path().filename().string().ends_with(".partial");
-    if (it->is_regular_file() && !it->is_symlink() && !own && !half) files.push_back(it->path());
+    const fs::path name = it->path().filename();
+    if (name.extension() == ".partial") it.disable_recursion_pending();
+    if ((it.depth() == 0 && isOfAProgram(name)) || name.extension() == ".partial") continue;
+    std::error_code gone;
+    if (it->symlink_status(gone).type() == fs::file_type::regular) files.push_back(it->path());
   }
   if (code)
     return Error::unusable("A folder of the project cannot be read (" + code.message() +
@@ -29,97 +42,157 @@ Result<std::vector<fs::path>> filesOf(const fs::path& project) {
   return files;
 }
 
-}  // namespace
+// Copies the project's files into the bag and holds them against the catalogue.
+class Archiving {
+ public:
+  Archiving(const catalogue::Project& project, BagWriter& bag, Progress& progress,
+            std::stop_token stop)
+      : project_(project), bag_(bag), progress_(progress), stop_(std::move(stop)) {}
 
-Result<std::int64_t> archiveProject(const catalogue::Project& project, const fs::path& target,
-                                    const std::string& program, Progress& progress,
-                                    std::stop_token stop) {
-  const std::string inside =
-      fs::absolute(target).lexically_normal().lexically_relative(project.folder()).generic_string();
-  if (!inside.starts_with(".."))
-    return Error{ErrorCode::UnusableInput, "An archive must not lie in the project itself.",
-                 target.string()};
-  Result<BagWriter> bag = BagWriter::begin(target);
-  if (!bag) return bag.error();
-  const fs::path copy = folderNamed(target).string() + ".sqlite.partial";
-  const auto removed = [&](const Error& error) {
+  // `copy`: where SQLite's copy lies meanwhile.
+  Result<void> addCatalogue(const fs::path& copy) {
+    Result<void> added = project_.catalogue().backup(copy);
+    if (added)
+      if (const Result<BagFile> file = bag_.addFile(kCatalogue, copy, stop_); !file)
+        added = file.error();
     std::error_code ignored;
     fs::remove(copy, ignored);
-    return error;
-  };
-  if (const auto made = project.catalogue().backup(copy); !made) return removed(made.error());
-  const Result<BagFile> catalogue = bag->addFile("catalogue.sqlite", copy, stop);
-  std::error_code ignored;
-  fs::remove(copy, ignored);
-  if (!catalogue) return catalogue.error();
-  const Result<std::vector<fs::path>> files = filesOf(project.folder());
-  if (!files) return files.error();
-  std::map<std::string, std::string> hashes;
-  for (std::size_t i = 0; i < files->size(); ++i) {
-    progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files->size()));
-    const fs::path& file = (*files)[i];
-    const std::string name = file.lexically_relative(project.folder()).generic_string();
-    const Result<BagFile> added = bag->addFile(name, file, stop);
-    if (!added) return added.error();
-    hashes[name] = added->sha256;
+    return added;
   }
-  const auto entered = project.catalogue().files();
-  if (!entered) return entered.error();
-  for (const catalogue::FileRecord& file : *entered) {
-    const auto copied = hashes.find(file.path);
-    if (copied == hashes.end())
-      progress.note(NoteLevel::Warning, file.path + " is in the catalogue and not in the folder.");
-    else if (copied->second != file.sha256)
-      progress.note(NoteLevel::Warning, file.path + " changed since it was entered.");
+
+  Result<void> addFiles() {
+    const Result<std::vector<fs::path>> files = filesOf(project_.folder());
+    if (!files) return files.error();
+    for (std::size_t i = 0; i < files->size(); ++i) {
+      progress_.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files->size()));
+      const std::string name = (*files)[i].lexically_relative(project_.folder()).generic_string();
+      const Result<BagFile> added = bag_.addFile(name, (*files)[i], stop_);
+      if (!added) return added.error();
+      copied_[name] = {added->sha256, added->bytes};
+    }
+    return {};
   }
+
+  Result<std::vector<catalogue::DamagedFile>> damage() const {
+    const auto known = catalogue::knownFiles(project_.catalogue());
+    if (!known) return known.error();
+    std::vector<catalogue::DamagedFile> damaged;
+    for (const catalogue::KnownFile& file : *known) {
+      const auto copied = copied_.find(file.path);
+      const auto found = copied == copied_.end() ? catalogue::Damage::Missing
+                                                 : catalogue::damageOf(file, copied->second);
+      if (found) damaged.push_back({file, *found});
+    }
+    return damaged;
+  }
+
+ private:
+  const catalogue::Project& project_;
+  BagWriter& bag_;
+  Progress& progress_;
+  std::stop_token stop_;
+  std::map<std::string, Checksum> copied_;
+};
+
+// All of the bag into the folder, which is new.
+Result<void> unpack(const BagReader& bag, const fs::path& folder, Progress& progress,
+                    const std::stop_token& stop) {
+  const Result<OpenFolder> to = OpenFolder::open(folder);
+  if (!to) return to.error();
+  std::int64_t done = 0;
+  for (const BagFile& file : bag.files()) {
+    progress.report(done++, static_cast<std::int64_t>(bag.files().size()));
+    const Result<ContainedPath> path = ContainedPath::parse(file.path);
+    if (!path) return path.error();
+    if (Result<void> copied = bag.copy(file, *to, path->below(), stop); !copied) return copied;
+  }
+  return {};
+}
+
+Result<void> checkRestored(const fs::path& folder) {
+  std::error_code code;
+  for (const char* name : {"batches", "results", "backups"})
+    fs::create_directories(folder / name, code);
+  const Result<catalogue::Project> opened = catalogue::Project::open(folder);
+  if (!opened) return opened.error();
+  if (Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole;
+  return catalogue::checkPaths(opened->catalogue());
+}
+
+}  // namespace
+
+Result<Archived> archiveProject(const catalogue::Project& project, const ArchiveOptions& options,
+                                Progress& progress, std::stop_token stop) {
+  const fs::path target = folderNamed(options.target);
+  if (!target.lexically_relative(project.folder()).generic_string().starts_with(".."))
+    return Error::unusable("An archive must not lie in the project itself.",
+                           options.target.string());
+  Result<BagWriter> bag = BagWriter::begin(target);
+  if (!bag) return bag.error();
+  Archiving archiving(project, *bag, progress, std::move(stop));
+  if (Result<void> added = archiving.addCatalogue(target.string() + ".sqlite.partial"); !added)
+    return added.error();
+  if (Result<void> added = archiving.addFiles(); !added) return added.error();
+  Archived archived;
+  auto damage = archiving.damage();
+  if (!damage) return damage.error();
+  archived.damage = std::move(*damage);
+  if (!archived.damage.empty() && options.damaged == DamagedFiles::Refuse) return archived;
+  std::string list;
+  for (const catalogue::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
+  if (!list.empty()) bag->tag("damage.txt", list);
   const auto record = project.catalogue().project();
   if (!record) return record.error();
   const Result<void> finished = bag->finish({{"External-Description", record->title},
                                              {"External-Identifier", record->code},
-                                             {"Bag-Software-Agent", program},
+                                             {"Bag-Software-Agent", options.program},
                                              {"Ostraka-Content", "project"}});
   if (!finished) return finished.error();
-  return bag->bytes();
+  archived.sealed = true;
+  archived.bytes = bag->bytes();
+  return archived;
 }
 
-Result<void> restoreProject(const fs::path& archive, const fs::path& folder, Progress& progress,
-                            std::stop_token stop) {
+Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder, Progress& progress,
+                                std::stop_token stop) {
   std::error_code code;
   if (fs::exists(folder, code) && (!fs::is_directory(folder, code) || !fs::is_empty(folder, code)))
-    return Error{ErrorCode::UnusableInput,
-                 "A project is restored into a new or an empty folder; choose another name.",
-                 folder.string()};
-  const Result<std::vector<BagFile>> files = checkBag(archive, progress, stop);
-  if (!files) return files.error();
-  if (!fs::exists(archive / "data" / "catalogue.sqlite", code))
-    return Error{ErrorCode::UnusableInput,
-                 "This is no archive of a whole project; read it as an export instead.",
-                 archive.string()};
+    return Error::unusable(
+        "A project is restored into a new or an empty folder; choose another name.",
+        folder.string());
+  const Result<BagReader> bag = BagReader::open(archive, progress, stop);
+  if (!bag) return bag.error();
+  if (!bag->find("data/catalogue.sqlite"))
+    return Error::unusable("This is no archive of a whole project; read it as an export instead.",
+                           archive.string());
+  for (const BagFile& file : bag->files())
+    // SQLite would act on a journal that lies beside the catalogue.
+    if (file.path.starts_with("data/catalogue.sqlite-"))
+      return Error::unusable(
+          "The archive holds a journal of its catalogue, which no archive of "
+          "Ostraka does; nothing was written.",
+          file.path);
   const fs::path partial = folderNamed(folder).string() + ".partial";
-  fs::remove_all(partial, code);
+  std::vector<fs::path> made;  // the innermost first
+  for (fs::path parent = partial.parent_path(); !fs::exists(parent, code);
+       parent = parent.parent_path())
+    made.push_back(parent);
   const auto failed = [&](const Error& error) {
     std::error_code ignored;
     fs::remove_all(partial, ignored);
+    for (const fs::path& parent : made) fs::remove(parent, ignored);
     return error;
   };
-  for (const BagFile& file : *files) {
-    if (stop.stop_requested()) return failed(Error::cancelled());
-    const fs::path to = partial / fs::path(file.path).lexically_relative("data");
-    fs::create_directories(to.parent_path(), code);
-    if (!fs::copy_file(archive / file.path, to, code)) return failed(cannotWrite(to));
-  }
-  for (const char* name : {"batches", "results", "backups"})
-    fs::create_directories(partial / name, code);
-  {
-    const Result<catalogue::Project> opened = catalogue::Project::open(partial);
-    if (!opened) return failed(opened.error());
-    if (const auto whole = opened->catalogue().checkIntegrity(); !whole)
-      return failed(whole.error());
-  }
+  fs::remove_all(partial, code);  // of one that was cut off
+  fs::create_directories(partial, code);
+  if (code) return failed(cannotWrite(partial, code.value()));
+  if (Result<void> copied = unpack(*bag, partial, progress, stop); !copied)
+    return failed(copied.error());
+  if (Result<void> whole = checkRestored(partial); !whole) return failed(whole.error());
   fs::remove(folder, code);  // empty, or not there
   fs::rename(partial, folderNamed(folder), code);
-  if (code) return failed(cannotWrite(folder));
-  return {};
+  if (code) return failed(cannotWrite(folder, code.value()));
+  return Restored{bag->damage()};
 }
 
 }  // namespace ostraka::exchange

@@ -5,15 +5,18 @@
 #include <stop_token>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "exchange/distinct_paths.h"
 
 namespace ostraka::exchange {
 
 /// What is said of a file or folder that a bag, or what is made of one, cannot be written to.
-Error cannotWrite(const std::filesystem::path& where);
+/// reason: an errno.
+Error cannotWrite(const std::filesystem::path& where, int reason);
 
 /// A folder's absolute path without a slash at its end, so that names can be made from its own.
 std::filesystem::path folderNamed(const std::filesystem::path& folder);
@@ -36,9 +39,12 @@ class BagWriter {
 
   /// path is relative to data/. Errors: the same name twice, '%' or a line break, a full disk.
   Result<BagFile> add(const std::string& path, std::string_view bytes);
-  /// Copies in pieces, hashing while it reads; stops within a piece.
+  /// Copies in pieces, hashing while it reads; stops within a piece. Errors name the source where
+  /// it cannot be read, else what cannot be written.
   Result<BagFile> addFile(const std::string& path, const std::filesystem::path& source,
                           std::stop_token stop);
+  /// A file beside data/, for finish().
+  void tag(const std::string& name, const std::string& text);
   /// Writes bagit.txt, bag-info.txt and the manifests, lets `check` look at NAME.partial, then
   /// renames.
   Result<void> finish(const std::map<std::string, std::string>& info,
@@ -48,16 +54,16 @@ class BagWriter {
 
  private:
   explicit BagWriter(std::filesystem::path target);
-  Result<void> taken(const std::string& path) const;
+  Result<void> take(const std::string& path);
   std::filesystem::path target_, partial_;
   std::vector<BagFile> files_;
-  std::map<std::string, std::string> keys_;  ///< case-folded name -> name
+  DistinctPaths distinct_;
+  std::vector<std::pair<std::string, std::string>> tags_;  ///< name, text
   std::int64_t bytes_ = 0;
   bool open_ = true;
 };
 
-/// Every file of the bag, after all hashes agreed. Errors name the first file that is missing,
-/// changed or not listed.
+/// Every file of the bag, after all hashes agreed (BagReader::open).
 Result<std::vector<BagFile>> checkBag(const std::filesystem::path& folder, Progress& progress,
                                       std::stop_token stop);
 

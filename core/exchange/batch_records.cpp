@@ -6,6 +6,7 @@
 #include "base/json_numbers.h"
 #include "catalogue/restore.h"
 #include "catalogue/words.h"
+#include "exchange/import_places.h"
 #include "exchange/json_fields.h"
 
 namespace ostraka::exchange {
@@ -322,15 +323,18 @@ class Entering {
   }
 
   Result<void> file(const json& f, BatchRow batch) {
+    const Result<ContainedPath> place =
+        importPlace(here(text(f, "path")), read.numbers.at(number_));
+    if (!place) return place.error();
     FileRecord file;
     file.id = text(f, "id");
-    file.path = here(text(f, "path"));
+    file.path = place->text();
     file.sha256 = text(f, "sha256");
     file.bytes = wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX);
     file.media_type = text(f, "media_type");
     file.role = "photo";
     file.batch = batch;
-    const auto saved = catalogue_.save(file, act_);  // refuses a path that leads out of the project
+    const auto saved = catalogue_.save(file, act_);
     if (!saved) return saved.error();
     read.copies.push_back({text(f, "at"), file.path});
     return {};

@@ -304,6 +304,13 @@ class Reading {
   std::map<std::string, std::int64_t> known_, named_;
 };
 
+Result<json> jsonOf(const BagReader& bag, const std::string& path) {
+  const BagFile* file = bag.find(path);
+  if (!file) return Error::unusable("This file is not among the files of the export.", path);
+  const Result<std::string> text = bag.read(*file, std::size_t{64} << 20);
+  return text ? parseJson(*text, path) : text.error();
+}
+
 }  // namespace
 
 Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRecord>& sherds,
@@ -355,19 +362,17 @@ Result<void> writeMetadata(const Catalogue& catalogue, const std::vector<SherdRe
   return {};
 }
 
-Result<ReadBatches> readMetadata(Catalogue& catalogue, const std::filesystem::path& metadata,
-                                 const Act& act) {
-  const Result<json> places = readJson(metadata / "places.json");
+Result<ReadBatches> readMetadata(Catalogue& catalogue, const BagReader& bag, const Act& act) {
+  const Result<json> places = jsonOf(bag, "data/metadata/places.json");
   if (!places) return places.error();
-  const Result<json> batches = readJson(metadata / "batches.json");
+  const Result<json> batches = jsonOf(bag, "data/metadata/batches.json");
   if (!batches) return batches.error();
   try {
     Reading reading(catalogue, act);
     if (Result<void> done = reading.places(*places); !done) return done.error();
-    // Older exports have none; what an export has is in its manifest, which was checked.
-    const std::filesystem::path words = metadata / "vocabularies.json";
-    if (std::filesystem::exists(words)) {
-      const Result<json> vocabularies = readJson(words);
+    // Older exports have none.
+    if (const std::string words = "data/metadata/vocabularies.json"; bag.find(words)) {
+      const Result<json> vocabularies = jsonOf(bag, words);
       if (!vocabularies) return vocabularies.error();
       if (Result<void> done = readVocabularies(catalogue, *vocabularies, act); !done)
         return done.error();
@@ -375,7 +380,7 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const std::filesystem::pa
     return readBatches(catalogue, *batches, reading.rows(), act);
   } catch (const json::exception& refused) {
     return unusableJson(refused, "These places and batches are not written as Ostraka writes them.",
-                        metadata.string());
+                        "data/metadata");
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "exchange/bag_reader.h"
 #include "exchange/batch_records.h"
 
 namespace ostraka::exchange {
@@ -19,7 +20,7 @@ Result<void> writeMetadata(const catalogue::Catalogue& catalogue,
 /// Persons, sites, trenches, contexts, bags and batches with their photographs, scans and decisions
 /// of metadata/, with their ids, and terms of vocabularies, into a catalogue that does not have
 /// them yet; what is there stays as it is.
-Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue,
-                                 const std::filesystem::path& metadata, const catalogue::Act& act);
+Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue, const BagReader& bag,
+                                 const catalogue::Act& act);
 
 }  // namespace ostraka::exchange

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <set>
 
-#include "base/files.h"
+#include "base/checksum.h"
 #include "base/text.h"
 #include "catalogue/names.h"
 #include "catalogue/restore.h"
 #include "catalogue/values.h"
-#include "exchange/bagit.h"
+#include "exchange/bag_reader.h"
+#include "exchange/import_places.h"
 #include "exchange/metadata.h"
 #include "exchange/sherd_json.h"
 
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace catalogue;
 
+constexpr std::size_t kMostRecordBytes = std::size_t{64} << 20;
 constexpr const char* kNone = "-";  // what is kept of an empty value
 
 std::string mediaTypeOf(const std::string& path) {
@@ -110,30 +112,20 @@ bool sameAs(const SherdRecord& sherd, const ImportRow& row, const std::string& f
 
 class ReadingBack {
  public:
-  ReadingBack(Project& project, const fs::path& folder, const std::vector<BagFile>& files,
-              const Act& act)
+  ReadingBack(Project& project, const fs::path& folder, const BagReader& bag, const Act& act)
       : project_(project),
         folder_(folder),
+        bag_(bag),
         act_(act),
-        name_(slug(folderNamed(folder).filename().string())) {
-    for (const BagFile& file : files) hashes_[file.path] = file.sha256;
-  }
+        name_(slug(folderNamed(folder).filename().string())) {}
 
   /// All records, read before anything is changed.
   Result<void> records() {
-    std::error_code code;
-    std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(folder_ / "data" / "sherds", code))
-      paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end());
-    if (paths.empty())
-      return Error{ErrorCode::UnusableInput,
-                   "This export holds no records (JSON) of sherds; export it again with them.",
-                   folder_.string()};
-    for (const fs::path& path : paths) {
-      const Result<std::string> text = readFile(path, std::size_t{64} << 20);
+    for (const BagFile& file : bag_.files()) {
+      if (!file.path.starts_with("data/sherds/")) continue;
+      const Result<std::string> text = bag_.read(file, kMostRecordBytes);
       if (!text) return text.error();
-      Result<ReadSherdJson> read = parseSherdJson(*text, path.filename().string());
+      Result<ReadSherdJson> read = parseSherdJson(*text, fs::path(file.path).filename().string());
       if (!read) return read.error();
       read->row.line = static_cast<int>(records_.size()) + 1;
       const auto& values = read->row.values;
@@ -141,13 +133,17 @@ class ReadingBack {
         uuids_[uniqueKey(values.at("number"))] = values.at("uuid");
       records_.push_back(std::move(*read));
     }
+    if (records_.empty())
+      return Error{ErrorCode::UnusableInput,
+                   "This export holds no records (JSON) of sherds; export it again with them.",
+                   folder_.string()};
     return {};
   }
 
   Result<ImportReport> enter(const ImportOptions& options, Progress& progress,
                              std::stop_token stop) {
     Catalogue& catalogue = project_.catalogue();
-    Result<ReadBatches> beside = readMetadata(catalogue, folder_ / "data" / "metadata", act_);
+    Result<ReadBatches> beside = readMetadata(catalogue, bag_, act_);
     if (!beside) return beside.error();
     copies_ = std::move(beside->copies);
     fresh_batches_ = std::move(beside->fresh);
@@ -195,6 +191,7 @@ class ReadingBack {
     if (report->not_reached > 0) return Error::cancelled();
     for (const ReadSherdJson* record : fresh_records)
       if (Result<void> done = afterwards(*record); !done) return done.error();
+    if (Result<void> all = copiesAreThere(); !all) return all.error();
     if (!lost_joins_.empty())
       report->warnings.push_back(
           "Joins with sherds that the export does not hold, or that did not enter, are left out: " +
@@ -211,26 +208,21 @@ class ReadingBack {
   /// touched if it is the same, and stops the import if it is another.
   Result<void> copyFiles(Progress& progress, std::stop_token stop) {
     copied_.clear();
+    const Result<OpenFolder> project = OpenFolder::open(project_.folder());
+    if (!project) return project.error();
     for (const FileCopy& file : copies_) {
       if (stop.stop_requested()) return Error::cancelled();
       progress.report(static_cast<std::int64_t>(copied_.size()),
                       static_cast<std::int64_t>(copies_.size()));
-      const auto hash = hashes_.find("data/" + file.from);
-      if (hash == hashes_.end())
-        return Error::unusable("This file is not among the files of the export.", file.from);
-      const fs::path to = project_.folder() / file.to;
-      std::error_code ignored;
-      const bool there = fs::exists(to, ignored);
-      const Result<std::string> bytes = readFile(there ? to : folder_ / hash->first);
-      if (!bytes) return bytes.error();
-      if (there && sha256(*bytes) != hash->second)
-        return Error::unusable(
-            "The project has another file of this name; rename the export, and import it again.",
-            to);
-      if (!there) {
-        noteFolders(to);
-        if (const Result<void> written = writeFileAtomically(to, *bytes); !written) return written;
-        written_.push_back(to);
+      const Result<ContainedPath> to = ContainedPath::parse(file.to);
+      if (!to) return to.error();
+      const BagFile& from = *bag_.find("data/" + file.from);
+      if (project->has(*to)) {
+        if (Result<void> same = sameAsThere(*project, *to, from, stop); !same) return same;
+      } else {
+        noteFolders(project_.folder() / file.to);
+        if (Result<void> written = bag_.copy(from, *project, *to, stop); !written) return written;
+        written_.push_back(project_.folder() / file.to);
       }
       copied_.push_back(file);
     }
@@ -256,6 +248,31 @@ class ReadingBack {
   }
 
  private:
+  // Before anything is written: each file is in the export, and no two get one place.
+  Result<void> copiesAreThere() const {
+    std::map<std::string, std::string> hashes;
+    for (const FileCopy& copy : copies_) {
+      const BagFile* file = bag_.find("data/" + copy.from);
+      if (!file)
+        return Error::unusable("This file is not among the files of the export.", copy.from);
+      if (hashes.try_emplace(copy.to, file->sha256).first->second != file->sha256)
+        return Error::unusable("Two files of the export would have the same name.", copy.to);
+    }
+    return {};
+  }
+
+  static Result<void> sameAsThere(const OpenFolder& project, const ContainedPath& to,
+                                  const BagFile& from, const std::stop_token& stop) {
+    Result<OpenFile> there = project.read(to);
+    if (!there) return there.error();
+    const Result<Checksum> sum = checksumOf(*there, stop);
+    if (!sum) return sum.error();
+    if (sum->sha256 == from.sha256) return {};
+    return Error::unusable(
+        "The project has another file of this name; rename the export, and import it again.",
+        there->name());
+  }
+
   void noteFolders(const fs::path& file) {
     std::error_code ignored;
     for (fs::path folder = file.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
@@ -277,8 +294,10 @@ class ReadingBack {
     if (!had->empty()) return {};
     std::string model, preview;
     for (const SherdFile& file : record.files) {
+      const Result<ContainedPath> place = importPlace("imported/" + name_ + "/" + file.path, {});
+      if (!place) return place.error();
       FileRecord f;
-      f.path = "imported/" + name_ + "/" + file.path;
+      f.path = place->text();
       f.sha256 = file.sha256;
       f.bytes = file.bytes;
       f.role = file.role;
@@ -338,6 +357,7 @@ class ReadingBack {
 
   Project& project_;
   const fs::path& folder_;
+  const BagReader& bag_;
   const Act& act_;
   std::string name_;  ///< of the export's folder, as part of other names
   std::vector<ReadSherdJson> records_;
@@ -347,17 +367,16 @@ class ReadingBack {
   std::vector<FileCopy> copies_;  ///< of what was entered last
   std::vector<FileCopy> copied_;
   std::vector<fs::path> written_;
-  std::set<fs::path> made_;                    ///< those within others behind them
-  std::map<std::string, std::string> hashes_;  ///< of the export's files, which agreed
+  std::set<fs::path> made_;  ///< those within others behind them
 };
 
 }  // namespace
 
 Result<ImportReport> readBack(Project& project, const fs::path& folder, ImportMode mode,
                               const Act& act, Progress& progress, std::stop_token stop) {
-  const Result<std::vector<BagFile>> files = checkBag(folder, progress, stop);
-  if (!files) return files.error();
-  ReadingBack reading(project, folder, *files, act);
+  const Result<BagReader> bag = BagReader::open(folder, progress, stop);
+  if (!bag) return bag.error();
+  ReadingBack reading(project, folder, *bag, act);
   if (Result<void> read = reading.records(); !read) return read.error();
   ImportReport report;
   bool moved = false;

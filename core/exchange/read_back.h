@@ -18,16 +18,4 @@ Result<ImportReport> readBack(catalogue::Project& project, const std::filesystem
                               ImportMode mode, const catalogue::Act& act, Progress& progress,
                               std::stop_token stop);
 
-/// The whole project, catalogue and all files, as a bag: what a laptop that is lost leaves behind.
-/// A file of the catalogue that is missing or was changed since it was entered is a warning.
-/// Errors: the target is there or lies in the project, a folder that cannot be read, a full disk,
-/// Cancelled.
-Result<std::int64_t> archiveProject(const catalogue::Project& project,
-                                    const std::filesystem::path& target, const std::string& program,
-                                    Progress& progress, std::stop_token stop);
-/// Into a new folder, after all hashes agreed; the catalogue is checked before it gets its name.
-Result<void> restoreProject(const std::filesystem::path& archive,
-                            const std::filesystem::path& folder, Progress& progress,
-                            std::stop_token stop);
-
 }  // namespace ostraka::exchange

@@ -49,7 +49,7 @@ const Input kInputs[] = {
     {"process @/batch_board -o @/out", "batch_board/board.json"},
     {"process @/batch_scale -o @/out", "batch_scale/scale.json"},
     {"process @/batch_photo -o @/out", "batch_photo/front/cam0_pos00.tif"},
-    {"dense @/photos --cameras @/bad.json -o @/c.ply", "bad.json"},
+    {"dense @/masked --cameras @/bad.json -o @/c.ply", "bad.json"},
     {"dense @/photos --cameras @/cameras.json -o @/c.ply", "photos/bad.tif"},
     {"dense @/masked --masks @/masks --cameras @/cameras.json -o @/c.ply", "masks/bad.png"},
     {"capture --rig @/bad.json --side front -o @/batch_new", "bad.json"},
@@ -70,7 +70,7 @@ std::string greyTiff() {
   return bytes + std::string(4 + kWidth * kHeight, '\0');
 }
 
-struct Outcome {
+struct Ending {
   int status = -1;
   std::string text;
   double seconds = 0;
@@ -81,7 +81,8 @@ class BadInput : public testing::Test {
   void SetUp() override {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
-    ostraka::TriangleMesh mesh;  // a tetrahedron of 30 mm
+    fs::copy_file(OSTRAKA_PROGRAM, folder_ / "ostraka");  // a build folder may be closed to nobody
+    ostraka::TriangleMesh mesh;                           // a tetrahedron of 30 mm
     mesh.vertices = {{0, 0, 0}, {30, 0, 0}, {0, 30, 0}, {0, 0, 30}};
     mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     for (const char* name : {"good.ply", "scans/a.ply"})
@@ -122,18 +123,16 @@ class BadInput : public testing::Test {
     if (kind == Kind::Closed) fs::permissions(file, fs::perms::none);
   }
 
-  Outcome run(std::string arguments, bool as_nobody = false) const {
+  Ending run(std::string arguments, bool as_nobody = false) const {
     for (std::size_t at = arguments.find('@'); at != std::string::npos; at = arguments.find('@'))
       arguments.replace(at, 1, folder_.string());
     const std::string who =
-        as_nobody && ::geteuid() == 0
-            ? "setpriv --reuid=65534 --regid=65534 --clear-groups env HOME=" + folder_.string() +
-                  " "
-            : "env ";
+        as_nobody && ::geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
     const std::string command =
-        "timeout --kill-after=1 20 " + who + "-u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " +
-        std::string(OSTRAKA_PROGRAM) + " " + arguments + " 2>&1 < /dev/null";
-    Outcome outcome;
+        "timeout --kill-after=1 20 " + who +
+        "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM HOME=" + folder_.string() + " " +
+        (folder_ / "ostraka").string() + " " + arguments + " 2>&1 < /dev/null";
+    Ending outcome;
     const auto begin = std::chrono::steady_clock::now();
     std::FILE* pipe = ::popen(command.c_str(), "r");
     std::array<char, 4096> buffer;
@@ -154,7 +153,7 @@ TEST_F(BadInput, OfEveryKindEndsEveryCommandAtOnceWithASentenceThatNamesIt) {
     for (const auto& [kind, word] : kKinds) {
       const fs::path file = folder_ / name;
       put(kind, file);
-      const Outcome outcome = run(command, true);
+      const Ending outcome = run(command, true);
       const std::string what = std::string(command) + " with " + word + ":\n" + outcome.text +
                                "status " + std::to_string(outcome.status);
       EXPECT_EQ(outcome.status, 2) << what;
@@ -170,7 +169,7 @@ TEST_F(BadInput, OfEveryKindEndsEveryCommandAtOnceWithASentenceThatNamesIt) {
 TEST_F(BadInput, AWordOfItsKindTellsAPipeADeviceAndAFolderFromAFile) {
   for (const auto& [kind, word] : {kKinds[0], kKinds[1], kKinds[2]}) {
     put(kind, folder_ / "bad.ply");
-    const Outcome outcome = run("draw @/bad.ply -o @/d.pdf --quiet");
+    const Ending outcome = run("draw @/bad.ply -o @/d.pdf --quiet");
     EXPECT_EQ(outcome.text.find("\n"), outcome.text.size() - 1) << "one sentence: " << outcome.text;
     EXPECT_NE(outcome.text.find("This is " + std::string(word) + ", not a file"), std::string::npos)
         << outcome.text;
@@ -187,7 +186,7 @@ TEST_F(BadInput, AFaceOfThirtyMillionCornersIsRefusedWithinASecond) {
   bytes.append(reinterpret_cast<const char*>(&kCorners), sizeof kCorners);
   bytes.append(std::size_t{4} * kCorners, '\0');
   write("bad.ply", bytes);
-  const Outcome outcome = run("evaluate @/bad.ply --truth @/good.ply");
+  const Ending outcome = run("evaluate @/bad.ply --truth @/good.ply");
   EXPECT_EQ(outcome.status, 2) << outcome.text;
   EXPECT_LT(outcome.seconds, 1);
   EXPECT_NE(outcome.text.find("more than 1000 corners"), std::string::npos) << outcome.text;

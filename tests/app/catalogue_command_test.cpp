@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+
+#include "base/files.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/project.h"
 #include "catalogue/sherd.h"
@@ -82,21 +84,66 @@ TEST_F(CatalogueCommand, WhatItExportsAndArchivesComesBack) {
   EXPECT_EQ(said_["whole"], true);
 }
 
-TEST_F(CatalogueCommand, ChecksThatTheFilesAreThere) {
-  {
-    auto project = catalogue::Project::open(folder_ / "p");
-    ASSERT_TRUE(project);
-    catalogue::FileRecord file;
-    file.path = "batches/B0001/front/cam0_pos00.jpg";
-    file.sha256 = std::string(64, '0');
-    file.media_type = "image/jpeg";
-    file.role = "photo";
-    ASSERT_TRUE(project->catalogue().save(file, {}));
-  }
-  EXPECT_NE(run("check " + at("p")), 0);
-  fs::create_directories(folder_ / "p/batches/B0001/front");
-  std::ofstream(folder_ / "p/batches/B0001/front/cam0_pos00.jpg") << "x";
+// A photograph of the project, as it was entered.
+void enterPhotograph(const fs::path& project, const std::string& bytes) {
+  auto opened = catalogue::Project::open(project);
+  ASSERT_TRUE(opened);
+  catalogue::FileRecord file;
+  file.path = "batches/B0001/front/cam0_pos00.jpg";
+  file.sha256 = ostraka::sha256(bytes);
+  file.bytes = static_cast<std::int64_t>(bytes.size());
+  file.media_type = "image/jpeg";
+  file.role = "photo";
+  ASSERT_TRUE(opened->catalogue().save(file, {}));
+  ASSERT_TRUE(ostraka::writeFileAtomically(project / file.path, bytes));
+}
+
+TEST_F(CatalogueCommand, ChecksWhatIsInTheFiles) {
+  enterPhotograph(folder_ / "p", "JPEG");
+  const fs::path photograph = folder_ / "p/batches/B0001/front/cam0_pos00.jpg";
   EXPECT_EQ(run("check " + at("p")), 0);
+  EXPECT_EQ(said_["files"], 1);
+  std::ofstream(photograph) << "JPEH";
+  EXPECT_EQ(run("check " + at("p") + " --quick"), 0) << "names and sizes alone";
+  EXPECT_EQ(run("check " + at("p")), 1);
+  EXPECT_EQ(said_["whole"], false);
+  EXPECT_EQ(said_["damaged"][0]["path"], "batches/B0001/front/cam0_pos00.jpg");
+  EXPECT_EQ(said_["damaged"][0]["damage"], "changed");
+  fs::remove(photograph);
+  EXPECT_EQ(run("check " + at("p") + " --quick"), 1);
+  EXPECT_EQ(said_["damaged"][0]["damage"], "missing");
+}
+
+TEST_F(CatalogueCommand, ArchivesDamageOnlyWhenToldTo) {
+  enterPhotograph(folder_ / "p", "JPEG");
+  std::ofstream(folder_ / "p/batches/B0001/front/cam0_pos00.jpg") << "JPEH";
+  EXPECT_EQ(run("archive " + at("p") + " -o " + at("archive")), 1);
+  EXPECT_EQ(said_["sealed"], false);
+  EXPECT_EQ(said_["damaged"].size(), 1u);
+  EXPECT_FALSE(fs::exists(folder_ / "archive"));
+  EXPECT_EQ(run("archive " + at("p") + " -o " + at("archive") + " --with-damage"), 1);
+  EXPECT_EQ(said_["sealed"], true);
+  EXPECT_TRUE(fs::exists(folder_ / "archive/damage.txt"));
+  EXPECT_EQ(run("restore " + at("archive") + " -o " + at("back")), 1);
+  EXPECT_EQ(said_["damage"].size(), 1u);
+  EXPECT_TRUE(fs::exists(folder_ / "back/catalogue.sqlite"));
+}
+
+TEST_F(CatalogueCommand, RefusesAnArchiveThatWouldWriteOutsideItsProject) {
+  EXPECT_EQ(run("archive " + at("p") + " -o " + at("archive")), 0);
+  const fs::path bag = folder_ / "archive";
+  fs::create_directories(bag / ".config/autostart");
+  std::ofstream(bag / ".config/autostart/x.desktop") << "[Desktop Entry]";
+  const std::string manifest = *ostraka::readFile(bag / "manifest-sha256.txt") +
+                               ostraka::sha256("[Desktop Entry]") +
+                               "  .config/autostart/x.desktop\n";
+  std::ofstream(bag / "manifest-sha256.txt") << manifest;
+  std::ofstream tags(bag / "tagmanifest-sha256.txt");
+  for (const char* name : {"bagit.txt", "bag-info.txt", "manifest-sha256.txt"})
+    tags << ostraka::sha256(*ostraka::readFile(bag / name)) << "  " << name << "\n";
+  tags.close();
+  EXPECT_EQ(run("restore " + at("archive") + " -o " + at("home/project")), 2);
+  EXPECT_FALSE(fs::exists(folder_ / "home"));
 }
 
 }  // namespace

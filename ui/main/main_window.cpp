@@ -24,6 +24,7 @@
 #include "ui/frame/project_session.h"
 #include "ui/frame/rail.h"
 #include "ui/frame/thumbnails.h"
+#include "ui/main/file_watch.h"
 #include "ui/main/help_page.h"
 #include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
@@ -50,7 +51,8 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
       queue_(new BatchQueue(this)),
       wizard_(new CaptureWizard(this)),
       thumbnails_(new Thumbnails(runner, this)),
-      room_timer_(new QTimer(this)) {
+      room_timer_(new QTimer(this)),
+      file_watch_(new FileWatch(runner, this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(tr("Ostraka"));
   reserveOpenGl(*this);
@@ -68,6 +70,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(room_timer_, &QTimer::timeout, this, &MainWindow::measureRoom);
   connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
   room_timer_->start(kRoomEvery_ms);
+  connect(file_watch_, &FileWatch::found, footer_, &FooterLine::say);
   auto* back_up = new QTimer(this);
   connect(back_up, &QTimer::timeout, this, &MainWindow::backUp);
   back_up->start(kBackUpEvery_ms);
@@ -272,6 +275,7 @@ void MainWindow::showProject(std::shared_ptr<catalogue::Project> project) {
     footer_->say(tr("This project can only be read: look at everything; changes are refused."));
   measureRoom();
   if (!read_only) backUp();
+  file_watch_->look(folder);
 }
 
 void MainWindow::closeProject() {
@@ -283,6 +287,7 @@ void MainWindow::closeProject() {
     station->closeProject();
   }
   settings_page_->setSession(nullptr);
+  file_watch_->stop();
   undo_->removeStack(&session_->undo());
   session_.reset();
   warned_ = false;

@@ -20,6 +20,7 @@ namespace ostraka::ui {
 class BatchQueue;
 class CaptureStation;
 class CaptureWizard;
+class FileWatch;
 class FooterLine;
 class HeaderLine;
 class HelpPage;
@@ -107,6 +108,7 @@ class MainWindow final : public QMainWindow {
   HeaderLine* header_ = nullptr;
   FooterLine* footer_ = nullptr;
   QTimer* room_timer_;
+  FileWatch* file_watch_;
 };
 
 /// All stations of the rail in their order, made with their view-models.

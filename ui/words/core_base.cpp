@@ -130,6 +130,7 @@ Sentences sentencesOfBase() {
                         "The PLY file holds more than its header claims; export it again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The PLY file holds no usable point; export the scan again."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This is not a regular file; name a file."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This is a folder, not a file; name a file."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This is a pipe, not a file; name a file."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This is a socket, not a file; name a file."),
@@ -161,6 +162,11 @@ Sentences sentencesOfBase() {
           "A face of the PLY has more than %1 corners; export it again as triangles."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The PLY file has more than %1 of '%2'; export it with fewer."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A link or a file stands where a folder belongs, or a link where a file "
+                        "does; put the files themselves there."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "There is a file of this name already; it is not overwritten."),
   };
   return kAll;
 }

@@ -17,8 +17,6 @@ Sentences sentencesOfExchange() {
           "A project is restored into a new or an empty folder; choose another name."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "This is no archive of a whole project; read it as an export instead."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "This file is missing or cannot be read."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The disk cannot read this file."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The manifest is missing; this is no export of Ostraka."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The manifest has a line that cannot be read: %1"),
       QT_TRANSLATE_NOOP("ostraka::Error", "The manifest names a file outside the folder: %1"),
@@ -117,6 +115,12 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error", "A value of the record has another type than it should."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "This is too large for one ZIP file; choose fewer sherds."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The export names a place in the project where no such file belongs; "
+                        "nothing was entered."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The archive holds a journal of its catalogue, which no archive of Ostraka "
+                        "does; nothing was written."),
   };
   return kAll;
 }

@@ -5,6 +5,7 @@
 #include "catalogue/database.h"
 #include "catalogue/names.h"
 #include "catalogue/piece_decisions.h"
+#include "exchange/archive.h"
 #include "exported_project.h"
 
 namespace ostraka::exchange {
@@ -157,7 +158,7 @@ TEST_F(ReadingBack, JoinsOnlyWithTheSherdThatTheExportMeans) {
 
 // Two laptops with the same batch found its fourth pair, each for itself.
 TEST_F(ReadingBack, ASherdOfABatchThatIsHereTakesNoScanOfIt) {
-  ASSERT_TRUE(archiveProject(*project_, folder_.path() / "archive", "ostraka", quiet, {}));
+  ASSERT_TRUE(archiveProject(*project_, {folder_.path() / "archive"}, quiet, {}));
   ASSERT_TRUE(restoreProject(folder_.path() / "archive", folder_.path() / "laptop", quiet, {}));
   Project laptop = valueIn(Project::open(folder_.path() / "laptop"));
   for (Project* project : {&laptop, &*project_}) {
@@ -476,24 +477,6 @@ TEST_F(ReadingBack, NothingEntersWhenAFileWasChanged) {
   ASSERT_FALSE(report);
   EXPECT_NE(report.error().sentence().find("changed after the export"), std::string::npos);
   EXPECT_TRUE(other.catalogue().sherdRows(Filter{}, {})->empty());
-}
-
-TEST_F(ReadingBack, AnArchiveOnAnEmptyLaptopIsTheSameProject) {
-  const Result<std::int64_t> bytes =
-      archiveProject(*project_, folder_.path() / "archive" / "", "ostraka 1.0.0", quiet, {});
-  ASSERT_TRUE(bytes) << bytes.error().sentence();
-  const Result<void> restored =
-      restoreProject(folder_.path() / "archive", folder_.path() / "laptop" / "", quiet, {});
-  ASSERT_TRUE(restored) << restored.error().sentence();
-  Result<Project> laptop = Project::open(folder_.path() / "laptop");
-  ASSERT_TRUE(laptop) << laptop.error().sentence();
-  EXPECT_EQ(laptop->catalogue().historyLength(), catalogue().historyLength());
-  EXPECT_EQ(laptop->catalogue().sherd(rows[0])->note, catalogue().sherd(rows[0])->note);
-  for (const FileRecord& file : valueIn(catalogue().files()))
-    EXPECT_EQ(sha256(*readFile(laptop->absolute(file.path))), file.sha256) << file.path;
-  EXPECT_FALSE(restoreProject(folder_.path() / "archive", folder_.path() / "laptop", quiet, {}))
-      << "never over a project";
-  EXPECT_FALSE(archiveProject(*project_, project_->folder() / "inside", "ostraka", quiet, {}));
 }
 
 }  // namespace

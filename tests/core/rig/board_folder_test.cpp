@@ -22,7 +22,7 @@ TEST(BoardFolder, RefusesAGridWithoutGaps) {
   fs::remove_all(folder);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
-  EXPECT_THAT(read.error().sentence(), testing::HasSubstr("gap between them"));
+  EXPECT_THAT(read.error().sentence(), testing::HasSubstr("marker_separation"));
   EXPECT_THAT(read.error().sentence(), testing::HasSubstr("board.json"));
 }
 

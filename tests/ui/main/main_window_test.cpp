@@ -9,6 +9,7 @@
 #include <atomic>
 #include <thread>
 
+#include "base/files.h"
 #include "catalogue/project.h"
 #include "catalogue/sherd.h"
 #include "person.h"
@@ -171,6 +172,26 @@ class MainWindowTest : public QObject {
     *may_end = true;
     QTRY_VERIFY(!window.queue()->isLeaving());
     QVERIFY(ProjectLock::take(folder_) != nullptr);
+  }
+
+  void openingAProjectSaysWhichOfItsFilesWereChanged() {
+    {
+      auto project = catalogue::Project::open(folder_.toStdString());
+      QVERIFY(project.has_value());
+      catalogue::FileRecord file;
+      file.path = "models/B0001/a/model.ply";
+      file.sha256 = sha256("as it was entered");
+      file.media_type = "application/octet-stream";
+      file.role = "model";
+      QVERIFY(project->catalogue().save(file, {}).has_value());
+      QVERIFY(writeFileAtomically(project->absolute(file.path), "one bit another").has_value());
+    }
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    QTRY_VERIFY(named<QLabel>(window, "footerSaid")
+                    ->text()
+                    .contains(QStringLiteral("models/B0001/a/model.ply")));
   }
 
   void theLogIsShownFromEveryPage() {

@@ -1,0 +1,25 @@
+#include "damage.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace ostraka::app {
+
+void printDamage(std::span<const catalogue::DamagedFile> damaged) {
+  for (const catalogue::DamagedFile& file : damaged)
+    std::fprintf(stderr, "%s\n", sentenceOf(file).c_str());
+}
+
+nlohmann::ordered_json damageJson(std::span<const catalogue::DamagedFile> damaged) {
+  constexpr const char* kWords[] = {"missing", "changed", "unreadable"};
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [file, damage] : damaged)
+    list.push_back({{"path", file.path},
+                    {"damage", kWords[static_cast<int>(damage)]},
+                    {"role", file.role},
+                    {"sherd", file.sherd},
+                    {"batch", file.batch}});
+  return list;
+}
+
+}  // namespace ostraka::app

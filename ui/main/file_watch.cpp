@@ -1,0 +1,45 @@
+#include "ui/main/file_watch.h"
+
+#include <utility>
+
+#include "catalogue/file_check.h"
+#include "catalogue/project.h"
+#include "ui/jobs/job.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr std::int64_t kShare_bytes = std::int64_t{1} << 30;  // some seconds of a slow disk
+
+}  // namespace
+
+FileWatch::FileWatch(JobRunner& runner, QObject* parent) : QObject(parent), runner_(runner) {}
+
+void FileWatch::look(const std::filesystem::path& project) {
+  stop();
+  job_ = runner_.start(
+      makeJob(
+          tr("Check of the files"),
+          [project](Progress& progress, std::stop_token stop) -> Result<catalogue::CheckedFiles> {
+            const auto rows = catalogue::Project::connect(project);
+            if (!rows) return rows.error();
+            return catalogue::checkShare(*rows, project, kShare_bytes, progress, stop);
+          },
+          JobPriority::Background),
+      this);
+  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    std::exchange(job_, nullptr)->deleteLater();
+    const auto checked = outcomeAs<catalogue::CheckedFiles>(outcome);
+    if (!checked || checked->damaged.empty()) return;
+    emit found(tr("%n file(s) of this project are missing or were changed, first %1. Put them "
+                  "back from a copy; 'ostraka catalogue check' lists all of them.",
+                  nullptr, static_cast<int>(checked->damaged.size()))
+                   .arg(QString::fromStdString(checked->damaged.front().file.path)));
+  });
+}
+
+void FileWatch::stop() {
+  if (job_ != nullptr) std::exchange(job_, nullptr)->drop();
+}
+
+}  // namespace ostraka::ui

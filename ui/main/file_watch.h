@@ -1,0 +1,29 @@
+#pragma once
+#include <QObject>
+#include <QString>
+#include <filesystem>
+
+namespace ostraka::ui {
+
+class JobHandle;
+class JobRunner;
+
+/// Looks at a share of a project's files in the background each time it is opened, so that damage
+/// by a disk is known while there still are copies.
+class FileWatch final : public QObject {
+  Q_OBJECT
+
+ public:
+  FileWatch(JobRunner& runner, QObject* parent);
+  void look(const std::filesystem::path& project);
+  void stop();  ///< nothing of a look that is under way arrives any more
+
+ signals:
+  void found(const QString& words);  ///< files are missing or changed, and what to do
+
+ private:
+  JobRunner& runner_;
+  JobHandle* job_ = nullptr;
+};
+
+}  // namespace ostraka::ui

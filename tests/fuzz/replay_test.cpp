@@ -8,47 +8,34 @@
 
 namespace {
 
-void replay(const char* target, void (*run)(std::string_view)) {
+void replay(const ostraka::fuzz::Target& target) {
   int count = 0;
-  const std::filesystem::path folder = std::filesystem::path(OSTRAKA_CORPUS) / target;
+  const std::filesystem::path folder = std::filesystem::path(OSTRAKA_CORPUS) / target.name;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     SCOPED_TRACE(entry.path());
     const auto bytes = ostraka::readFile(entry.path());
     ASSERT_TRUE(bytes.has_value());
-    run(*bytes);
+    target.run(*bytes);
     // Cut off anywhere, and with a byte changed, the same promises hold.
     for (std::size_t k = 1; k < 64; ++k) {
       const std::size_t at = bytes->size() * k / 64;
-      run(bytes->substr(0, at));
+      target.run(bytes->substr(0, at));
       std::string changed = *bytes;
       if (at < changed.size()) changed[at] = static_cast<char>(changed[at] ^ 0xFF);
-      run(changed);
+      target.run(changed);
     }
     ++count;
   }
-  EXPECT_GE(count, 5) << "the corpus of " << target << " is missing";
+  EXPECT_GE(count, 5) << "the corpus of " << target.name << " is missing";
 }
 
-TEST(Corpus, OfPlyFilesKeepsThePromises) {
-  replay("ply", ostraka::fuzz::ply);
+class Corpus : public testing::TestWithParam<ostraka::fuzz::Target> {};
+
+TEST_P(Corpus, KeepsThePromises) {
+  replay(GetParam());
 }
-TEST(Corpus, OfJsonFilesKeepsThePromises) {
-  replay("json", ostraka::fuzz::json);
-}
-TEST(Corpus, OfTablesKeepsThePromises) {
-  replay("table", ostraka::fuzz::table);
-}
-TEST(Corpus, OfSherdRecordsKeepsThePromises) {
-  replay("sherd_json", ostraka::fuzz::sherdJson);
-}
-TEST(Corpus, OfDecisionsKeepsThePromises) {
-  replay("decisions", ostraka::fuzz::decisions);
-}
-TEST(Corpus, OfImageHeadersKeepsThePromises) {
-  replay("image_header", ostraka::fuzz::imageHeader);
-}
-TEST(Corpus, OfDeviceRepliesKeepsThePromises) {
-  replay("device_replies", ostraka::fuzz::deviceReplies);
-}
+
+INSTANTIATE_TEST_SUITE_P(OfEachTarget, Corpus, testing::ValuesIn(ostraka::fuzz::targets()),
+                         [](const auto& target) { return std::string(target.param.name); });
 
 }  // namespace

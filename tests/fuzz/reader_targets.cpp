@@ -1,0 +1,86 @@
+#include "targets.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/json.h"
+#include "batch/batch.h"
+#include "batch/image_header.h"
+#include "capture/rig_devices.h"
+#include "capture/text_turntable.h"
+#include "cloud/ply.h"
+#include "evaluate/pairs.h"
+#include "mask/network_mask.h"
+#include "memory_file.h"
+#include "must.h"
+#include "rig/camera.h"
+#include "rig/rig.h"
+
+namespace ostraka::fuzz {
+void ply(std::string_view bytes) {
+  const Result<PlyContents> read = parsePly(bytes, "fuzz.ply");
+  mustNameItself(read);
+  if (!read) return;
+  const TriangleMesh& mesh = read->mesh;
+  const std::size_t n = mesh.vertices.size();
+  const auto fits = [&](std::size_t size) { return size == 0 || size == n; };
+  must(fits(mesh.normals.size()) && fits(mesh.colors.size()) && fits(mesh.seen.size()) &&
+           fits(read->quality.size()),
+       "arrays are empty or as long as the vertices");
+  for (const Eigen::Vector3f& v : mesh.vertices) must(v.allFinite(), "points are finite");
+  for (const Eigen::Vector3f& v : mesh.normals) must(v.allFinite(), "normals are finite");
+  for (const auto& t : mesh.triangles)
+    for (const int v : t) must(v >= 0 && static_cast<std::size_t>(v) < n, "faces name vertices");
+  const std::string written = formatPly(mesh, "fuzz");
+  const Result<PlyContents> again = parsePly(written, "again.ply");
+  must(again.has_value() && again->mesh.vertices == mesh.vertices &&
+           again->mesh.triangles == mesh.triangles,
+       "what was read can be written and read");
+}
+
+void json(std::string_view bytes) {
+  const Result<nlohmann::json> value = parseJson(bytes, "fuzz.json");
+  mustNameItself(value);
+  if (!value) return;
+  mustNameItself(isometryFromJson(*value, "fuzz.json"));
+  const MemoryFile file(bytes);
+  mustNameItself(rig::readCameras(file.path()));
+  mustNameItself(batch::readPlate(file.path()));
+  mustNameItself(batch::readBoard(file.path()));
+  mustNameItself(batch::readKnownLengths(file.path()));
+  mustNameItself(evaluate::readProposal(file.path()));
+  mustNameItself(evaluate::readPairsTruth(file.path()));
+}
+
+void imageHeader(std::string_view bytes) {
+  const Result<batch::ImageSize> size = batch::imageSize(bytes, "fuzz.jpg");
+  mustNameItself(size);
+  if (size) must(size->width > 0 && size->height > 0, "an image has a size");
+}
+
+void rigFile(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  const Result<rig::Rig> read = rig::readRig(file.path());
+  mustNameItself(read);
+  if (read)
+    for (const rig::RigCamera& camera : read->cameras) {
+      must(camera.camera_from_turntable.matrix().allFinite(), "poses are finite");
+      must(camera.intrinsics.width > 0 && camera.intrinsics.height > 0, "pictures have a size");
+    }
+  mustNameItself(capture::readDevices(file.path()));
+  const Result<nlohmann::json> value = parseJson(bytes, "fuzz.json");
+  if (!value) return;
+  const Result<capture::TextDialect> dialect = capture::dialectFromJson(*value);
+  mustNameItself(dialect);
+  if (dialect) must(dialect->check().has_value(), "a dialect that was read can be used");
+}
+
+void onnxHeader(std::string_view bytes) {
+  const Result<cv::Size> size = mask::networkInputSize(bytes, {640, 480}, {}, "fuzz.onnx");
+  mustNameItself(size);
+  if (size)
+    must(size->width > 0 && size->width <= 8192 && size->height > 0 && size->height <= 8192,
+         "a network's input fits into memory");
+}
+
+}  // namespace ostraka::fuzz

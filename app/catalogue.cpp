@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -11,6 +12,7 @@
 #include "catalogue/file_check.h"
 #include "catalogue/filter.h"
 #include "catalogue/project.h"
+#include "catalogue/repair.h"
 #include "command.h"
 #include "damage.h"
 #include "exchange/archive.h"
@@ -32,6 +34,7 @@ struct Options {
   std::string filter, batch;
   catalogue::ProjectRecord record;
   std::vector<Form> forms;
+  std::vector<std::string> columns, confirmed;
   double lighter_mm = 0;
   bool enter = false, make_places = false, quick = false, with_damage = false;
 };
@@ -46,6 +49,51 @@ int said(Session& session, nlohmann::ordered_json json, const std::string& words
   return json["exit_status"];
 }
 
+const char* chosenBy(exchange::ChosenBy by) {
+  switch (by) {
+    case exchange::ChosenBy::Name:
+      return "by its name";
+    case exchange::ChosenBy::Earlier:
+      return "as in the last table with these columns";
+    case exchange::ChosenBy::Person:
+      return "as --map says";
+    case exchange::ChosenBy::Nobody:
+      break;
+  }
+  return "a field of your own";
+}
+
+// What was mapped, a line a column.
+void printMapping(const exchange::TableMapping& mapping) {
+  for (const exchange::ColumnChoice& choice : mapping.columns) {
+    const std::string unit = choice.unit.empty() ? std::string() : " in " + choice.unit;
+    std::fprintf(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
+                 choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(),
+                 chosenBy(choice.by), choice.unit_guessed ? "; the unit by the values" : "");
+  }
+}
+
+nlohmann::ordered_json mappingJson(const exchange::TableMapping& mapping) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+  for (const exchange::ColumnChoice& choice : mapping.columns)
+    columns.push_back({{"column", choice.column},
+                       {"field", choice.field},
+                       {"unit", choice.unit},
+                       {"chosen", chosenBy(choice.by)},
+                       {"unit_guessed", choice.unit_guessed}});
+  return columns;
+}
+
+nlohmann::ordered_json refusalsJson(const std::vector<exchange::Refusal>& refusals) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const exchange::Refusal& refusal : refusals)
+    list.push_back({{"line", refusal.line},
+                    {"column", refusal.column},
+                    {"value", refusal.value},
+                    {"reason", refusal.reason}});
+  return list;
+}
+
 int reported(Session& session, const exchange::ImportReport& report, const Options& options) {
   if (!options.refusals.empty()) {
     const Result<void> written =
@@ -53,37 +101,64 @@ int reported(Session& session, const exchange::ImportReport& report, const Optio
     if (!written) return fail(session, written.error());
   }
   session.finishProgress();
-  nlohmann::ordered_json refusals = nlohmann::ordered_json::array();
-  for (const exchange::Refusal& refusal : report.refusals) {
-    refusals.push_back({{"line", refusal.line},
-                        {"column", refusal.column},
-                        {"value", refusal.value},
-                        {"reason", refusal.reason}});
-    if (!session.json)
-      std::fprintf(stderr, "line %d, %s '%s': %s\n", refusal.line, refusal.column.c_str(),
-                   refusal.value.c_str(), refusal.reason.c_str());
-  }
-  if (!session.json)
+  if (!session.json) {
+    printMapping(report.mapping);
+    for (const auto* list : {&report.refusals, &report.questions})
+      for (const exchange::Refusal& refusal : *list)
+        std::fprintf(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
+                     refusal.value.c_str(), refusal.reason.c_str(),
+                     list == &report.questions ? (" Not entered; --confirm " +
+                                                  std::to_string(refusal.line) + " enters the row.")
+                                                     .c_str()
+                                               : "");
     for (const std::string& warning : report.warnings)
       std::fprintf(stderr, "%s\n", warning.c_str());
-  const int status = report.refused > 0 ? NotWhole : Whole;
+  }
+  const int status = report.refused > 0 ? NotWhole : report.asked > 0 ? PersonMustDecide : Whole;
   return said(session,
               {{"entered", options.enter},
                {"new", report.fresh},
                {"same", report.same},
                {"changed", report.changed},
                {"refused", report.refused},
-               {"refusals", refusals},
+               {"to_confirm", report.asked},
+               {"refusals", refusalsJson(report.refusals)},
+               {"questions", refusalsJson(report.questions)},
+               {"columns", mappingJson(report.mapping)},
                {"warnings", report.warnings},
                {"exit_status", status}},
               std::to_string(report.fresh) + " new, " + std::to_string(report.same) + " same, " +
                   std::to_string(report.changed) + " changed, " + std::to_string(report.refused) +
-                  " refused" +
+                  " refused, " + std::to_string(report.asked) + " to confirm" +
                   (options.enter ? "." : "; a preview: nothing was entered, --enter does it."));
 }
 
 exchange::ImportMode modeOf(const Options& options) {
   return options.enter ? exchange::ImportMode::Enter : exchange::ImportMode::Preview;
+}
+
+Result<exchange::ImportOptions> importOptions(const Options& options) {
+  exchange::ImportOptions how;
+  how.mode = modeOf(options);
+  if (options.make_places) how.unknown_places = exchange::UnknownPlaces::Make;
+  for (const std::string& text : options.columns) {
+    Result<exchange::ColumnChoice> choice = exchange::parseColumnChoice(text);
+    if (!choice) return choice.error();
+    how.columns.push_back(std::move(*choice));
+  }
+  for (const std::string& text : options.confirmed) {
+    int line = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), line);
+    if (text == "all")
+      how.asked_rows = exchange::AskedRows::Enter;
+    else if (code == std::errc() && end == text.data() + text.size() && line > 0)
+      how.confirmed_lines.insert(line);
+    else
+      return Error{ErrorCode::UnusableInput,
+                   "--confirm takes numbers of lines, or all; not '" + text + "'.",
+                   {}};
+  }
+  return how;
 }
 
 int runNew(const Options& options, Session& session) {
@@ -104,13 +179,12 @@ int runImport(const Options& options, Session& session) {
   }
   const Result<std::string> bytes = readFile(options.other, limits::kTableBytes.most);
   if (!bytes) return fail(session, bytes.error());
+  const Result<exchange::ImportOptions> how = importOptions(options);
+  if (!how) return fail(session, how.error());
   if (options.enter)
     if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
-  const exchange::ImportOptions how = {modeOf(options), options.make_places
-                                                            ? exchange::UnknownPlaces::Make
-                                                            : exchange::UnknownPlaces::Refuse};
   const auto report = exchange::importTable(project->catalogue(), *bytes, options.other.string(),
-                                            how, kAct, session.progress, session.stop);
+                                            *how, kAct, session.progress, session.stop);
   if (report && report->not_reached > 0)
     std::fprintf(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
                  report->not_reached);
@@ -220,8 +294,12 @@ int runCheck(const Options& options, Session& session) {
   if (!project) return fail(session, project.error());
   const auto whole = project->catalogue().checkIntegrity();
   if (!whole) return fail(session, whole.error());
-  const auto saved = project->backUp();
-  if (!saved) return fail(session, saved.error());
+  std::string backup;
+  if (!project->catalogue().readOnly()) {
+    const auto saved = project->backUp();
+    if (!saved) return fail(session, saved.error());
+    backup = saved->string();
+  }
   session.progress.begin("check", 1.0);
   const auto checked = catalogue::checkFiles(
       project->catalogue(), project->folder(),
@@ -236,17 +314,68 @@ int runCheck(const Options& options, Session& session) {
   const std::string files = std::to_string(checked->files);
   return said(session,
               {{"whole", good},
-               {"backup", saved->string()},
+               {"backup", backup},
                {"files", checked->files},
                {"checked", checked->checked},
                {"damaged", damageJson(checked->damaged)},
                {"exit_status", good ? Whole : NotWhole}},
-              good ? "The catalogue and its " + files +
-                         " files are whole; a backup was made: " + saved->string()
-                   : "Damaged files: " + std::to_string(checked->damaged.size()) + " of " + files +
-                         "; put them back from a copy. The catalogue itself is whole; a backup "
-                         "was made: " +
-                         saved->string());
+              (good ? "The catalogue and its " + files + " files are whole; "
+                    : "Damaged files: " + std::to_string(checked->damaged.size()) + " of " + files +
+                          "; put them back from a copy. The catalogue itself is whole; ") +
+                  (backup.empty() ? "this project can only be read, so no backup was made."
+                                  : "a backup was made: " + backup));
+}
+
+// One line for each row: what it is, and where it came from.
+std::string wordsOf(const catalogue::RepairedRow& row, const std::string& backup) {
+  using From = catalogue::RepairedRow::From;
+  std::string words = row.table;
+  if (row.row > 0) words += " " + std::to_string(row.row);
+  if (!row.name.empty()) words += " (" + row.name + ")";
+  if (!row.field.empty()) words += ", " + row.field;
+  return words + (row.from == From::Backup    ? ": from " + backup
+                  : row.from == From::History ? ": from the history"
+                                              : ": not restored");
+}
+
+int runRepair(const Options& options, Session& session) {
+  session.progress.begin("repair", 1.0);
+  const auto report = catalogue::repairCatalogue(options.project, session.progress, session.stop);
+  if (!report) return fail(session, report.error());
+  session.finishProgress();
+  const std::string backup = report->backup.filename().string();
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  int lost = 0;
+  for (const catalogue::RepairedRow& row : report->rows) {
+    const std::string words = wordsOf(row, backup);
+    rows.push_back(words);
+    lost += row.from == catalogue::RepairedRow::From::Nowhere ? 1 : 0;
+    if (!session.json) std::printf("%s\n", words.c_str());
+  }
+  const bool whole = report->damaged.empty();
+  const std::string pages = std::to_string(report->pages_by_bit) + " pages had one changed bit, " +
+                            std::to_string(report->pages_by_backup) +
+                            " were taken from a backup, " + std::to_string(report->pages_lost) +
+                            " of " + std::to_string(report->pages) + " were lost";
+  const std::string words =
+      whole ? "The catalogue is whole; nothing was changed."
+      : report->all_from_backup
+          ? "Nothing in the damaged file could be read. The catalogue is that of " + backup +
+                " again; the damaged file is kept: " + report->damaged.string()
+          : "The catalogue is repaired: " + pages + "; " + std::to_string(report->rows.size()) +
+                " rows are listed above, " + std::to_string(lost) +
+                " of them not restored. The damaged file is kept: " + report->damaged.string();
+  return said(session,
+              {{"damaged", report->damaged.string()},
+               {"backup", backup},
+               {"all_from_backup", report->all_from_backup},
+               {"pages", report->pages},
+               {"pages_by_bit", report->pages_by_bit},
+               {"pages_by_backup", report->pages_by_backup},
+               {"pages_lost", report->pages_lost},
+               {"rows", rows},
+               {"exit_status", lost > 0 || report->all_from_backup ? NotWhole : Whole}},
+              words);
 }
 
 CLI::Option* addProject(CLI::App* command, Options& options) {
@@ -290,6 +419,12 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   import->add_flag("--make-places", options->make_places,
                    "Make sites, trenches, contexts and bags that are not there");
   import->add_option("--refusals", options->refusals, "Write what was refused, and why, as CSV");
+  import->add_option("--map", options->columns,
+                     "A column's field and unit, as Gewicht=weight_g:kg; COLUMN=- leaves it out");
+  import
+      ->add_option("--confirm", options->confirmed,
+                   "Lines with a doubtful measurement that enter all the same, or all")
+      ->delimiter(',');
   CLI::App* out = add("export", "Write sherds as a folder with checksums", runExport);
   addProject(out, *options);
   addOutput(out, *options, "New folder for the export");
@@ -329,6 +464,8 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   addProject(check, *options);
   check->add_flag("--quick", options->quick,
                   "Only names and sizes of the files, not what is in them");
+  addProject(add("repair", "Restore a damaged catalogue from its backups and history", runRepair),
+             *options);
 }
 
 }  // namespace ostraka::app

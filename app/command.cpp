@@ -11,7 +11,8 @@
 namespace ostraka::app {
 
 ExitStatus statusOf(const Error& error) {
-  const bool input = error.code == ErrorCode::UnusableInput || error.code == ErrorCode::NotEnough;
+  const bool input = error.code == ErrorCode::UnusableInput || error.code == ErrorCode::NotEnough ||
+                     error.code == ErrorCode::Damaged;
   return input ? UnusableInputStatus : NotWhole;
 }
 

@@ -15,6 +15,7 @@
 #include <optional>
 #include <system_error>
 
+#include "base/cannot_write.h"
 #include "base/input_file.h"
 
 namespace ostraka {
@@ -34,14 +35,6 @@ class Descriptor {
  private:
   int fd_;
 };
-
-Error cannotWrite(const std::filesystem::path& path, int reason) {
-  const std::string hint =
-      reason == ENOSPC ? "The disk is full; free some space and start the same command again."
-                       : "This cannot be written (" + std::string(std::strerror(reason)) +
-                             "); choose another place, or check its permissions.";
-  return {ErrorCode::CannotWrite, hint, path.string()};
-}
 
 bool writeAll(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -177,6 +170,16 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
 void syncFolder(const std::filesystem::path& folder) {
   const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (opened.open()) ::fsync(opened.get());
+}
+
+Result<void> syncFile(const std::filesystem::path& file) {
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!opened.open() || ::fsync(opened.get()) != 0) return cannotWrite(file, errno);
+  return {};
+}
+
+bool mayBeWritten(const std::filesystem::path& path) {
+  return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
 std::string sha256(std::string_view bytes) {

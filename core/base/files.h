@@ -20,6 +20,12 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
 /// that.
 void syncFolder(const std::filesystem::path& folder);
 
+/// What was written to the file outlives a power failure, likewise.
+Result<void> syncFile(const std::filesystem::path& file);
+
+/// Whether this process may write there: permissions, and file systems that can only be read.
+bool mayBeWritten(const std::filesystem::path& path);
+
 /// SHA-256 in lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,14 +17,24 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   if (fd < 0 && errno == ELOOP)
     return Error{ErrorCode::CannotWrite,
                  "A link stands where the lock of this folder belongs; delete it.", file.string()};
-  if (fd < 0) return FolderLock(-1);  // who writes there next says why it cannot
+  if (fd < 0) return FolderLock(folder, -1);  // who writes there next says why it cannot
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(fd);
     return Error{ErrorCode::CannotWrite,
                  "Another run is writing here; wait until it has ended, or choose another folder.",
                  folder.string()};
   }
-  return FolderLock(fd);
+  return FolderLock(folder, fd);
+}
+
+// By the file that is held open: its number cannot be given to another meanwhile.
+bool FolderLock::stands() const {
+  std::error_code failed;
+  if (fd_ < 0) return std::filesystem::is_directory(folder_, failed);
+  struct stat held {
+  }, there{};
+  return ::fstat(fd_, &held) == 0 && ::stat((folder_ / "lock").c_str(), &there) == 0 &&
+         held.st_dev == there.st_dev && held.st_ino == there.st_ino;
 }
 
 FolderLock::~FolderLock() {

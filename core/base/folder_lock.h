@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <utility>
 
 #include "base/result.h"
 
@@ -13,11 +14,17 @@ class FolderLock {
   /// Error: CannotWrite when another holds the folder.
   static Result<FolderLock> take(const std::filesystem::path& folder);
   ~FolderLock();
-  FolderLock(FolderLock&& other) noexcept : fd_(other.fd_) { other.fd_ = -1; }
+  FolderLock(FolderLock&& other) noexcept
+      : folder_(std::move(other.folder_)), fd_(std::exchange(other.fd_, -1)) {}
   FolderLock& operator=(FolderLock&&) = delete;
 
+  const std::filesystem::path& folder() const { return folder_; }
+  /// False once the folder was deleted or moved away, also where another of its name is there now.
+  bool stands() const;
+
  private:
-  explicit FolderLock(int fd) : fd_(fd) {}
+  FolderLock(std::filesystem::path folder, int fd) : folder_(std::move(folder)), fd_(fd) {}
+  std::filesystem::path folder_;
   int fd_;
 };
 

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <memory>
 
+#include "base/cannot_write.h"
+
 namespace ostraka {
 namespace {
 
@@ -36,14 +38,7 @@ Error cannotMake(int reason, std::string where) {
   if (reason == EEXIST)
     return Error::unusable("There is a file of this name already; it is not overwritten.",
                            std::move(where));
-  if (reason == ENOSPC)
-    return {ErrorCode::CannotWrite,
-            "The disk is full; free some space and start the same command again.",
-            std::move(where)};
-  return {ErrorCode::CannotWrite,
-          "This cannot be written (" + std::string(std::strerror(reason)) +
-              "); choose another place, or check its permissions.",
-          std::move(where)};
+  return cannotWrite(where, reason);
 }
 
 std::string chanceName() {

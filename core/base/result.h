@@ -13,7 +13,8 @@ enum class ErrorCode {
   CannotWrite,    ///< disk full, no permission, folder taken
   NotEnough,      ///< readable, but too little to compute from (markers, views, points)
   Missing,        ///< an optional program or device is not there
-  Failed          ///< a computation that did not succeed
+  Failed,         ///< a computation that did not succeed
+  Damaged         ///< a file of the program's own whose content was changed; it can be repaired
 };
 
 /// One sentence for a person: what happened and what to do; `where` names the file or device.

@@ -5,10 +5,12 @@
 
 #include "base/json_text.h"
 #include "catalogue/database.h"
+#include "catalogue/file_header.h"
 #include "catalogue/history.h"
 #include "catalogue/migrations.h"
 #include "catalogue/names.h"
 #include "catalogue/numbering.h"
+#include "catalogue/partial_file.h"
 #include "catalogue/starting_words.h"
 #include "catalogue/values.h"
 
@@ -178,17 +180,12 @@ Result<void> Catalogue::setVocabulary(const std::string& name, const std::vector
 }
 
 Result<void> Catalogue::checkIntegrity() const {
-  const auto damaged = [&](const std::string& why) {
-    return Error{
-        ErrorCode::UnusableInput,
-        "The catalogue is damaged (" + why + "); put back the newest file from the folder backups.",
-        database_->file().string()};
-  };
-  Result<std::string> found = database_->door([&]() -> std::string {
+  const Result<std::string> found = database_->door([&]() -> std::string {
     const std::string check = firstText(*database_, "PRAGMA integrity_check(1)");
     if (check != "ok") return check;
     const std::string foreign = firstText(*database_, "PRAGMA foreign_key_check");
     if (!foreign.empty()) return "a row of " + foreign + " points at nothing";
+    if (firstText(*database_, "SELECT id FROM project").empty()) return "it holds no project";
     if (firstText(*database_,
                   "SELECT count(*) FROM sherd WHERE row NOT IN (SELECT sherd FROM sherd_measure) "
                   "OR (number <> '' AND row NOT IN (SELECT sherd FROM given_number))") != "0")
@@ -200,41 +197,41 @@ Result<void> Catalogue::checkIntegrity() const {
     return {};
   });
   if (!found) return found.error();
-  if (!found->empty()) return damaged(*found);
-  return {};
+  if (!found->empty()) return damagedCatalogue(*found, database_->file());
+  // FTS5 compares its index with its texts in the form of an insertion.
+  if (readOnly()) return {};
+  return database_->door([&] {
+    database_->sql("INSERT INTO sherd_text(sherd_text, rank) VALUES('integrity-check', 0)").run();
+  });
 }
 
 Result<void> Catalogue::backup(const fs::path& file) const {
-  const fs::path partial = file.string() + ".partial";
-  std::error_code ignored;
-  fs::remove(partial, ignored);
-  const auto failed = [&](const Error& error) {
-    fs::remove(partial, ignored);
-    return error;
-  };
+  Result<PartialFile> copy = PartialFile::beside(file);
+  if (!copy) return copy.error();
   const Result<int> written = database_->door([&] {
     const int rows = historyRows(*database_);
-    database_->copyTo(partial);
+    database_->copyTo(copy->path());
     return rows;
   });
-  if (!written) return failed(written.error());
+  if (!written) return written.error();
   {
-    Result<std::unique_ptr<Database>> copy = Database::open(partial, Database::Mode::ReadOnly);
-    if (!copy) return failed(copy.error());
-    const Catalogue read_back(std::move(*copy), clock_);
-    if (const Result<void> good = read_back.checkIntegrity(); !good) return failed(good.error());
+    Result<std::unique_ptr<Database>> opened =
+        Database::open(copy->path(), Database::Mode::ReadOnly);
+    if (!opened) return opened.error();
+    const Catalogue read_back(std::move(*opened), clock_);
+    if (const Result<void> good = read_back.checkIntegrity(); !good) return good;
     const Result<int> found =
         read_back.database().door([&] { return historyRows(read_back.database()); });
-    if (!found) return failed(found.error());
+    if (!found) return found.error();
     if (*found < *written)  // others may have written meanwhile, so more is all right
-      return failed({ErrorCode::CannotWrite, "The backup does not hold what was saved; try again.",
-                     file.string()});
+      return Error{ErrorCode::CannotWrite, "The backup does not hold what was saved; try again.",
+                   file.string()};
   }
-  fs::rename(partial, file, ignored);
-  if (ignored)
-    return failed({ErrorCode::CannotWrite, "The backup cannot be given its name; check the folder.",
-                   file.string()});
-  return {};
+  return copy->become(file, PartialFile::Existing::Replaced);
+}
+
+bool Catalogue::readOnly() const {
+  return database_->readOnly();
 }
 
 int Catalogue::schemaVersion() const {

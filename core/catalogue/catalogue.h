@@ -84,7 +84,8 @@ class Catalogue {
   Result<SherdRow> sherdById(const std::string& uuid) const;  ///< likewise
   Result<SherdRow> addSherd(const SherdRecord&, const Act&);  ///< draft, or with its number
   Result<std::vector<ChangePreview>> preview(std::span<const FieldChange>) const;
-  /// All or nothing. Returns the changes that undo it, in the order to apply them.
+  /// All or nothing. Returns the changes that undo it, in the order to apply them. Errors: what the
+  /// preview refuses, what it asks and nobody confirmed.
   Result<std::vector<FieldChange>> change(std::span<const FieldChange>, const Act&);
   /// The next free numbers of a context (and bag, batch) by the project's scheme; not reserved.
   Result<std::vector<std::string>> proposeNumbers(std::span<const SherdRow>) const;
@@ -114,11 +115,12 @@ class Catalogue {
 
   std::int64_t historyLength() const;  ///< rows of the history: grows with every change
 
-  /// Whole and consistent: SQLite's own check, foreign keys, search index. Sentence when not.
+  /// Whole and consistent: all pages, SQLite's own check, foreign keys, search. Error: Damaged.
   Result<void> checkIntegrity() const;
   /// A copy in a new file, read back and checked before it gets its name.
   Result<void> backup(const std::filesystem::path& file) const;
   int schemaVersion() const;
+  bool readOnly() const;  ///< it lies where nothing can be written: every change is refused
 
   /// Several of the calls above as one transaction: work returns an error to undo them all.
   Result<void> together(const std::function<Result<void>()>& work);

@@ -6,6 +6,9 @@
 #include <list>
 #include <thread>
 
+#include "base/files.h"
+#include "catalogue/file_header.h"
+#include "catalogue/page_checksums.h"
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
@@ -54,6 +57,12 @@ bool Statement::next() {
   if (code == SQLITE_DONE) return false;
   check(code);
   return false;
+}
+
+Statement& Statement::withRow(const Statement& row) {
+  for (int i = 0; i < sqlite3_column_count(row.handle_); ++i)
+    check(sqlite3_bind_value(handle_, ++bound_, sqlite3_column_value(row.handle_, i)));
+  return *this;
 }
 
 bool Statement::columnIsNull() const {
@@ -118,29 +127,95 @@ static int lookAgain(void*, int times) {
   return 1;
 }
 
-Database::Database(sqlite3* handle, fs::path file) : handle_(handle), file_(std::move(file)) {}
+Database::Database(fs::path file, Mode mode, const char* vfs)
+    : file_(std::move(file)), vfs_(vfs), read_only_(mode == Mode::ReadOnly) {}
 
 Database::~Database() {
   prepared_.clear();
   sqlite3_close(handle_);
 }
 
-Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode) {
-  int flags = SQLITE_OPEN_READWRITE;
-  if (mode == Mode::Create) flags |= SQLITE_OPEN_CREATE;
-  if (mode == Mode::ReadOnly) flags = SQLITE_OPEN_READONLY;
-  sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(file.c_str(), &handle, flags | SQLITE_OPEN_EXRESCODE, nullptr);
-  if (code != SQLITE_OK) {
-    sqlite3_close(handle);
-    return Error{ErrorCode::UnusableInput,
-                 "The catalogue cannot be opened; check that the folder is there and may be "
-                 "written to.",
-                 file.string()};
+// As a URI names it, for what only URIs can say.
+static std::string uriOf(const fs::path& file, const char* parameter) {
+  std::string uri = "file:";
+  for (const char c : fs::absolute(file).string()) {
+    if (c == '?' || c == '#' || c == '%') {
+      uri += c == '?' ? "%3f" : c == '#' ? "%23" : "%25";
+    } else {
+      uri += c;
+    }
   }
-  std::unique_ptr<Database> database(new Database(handle, file));
-  sqlite3_busy_handler(handle, lookAgain, nullptr);
+  return uri + "?" + parameter;
+}
+
+Result<void> Database::connect(const std::string& name, int flags) {
+  sqlite3_close(std::exchange(handle_, nullptr));
+  if (sqlite3_open_v2(name.c_str(), &handle_, flags | SQLITE_OPEN_EXRESCODE, vfs_) == SQLITE_OK) {
+    sqlite3_busy_handler(handle_, lookAgain, nullptr);
+    return {};
+  }
+  return Error{ErrorCode::UnusableInput,
+               "The catalogue cannot be opened; check that the folder is there and may be "
+               "written to.",
+               file_.string()};
+}
+
+// SQLite writes beside a catalogue that others may change (the WAL's index). Where it cannot:
+// nobody changes what has no WAL; what others have open is read together with them; and what was
+// left with a WAL is read from a copy.
+Result<void> Database::connectWhereNothingCanBeWritten() {
+  std::error_code ignored;
+  const fs::path wal = file_.string() + "-wal", index = file_.string() + "-shm";
+  const bool has_wal = fs::exists(wal, ignored) && fs::file_size(wal, ignored) > 0;
+  if (!has_wal && !fs::exists(index, ignored))
+    return connect(uriOf(file_, "immutable=1"), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  if (Result<void> opened = connect(file_.string(), SQLITE_OPEN_READONLY); !opened) return opened;
+  if (door([&] { exec("SELECT count(*) FROM sqlite_schema"); })) return {};
+  return connectToCopy();
+}
+
+Result<void> Database::connectToCopy() {
+  Result<ScratchFolder> made = ScratchFolder::make("ostraka-catalogue");
+  std::error_code failed;
+  if (made) {
+    scratch_.emplace(std::move(*made));
+    for (const char* part : {"", "-wal"})
+      if (!failed && fs::exists(file_.string() + part))
+        fs::copy_file(file_.string() + part,
+                      (scratch_->path() / "catalogue.sqlite").string() + part, failed);
+  }
+  if (!made || failed)
+    return Error{ErrorCode::CannotWrite,
+                 "This project can only be read, and there is no room for a copy to read it from; "
+                 "make room in the folder for temporary files.",
+                 file_.string()};
+  if (Result<void> opened = connect(scratch_->path() / "catalogue.sqlite", SQLITE_OPEN_READWRITE);
+      !opened)
+    return opened;
+  return door([&] { exec("PRAGMA query_only = ON"); });
+}
+
+Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode) {
+  const char* vfs = checkedPagesVfs();
+  if (mode != Mode::Create) {
+    const Result<Pages> pages = lookAtHeader(file);
+    if (!pages) return pages.error();
+    if (*pages == Pages::Plain) vfs = nullptr;
+  }
+  std::unique_ptr<Database> database(new Database(file, mode, vfs));
+  Result<void> opened;
+  if (mode != Mode::ReadOnly)
+    opened = database->connect(
+        file.string(), SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0));
+  else if (mayBeWritten(fs::absolute(file).parent_path()))
+    opened = database->connect(file.string(), SQLITE_OPEN_READONLY);
+  else
+    opened = database->connectWhereNothingCanBeWritten();
+  if (!opened) return opened.error();
   const Result<void> prepared = database->door([&] {
+    int reserved = static_cast<int>(kReservedBytes);
+    if (mode == Mode::Create)
+      sqlite3_file_control(database->handle_, "main", SQLITE_FCNTL_RESERVE_BYTES, &reserved);
     database->exec("PRAGMA foreign_keys = ON");
     database->exec("PRAGMA recursive_triggers = ON");
     database->exec("PRAGMA cache_size = -64000");
@@ -211,7 +286,7 @@ Database::Scope::~Scope() {
 void Database::copyTo(const fs::path& file) const {
   sqlite3* target = nullptr;
   int code =
-      sqlite3_open_v2(file.c_str(), &target, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+      sqlite3_open_v2(file.c_str(), &target, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, vfs_);
   if (code == SQLITE_OK) {
     if (sqlite3_backup* backup = sqlite3_backup_init(target, "main", handle_, "main")) {
       code = sqlite3_backup_step(backup, -1);  // finishing says nothing of a database that is busy
@@ -232,7 +307,22 @@ void Database::copyTo(const fs::path& file) const {
   throw Refused(std::move(error));
 }
 
+Result<void> Database::rewriteWithChecksums(const fs::path& file) {
+  const std::string name = fs::absolute(file_).string();
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_URI;  // which the new file's name needs
+  if (Result<void> opened = connect(name, flags); !opened) return opened;
+  return door([&] {
+    exec("PRAGMA locking_mode = EXCLUSIVE");
+    exec("PRAGMA journal_mode = DELETE");  // busy while others have it open
+    int reserved = static_cast<int>(kReservedBytes);
+    sqlite3_file_control(handle_, "main", SQLITE_FCNTL_RESERVE_BYTES, &reserved);
+    const std::string vfs = std::string("vfs=") + checkedPagesVfs();
+    sql("VACUUM INTO ?").with(uriOf(file, vfs.c_str())).run();
+  });
+}
+
 Error Database::errorOf(const SqlFailure& failure) const {
+  if (failure.code == SQLITE_IOERR_DATA) return damagedCatalogue("a page was changed", file_);
   switch (failure.code & 0xFF) {
     case SQLITE_FULL:
       return {ErrorCode::CannotWrite,
@@ -254,9 +344,7 @@ Error Database::errorOf(const SqlFailure& failure) const {
               file_.string()};
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return {ErrorCode::UnusableInput,
-              "The catalogue is damaged; put back the newest file from the folder backups.",
-              file_.string()};
+      return damagedCatalogue("its pages do not fit together", file_);
     default:
       return {ErrorCode::UnusableInput,
               std::string("The catalogue does not take this (") + failure.what() + ").",

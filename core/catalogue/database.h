@@ -4,20 +4,24 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
 #include "base/result.h"
+#include "base/scratch_folder.h"
 #include "catalogue/statement.h"
 
 struct sqlite3;
 
 namespace ostraka::catalogue {
 
-/// One connection. Foreign keys are on, the journal is a WAL, others are waited for 10 s.
+/// One connection. Foreign keys are on, the journal is a WAL, others are waited for 10 s. Pages are
+/// checked as they are read (page_checksums.h), but for those of catalogues before that.
 class Database {
  public:
+  /// ReadOnly: also where nothing can be written, not even what SQLite needs beside the file.
   enum class Mode { Create, ReadWrite, ReadOnly };
   static Result<std::unique_ptr<Database>> open(const std::filesystem::path& file, Mode mode);
   ~Database();
@@ -60,7 +64,11 @@ class Database {
   }
   /// This whole database into another file (SQLite's backup), page by page.
   void copyTo(const std::filesystem::path& file) const;
+  /// Into a new file whose pages have checksums. Error: another program has this one open.
+  Result<void> rewriteWithChecksums(const std::filesystem::path& file);
   const std::filesystem::path& file() const { return file_; }
+  bool readOnly() const { return read_only_; }
+  bool hasChecksums() const { return vfs_ != nullptr; }
 
  private:
   class Scope {
@@ -87,13 +95,19 @@ class Database {
       }
     });
   }
-  Database(sqlite3* handle, std::filesystem::path file);
+  Database(std::filesystem::path file, Mode mode, const char* vfs);
+  Result<void> connect(const std::string& name, int flags);
+  Result<void> connectWhereNothingCanBeWritten();
+  Result<void> connectToCopy();
   Error errorOf(const SqlFailure& failure) const;
   void exec(const char* text) const;
 
   struct Prepared;
-  sqlite3* handle_;
+  sqlite3* handle_ = nullptr;
   std::filesystem::path file_;
+  const char* vfs_;  ///< null: the system's
+  bool read_only_;
+  std::optional<ScratchFolder> scratch_;  ///< of a copy that this connection alone reads
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
   int depth_ = 0;
 };

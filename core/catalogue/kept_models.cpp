@@ -3,6 +3,7 @@
 #include <set>
 #include <system_error>
 
+#include "base/cannot_write.h"
 #include "base/files.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/database.h"
@@ -42,11 +43,6 @@ Result<std::string> nameOf(const fs::path& folder) {
   return sha256(sums).substr(0, kNameLength);
 }
 
-Error cannotWrite(const fs::path& folder, const std::error_code& failed) {
-  return {ErrorCode::CannotWrite, "The model cannot be kept here (" + failed.message() + ").",
-          folder.string()};
-}
-
 }  // namespace
 
 Result<std::string> keepModel(const fs::path& project, const std::string& batch,
@@ -58,7 +54,7 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
   const fs::path all = project / folderOf(batch), partial = all / "new.partial";
   fs::remove_all(partial, failed);
   fs::create_directories(partial, failed);
-  if (failed) return cannotWrite(partial, failed);
+  if (failed) return cannotWrite(partial, failed.value());
   for (const char* name : kModelFiles)
     if (fs::is_regular_file(from / name, failed))
       if (const Result<void> named = secondName(from / name, partial / name); !named)
@@ -71,7 +67,7 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
   } else {
     fs::remove_all(all / *name, failed);  // damaged since
     fs::rename(partial, all / *name, failed);
-    if (failed) return cannotWrite(all / *name, failed);
+    if (failed) return cannotWrite(all / *name, failed.value());
     syncFolder(all / *name);
     syncFolder(all);
   }

@@ -55,6 +55,23 @@ void show(Database& database, SherdRow sherd, const std::string& kind,
 
 }  // namespace
 
+ComputedMeasures computedMeasures(const Catalogue& catalogue, SherdRow sherd) {
+  ComputedMeasures computed;
+  Statement rows = catalogue.database().sql(
+      "SELECT kind, value, current FROM measurement WHERE sherd = ? AND person IS NULL AND method "
+      "= 'program' ORDER BY row");
+  rows.with(sherd);
+  while (rows.next()) {
+    std::string kind;
+    double value = 0;
+    bool current = false;
+    rows >> kind >> value >> current;
+    computed.values[kind] = value;
+    if (current) computed.current.insert(kind);
+  }
+  return computed;
+}
+
 void setMeasure(Catalogue& catalogue, const Measurement& m, const Act& act, MeasureRank rank) {
   const std::string unit = unitOf(m.kind);
   if (unit.empty()) refuse("There is no measurement of this kind.", m.kind);

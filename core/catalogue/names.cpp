@@ -1,5 +1,6 @@
 #include "catalogue/names.h"
 
+#include <unicode/uchar.h>
 #include <unicode/unorm2.h>
 #include <unicode/ustring.h>
 
@@ -124,6 +125,23 @@ std::string uniqueKey(std::string_view text) {
                     static_cast<int32_t>(letters.size()), U_FOLD_CASE_DEFAULT, &status);
   folded.resize(static_cast<std::size_t>(length));
   return narrow(nfc(folded));
+}
+
+std::string plainKey(std::string_view text) {
+  const std::u16string letters = wide(uniqueKey(text));
+  UErrorCode status = U_ZERO_ERROR;
+  const UNormalizer2* normalizer = unorm2_getNFKDInstance(&status);
+  std::u16string apart(letters.size() * 18 + 16, u'\0');  // 18: the most that NFKD expands by
+  const int32_t length =
+      unorm2_normalize(normalizer, letters.data(), static_cast<int32_t>(letters.size()),
+                       apart.data(), static_cast<int32_t>(apart.size()), &status);
+  if (U_FAILURE(status)) return {};
+  std::u16string plain;
+  for (int32_t i = 0; i < length; ++i) {
+    const char16_t letter = apart[static_cast<std::size_t>(i)];
+    if (u_isalnum(letter) || U16_IS_SURROGATE(letter)) plain += letter == u'\u0131' ? u'i' : letter;
+  }
+  return narrow(plain);
 }
 
 std::string sortKey(std::string_view text) {

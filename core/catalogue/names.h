@@ -14,6 +14,8 @@ bool isUtf8(std::string_view text);  ///< well formed, and without NUL
 std::string composed(std::string_view text);
 /// What must be unique: composed, then case-folded; É-1 and é-1 are the same.
 std::string uniqueKey(std::string_view text);
+/// Letters and digits alone, small, without accents: "Épaisseur (max.)" is "epaisseurmax".
+std::string plainKey(std::string_view text);
 /// Orders 9 before 10 and A2 before A10, capitals with small letters.
 std::string sortKey(std::string_view text);
 /// A file's name: letters, digits, '-', '.' and '_'; everything else becomes '_'. Never empty,

@@ -1,15 +1,19 @@
 #include "catalogue/project.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <ctime>
-#include <set>
+#include <utility>
 
+#include "base/files.h"
+#include "catalogue/backups.h"
 #include "catalogue/database.h"
+#include "catalogue/file_header.h"
 #include "catalogue/migrations.h"
 #include "catalogue/names.h"
 #include "catalogue/network_share.h"
 #include "catalogue/numbering.h"
+#include "catalogue/partial_file.h"
 #include "catalogue/values.h"
 
 namespace ostraka::catalogue {
@@ -18,8 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFile = "catalogue.sqlite";
-const std::string kBackup = "catalogue-";  // and the time: 20261121-181557-123
-const std::size_t kDayLetters = kBackup.size() + 8;
+constexpr std::array<const char*, 3> kFolders = {"batches", "results", "backups"};
 
 Catalogue::Clock orSystemClock(const Catalogue::Clock& clock) {
   if (clock) return clock;
@@ -43,44 +46,56 @@ Result<void> checkFolder(const fs::path& folder) {
   return {};
 }
 
-// 20261121-181557-123: sorts as time does.
-std::string timeStamp(std::int64_t now_ms) {
-  const std::time_t seconds = static_cast<std::time_t>(now_ms / 1000);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[40];
-  const std::size_t size = std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &parts);
-  const std::string milliseconds = std::to_string(1000 + now_ms % 1000).substr(1);
-  return std::string(text, size) + "-" + milliseconds;
-}
-
-Result<fs::path> backUpTo(const fs::path& folder, const Catalogue& catalogue,
-                          const std::string& kind) {
-  std::error_code code;
-  fs::create_directories(folder / "backups", code);
-  fs::path file = folder / "backups" / (kBackup + timeStamp(catalogue.now()) + kind + ".sqlite");
-  for (int more = 2; fs::exists(file, code); ++more)
-    file = folder / "backups" /
-           (kBackup + timeStamp(catalogue.now()) + kind + "-" + std::to_string(more) + ".sqlite");
-  if (const Result<void> made = catalogue.backup(file); !made) return made.error();
-  return file;
-}
-
 Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& clock) {
+  using Mode = Database::Mode;
   const fs::path file = folder / kFile;
   std::error_code code;
   if (!fs::is_regular_file(file, code))
     return refused("This folder is no Ostraka project: it holds no catalogue.sqlite.", folder);
-  Result<std::unique_ptr<Database>> database = Database::open(file, Database::Mode::ReadWrite);
+  const bool writable = mayBeWritten(folder) && mayBeWritten(file);
+  Result<std::unique_ptr<Database>> database =
+      Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
   if (!database) return database.error();
-  Database& handle = **database;
-  Catalogue catalogue(std::move(*database), orSystemClock(clock));
-  const Result<void> current = migrate(handle, migrations(), [&]() -> Result<void> {
-    const Result<fs::path> saved = backUpTo(folder, catalogue, "-before-update");
-    return saved ? Result<void>() : saved.error();
-  });
-  if (!current) return current.error();
+  Result<Catalogue> catalogue = Catalogue(std::move(*database), orSystemClock(clock));
+  const auto isOld = [&] { return catalogue->schemaVersion() < migrations().back().number; };
+  if (!writable && isOld())
+    return refused(
+        "This project was made with an older Ostraka and can only be read here; copy it "
+        "to a folder that you may write to, and open it there.",
+        folder);
+  bool saved = false;
+  const auto save = [&]() -> Result<void> {
+    if (std::exchange(saved, true)) return {};
+    const Result<fs::path> copy = backUpInto(folder, *catalogue, "-before-update");
+    return copy ? Result<void>() : copy.error();
+  };
+  if (!catalogue->database().hasChecksums()) {
+    if (const Result<void> done = save(); !done) return done.error();
+    catalogue = refused({}, {});  // closes it
+    if (const Result<void> done = addPageChecksums(file); !done) return done.error();
+    database = Database::open(file, Mode::ReadWrite);
+    if (!database) return database.error();
+    catalogue = Catalogue(std::move(*database), orSystemClock(clock));
+  }
+  if (const Result<void> done = migrate(catalogue->database(), migrations(), save); !done)
+    return done.error();
+  const Result<ProjectRecord> record = catalogue->project();
+  if (!record) return record.error();
+  if (record->id.empty()) return damagedCatalogue("it holds no project", file);
   return catalogue;
+}
+
+// Nothing, or what a killed process left of a project that it was making.
+bool isFree(const fs::path& folder) {
+  std::error_code code;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, code)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = std::find(kFolders.begin(), kFolders.end(), name) != kFolders.end();
+    if (ours ? !fs::is_directory(entry.symlink_status()) || !fs::is_empty(entry.path(), code)
+             : !PartialFile::isLeftover(entry.path()))
+      return false;
+  }
+  return !code;
 }
 
 }  // namespace
@@ -88,43 +103,49 @@ Result<Catalogue> openCatalogue(const fs::path& folder, const Catalogue::Clock& 
 Result<Project> Project::create(const fs::path& folder, const ProjectRecord& record,
                                 const Catalogue::Clock& clock) {
   std::error_code code;
-  if (fs::exists(folder, code) && (!fs::is_directory(folder, code) || !fs::is_empty(folder, code)))
+  const bool there = fs::exists(folder, code);
+  if (there && (!fs::is_directory(folder, code) || !isFree(folder)))
     return refused("A new project needs a new or an empty folder; choose another name.", folder);
   if (const Result<void> good = checkFolder(folder); !good) return good.error();
-  const bool made = fs::create_directories(folder, code);
   const auto undone = [&](const Error& error) {
     std::error_code ignored;
-    for (const char* name : {"catalogue.sqlite", "catalogue.sqlite-wal", "catalogue.sqlite-shm"})
-      fs::remove(folder / name, ignored);
-    for (const char* name : {"batches", "results", "backups"}) fs::remove(folder / name, ignored);
-    if (made) fs::remove(folder, ignored);
+    for (const char* name : kFolders) fs::remove(folder / name, ignored);
+    if (!there) fs::remove(folder, ignored);
     return error;
   };
-  for (const char* name : {"batches", "results", "backups"}) {
+  for (const char* name : kFolders) {
     fs::create_directories(folder / name, code);
     if (code)
       return undone({ErrorCode::CannotWrite,
                      "The folder cannot be made; choose a place that you may write to.",
                      folder.string()});
   }
-  Result<std::unique_ptr<Database>> database =
-      Database::open(folder / kFile, Database::Mode::Create);
-  if (!database) return undone(database.error());
-  const Result<void> ready = migrate(**database, migrations(), []() -> Result<void> { return {}; });
-  if (!ready) return undone(ready.error());
-  Catalogue catalogue(std::move(*database), orSystemClock(clock));
-  if (const Result<void> set = catalogue.setProject(record, {{}, "new project", {}}); !set) {
-    // The connection must be gone before its files are.
-    { const Catalogue closing = std::move(catalogue); }
-    return undone(set.error());
-  }
-  return Project(fs::absolute(folder), std::move(catalogue));
+  PartialFile::removeLeftovers(folder);
+  const auto make = [&]() -> Result<void> {
+    Result<PartialFile> file = PartialFile::beside(folder / kFile);
+    if (!file) return file.error();
+    {
+      Result<std::unique_ptr<Database>> database =
+          Database::open(file->path(), Database::Mode::Create);
+      if (!database) return database.error();
+      const Result<void> ready = migrate(**database, migrations(), {});
+      if (!ready) return ready;
+      Catalogue catalogue(std::move(*database), orSystemClock(clock));
+      const Result<void> set = catalogue.setProject(record, {{}, "new project", {}});
+      if (!set) return set;
+    }
+    return file->become(folder / kFile, PartialFile::Existing::Refused);
+  };
+  if (const Result<void> made = make(); !made) return undone(made.error());
+  return open(folder, clock);
 }
 
 Result<Project> Project::open(const fs::path& folder, const Catalogue::Clock& clock) {
   if (const Result<void> good = checkFolder(folder); !good) return good.error();
   Result<Catalogue> catalogue = openCatalogue(folder, clock);
   if (!catalogue) return catalogue.error();
+  if (!catalogue->readOnly())
+    for (const fs::path& place : {folder, folder / "backups"}) PartialFile::removeLeftovers(place);
   return Project(fs::absolute(folder), std::move(*catalogue));
 }
 
@@ -156,52 +177,6 @@ Result<std::string> Project::relative(const fs::path& absolute) const {
       fs::absolute(absolute).lexically_normal().lexically_relative(folder_).generic_string());
   if (!path) return refused("This file does not lie in the project's folder.", absolute);
   return path;
-}
-
-Result<fs::path> Project::backUp(int keep, int days) const {
-  Result<fs::path> file = backUpTo(folder_, catalogue_, {});
-  if (!file) return file;
-  // Copies made before an update are for life; only the others make room.
-  int seen = 0;
-  std::set<std::string> seen_days;
-  std::error_code ignored;
-  for (const fs::path& old : backups()) {
-    const std::string name = old.filename().string();
-    if (name.find("-before-") != std::string::npos) continue;
-    const bool last_of_its_day = seen_days.insert(name.substr(0, kDayLetters)).second;
-    const bool kept_for_its_day = last_of_its_day && static_cast<int>(seen_days.size()) <= days;
-    if (++seen > keep && !kept_for_its_day) fs::remove(old, ignored);
-  }
-  return file;
-}
-
-Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
-  const Result<std::int64_t> changed = catalogue_.database().door([&] {
-    std::int64_t at = 0;
-    Statement last =
-        catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");
-    if (last.next()) last >> at;
-    return at;
-  });
-  if (!changed) return changed.error();
-  // The names sort as their times do.
-  const auto nameAt = [](std::int64_t ms) { return kBackup + timeStamp(ms); };
-  std::string newest;
-  for (const fs::path& copy : backups()) newest = std::max(newest, copy.filename().string());
-  if (*changed == 0 || nameAt(*changed) < newest) return false;
-  if (nameAt(catalogue_.now() - after.count()) < newest) return false;
-  const Result<fs::path> made = backUp();
-  if (!made) return made.error();
-  return true;
-}
-
-std::vector<fs::path> Project::backups() const {
-  std::vector<fs::path> files;
-  std::error_code code;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "backups", code))
-    if (entry.path().extension() == ".sqlite") files.push_back(entry.path());
-  std::sort(files.rbegin(), files.rend());
-  return files;
 }
 
 }  // namespace ostraka::catalogue

@@ -17,11 +17,14 @@ namespace ostraka::catalogue {
 ///   backups/          copies of the catalogue, the newest last by name
 class Project {
  public:
-  /// Makes the folder (new or empty). Errors: UnusableInput (not empty, code, numbering), a folder
-  /// on a network share, CannotWrite.
+  /// Makes the folder (new or empty); its catalogue gets its name last, so that a killed process
+  /// leaves nothing that is a project, and the same call makes it. Errors: UnusableInput (not
+  /// empty, code, numbering), a folder on a network share, CannotWrite.
   static Result<Project> create(const std::filesystem::path& folder, const ProjectRecord& record,
                                 const Catalogue::Clock& clock = {});
-  /// Opens it; an older schema is brought up to date after a backup, a newer one is refused.
+  /// Opens it; an older schema is brought up to date after a backup, a newer one is refused. Where
+  /// nothing can be written it is open for reading only (catalogue().readOnly()). Error: Damaged,
+  /// see catalogue/repair.h.
   static Result<Project> open(const std::filesystem::path& folder,
                               const Catalogue::Clock& clock = {});
   static bool isProject(const std::filesystem::path& folder);
@@ -39,8 +42,9 @@ class Project {
   /// Relative with '/' as the records hold it; an error outside the project.
   Result<std::string> relative(const std::filesystem::path& absolute) const;
 
-  /// Into backups/, checked by reading it back. The newest `keep` stay, and of each of the latest
-  /// `days` (UTC) with a copy the last one. Returns the file.
+  /// Into backups/, checked by reading it back. This one and the newest `keep` stay, of each of the
+  /// latest `days` (UTC) with a copy the last one, and all that are larger by more than a quarter:
+  /// catalogues grow, so something is missing in this one. Returns the file.
   Result<std::filesystem::path> backUp(int keep = 20, int days = 30) const;
   /// The same if anything was changed since the newest copy, and that is `after` old or more.
   /// Returns whether a copy was made.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/plausibility.h"
 #include "catalogue/records.h"
 
 namespace ostraka::catalogue {
@@ -36,6 +37,8 @@ struct SherdRecord {
   std::string preview_path, model_path;    ///< relative to the project; empty when there is none
   std::map<std::string, double> measures;  ///< kind -> the value that counts now
   std::set<std::string> doubtful;  ///< kinds taken by the program from a model of doubtful scale
+  /// kind -> what the program computed, where a person's other value counts
+  std::map<std::string, double> replaced;
 };
 
 /// kinds: length width thickness_min thickness_mean thickness_max (mm), area (mm2), volume (mm3),
@@ -86,11 +89,15 @@ const std::vector<SherdField>& sherdFields();
 /// The field's value as text ('; ' between the terms of a list), as in CSV and in edits.
 std::string textOf(const SherdRecord& sherd, const std::string& field);
 
+/// A person's answer to ChangePreview::question.
+enum class Confirmation { None, Given };
+
 /// One value to be changed; `value` is text as in CSV, empty deletes.
 struct FieldChange {
   SherdRow sherd;
   std::string field;
   std::string value;
+  Confirmation confirmation = Confirmation::None;
 };
 /// What a change would do.
 struct ChangePreview {
@@ -98,6 +105,10 @@ struct ChangePreview {
   std::string old_value, new_value;  ///< in canonical form
   std::string refusal;               ///< a sentence; empty when it can be done
   SherdRow in_the_way;               ///< who has this number already
+  /// Of a measurement that a person has to confirm, and the sentences that ask; else empty.
+  std::vector<MeasureFinding> findings = {};
+  std::string question = {};
+  bool asks() const { return !findings.empty() && change.confirmation == Confirmation::None; }
 };
 
 /// What the table is ordered by; ties go by number.

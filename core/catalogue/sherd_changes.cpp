@@ -42,6 +42,7 @@ class Examination {
       }
       place |= change->column && change->column->field.kind == FieldKind::Place;
     }
+    askAboutMeasures(sherd, changes);
     if (!place) return;
     try {
       placeOf(sherd, changes);
@@ -187,6 +188,45 @@ class Examination {
     if (old > 0 || stays) change.shown.old_value += " ± " + numberText(old);
     if (*change.uncertainty > 0 || stays)
       change.shown.new_value += " ± " + numberText(*change.uncertainty);
+  }
+
+  // Together: a length and a width that change at once are compared with each other.
+  void askAboutMeasures(const SherdRecord& sherd, const std::vector<Examined*>& changes) {
+    MeasureValues measured = sherd.measures;
+    std::vector<std::string> kinds;
+    for (const Examined* change : changes) {
+      if (!change->column || !change->column->measure || !change->shown.refusal.empty()) continue;
+      const std::string kind = change->column->measure;
+      if (change->shown.new_value.empty())
+        measured.erase(kind);
+      else
+        measured[kind] = change->number;
+      if (change->changes()) kinds.push_back(kind);
+    }
+    if (kinds.empty()) return;
+    const ComputedMeasures computed = computedMeasures(catalogue_, sherd.row);
+    for (Examined* change : changes) {
+      if (!change->column || !change->column->measure || !change->changes() ||
+          !change->shown.refusal.empty())
+        continue;
+      const std::string kind = change->column->measure;
+      std::vector<MeasureFinding>& findings = change->shown.findings;
+      const bool deletes = change->shown.new_value.empty();
+      // To take the computed value again needs no reason.
+      if (!deletes && computed.values.contains(kind) && !computed.current.contains(kind) &&
+          computed.values.at(kind) == change->number)
+        continue;
+      findings = implausible({kind}, measured, computed.values);
+      if (computed.current.contains(kind))
+        findings.push_back(
+            {deletes ? MeasureDoubt::DeletesComputed : MeasureDoubt::ReplacesComputed,
+             kind,
+             change->number,
+             {},
+             computed.values.at(kind)});
+      for (const MeasureFinding& finding : findings)
+        change->shown.question += (change->shown.question.empty() ? "" : " ") + sentenceOf(finding);
+    }
   }
 
   void joins(const SherdRecord& sherd, Examined& change) {
@@ -420,6 +460,11 @@ Result<std::vector<FieldChange>> Catalogue::change(std::span<const FieldChange> 
         const SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
         refuse(change.shown.refusal, sherd.number.empty() ? std::string() : sherd.number);
       }
+    for (const Examined& change : all.changes)
+      if (change.shown.asks()) {
+        const SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
+        refuse(change.shown.question, sherd.number);
+      }
     std::vector<FieldChange> undo;
     std::map<std::int64_t, Plain> touched;
     for (const int turn : {0, 1, 2})
@@ -427,7 +472,7 @@ Result<std::vector<FieldChange>> Catalogue::change(std::span<const FieldChange> 
         if (!change.changes() || turnOf(change) != turn) continue;
         const FieldChange& asked = change.shown.change;
         apply(*this, change, all.sherds.at(asked.sherd.value), touched[asked.sherd.value], act);
-        undo.push_back({asked.sherd, asked.field, change.shown.old_value});
+        undo.push_back({asked.sherd, asked.field, change.shown.old_value, Confirmation::Given});
       }
     for (const auto& [row, plain] : touched) finish(*this, SherdRow{row}, plain, act);
     std::reverse(undo.begin(), undo.end());

@@ -64,6 +64,13 @@ enum class MeasureRank {
   PersonFirst,  ///< what a person measured stays above what the program computes
   Always        ///< this value counts from now on
 };
+/// The latest values that the program took from the sherd's model, by kind; `current`: those of
+/// them that count now.
+struct ComputedMeasures {
+  std::map<std::string, double> values;
+  std::set<std::string> current;
+};
+ComputedMeasures computedMeasures(const Catalogue& catalogue, SherdRow sherd);
 void setMeasure(Catalogue& catalogue, const Measurement& measurement, const Act& act,
                 MeasureRank rank);
 /// A value typed by the person of `act`. Its uncertainty: 0 says that there is none; without one

@@ -68,6 +68,24 @@ void readDoubts(Database& database, const std::string& wanted,
   }
 }
 
+// What the program computed last stays beside what a person measured.
+void readReplaced(Database& database, const std::string& wanted,
+                  std::unordered_map<std::int64_t, SherdRecord>& sherds) {
+  Statement rows = database.sql(
+      "SELECT m.sherd, m.kind, p.value FROM measurement m JOIN measurement p ON p.row = (SELECT "
+      "max(row) FROM measurement c WHERE c.sherd = m.sherd AND c.kind = m.kind AND c.person IS "
+      "NULL AND c.method = 'program') WHERE m.current = 1 AND NOT (m.person IS NULL AND m.method = "
+      "'program') AND m.value <> p.value AND m.sherd IN (SELECT value FROM json_each(?))");
+  rows.with(wanted);
+  while (rows.next()) {
+    std::int64_t row = 0;
+    std::string kind;
+    double value = 0;
+    rows >> row >> kind >> value;
+    sherds[row].replaced[kind] = value;
+  }
+}
+
 }  // namespace
 
 std::string rowsJson(std::span<const SherdRow> rows) {
@@ -109,6 +127,7 @@ Result<std::vector<SherdRecord>> Catalogue::sherds(std::span<const SherdRow> row
       }
     }
     if (any_doubtful) readDoubts(*database_, wanted, found);
+    readReplaced(*database_, wanted, found);
     Statement joins = database_->sql(
         "SELECT j.sherd, j.other, o.number, o.id FROM sherd_join j JOIN sherd o ON o.row = j.other "
         "WHERE j.sherd IN (SELECT value FROM json_each(?)) ORDER BY o.number_sort, o.row");
@@ -195,7 +214,8 @@ Result<SherdRow> Catalogue::addSherd(const SherdRecord& s, const Act& act) {
     for (const SherdColumn& column : sherdColumns()) {
       if (!column.field.editable || column.field.kind == FieldKind::Place) continue;
       std::string value = textOf(s, column.field.name);
-      if (!value.empty()) changes.push_back({row, column.field.name, std::move(value)});
+      if (!value.empty())
+        changes.push_back({row, column.field.name, std::move(value), Confirmation::Given});
     }
     if (changes.empty())
       searchAnew(*database_, row);

@@ -38,6 +38,8 @@ class Statement {
     (bind(++bound_, values), ...);
     return *this;
   }
+  /// Binds what the other's row holds, column by column.
+  Statement& withRow(const Statement& row);
   bool next();  ///< to the next row; false when there is none
   void run() {
     while (next()) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/cannot_write.h"
 #include "base/checksum.h"
 #include "exchange/bag_reader.h"
 #include "exchange/bagit.h"

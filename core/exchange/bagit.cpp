@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/cannot_write.h"
 #include "base/checksum.h"
 #include "base/files.h"
 #include "catalogue/values.h"
@@ -34,13 +35,6 @@ std::string manifestOf(const std::vector<BagFile>& files) {
 }
 
 }  // namespace
-
-Error cannotWrite(const fs::path& where, int reason) {
-  return {ErrorCode::CannotWrite,
-          reason == ENOSPC ? "The disk is full; free some space and start the same command again."
-                           : "This cannot be written; check the space left and the permissions.",
-          where.string()};
-}
 
 fs::path folderNamed(const fs::path& folder) {
   return fs::absolute(folder / "").lexically_normal().parent_path();

@@ -14,10 +14,6 @@
 
 namespace ostraka::exchange {
 
-/// What is said of a file or folder that a bag, or what is made of one, cannot be written to.
-/// reason: an errno.
-Error cannotWrite(const std::filesystem::path& where, int reason);
-
 /// A folder's absolute path without a slash at its end, so that names can be made from its own.
 std::filesystem::path folderNamed(const std::filesystem::path& folder);
 

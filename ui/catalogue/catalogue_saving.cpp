@@ -41,15 +41,30 @@ void CatalogueStation::saveField(const QString& field, const QString& value) {
     }
     return refuse(wordsOf(shown.refusal), number, picture);
   }
+  if (shown.asks())
+    return details_->ask(field, value, questionWords(shown.findings), confirmWords(shown.findings));
   const bool voids =
       change.field == "void_reason" && !shown.new_value.empty() && shown.old_value.empty();
-  voids ? details_->askToVoid(value) : keepField(field, QString::fromStdString(change.value));
+  if (voids) {
+    const auto sherd = catalogue.sherd(change.sherd);
+    const std::string number = sherd ? sherd->number : std::string();
+    details_->ask(
+        field, value,
+        tr("A void sherd gets no label, drawing or place on a plate, and its number is "
+           "never given again. Is %1 void: \u201c%2\u201d?")
+            .arg(number.empty() ? tr("no number yet") : QString::fromStdString(number), value),
+        tr("Yes, it is void"));
+  } else {
+    keepField(field, QString::fromStdString(change.value));
+  }
   if (previews && shown.old_value == shown.new_value) showSelection();  // 7 was 0012-0007 already
 }
 
-void CatalogueStation::keepField(const QString& field, const QString& value) {
+void CatalogueStation::keepField(const QString& field, const QString& value,
+                                 catalogue::Confirmation confirmation) {
   if (!edits_) return;
-  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString()};
+  const catalogue::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString(),
+                                      confirmation};
   details_->forgetUnsaved(field);
   const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
   complain(why);

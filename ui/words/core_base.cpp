@@ -167,6 +167,14 @@ Sentences sentencesOfBase() {
                         "does; put the files themselves there."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "There is a file of this name already; it is not overwritten."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The folder holds files already; name a new or empty one."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "This folder is a disk of its own, or the one you are in; name a new folder in it."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "This folder is needed for unfinished files, but holds others; move it away."),
   };
   return kAll;
 }

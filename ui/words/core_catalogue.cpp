@@ -10,7 +10,6 @@ Sentences sentencesOfCatalogue() {
                         "This batch is being photographed; it is computed when that is done."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This model is gone; compute its batch again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The context %1 needs its site; name both."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The model cannot be kept here (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The disk is full; make room, then try again. Nothing was lost."),
       QT_TRANSLATE_NOOP("ostraka::Error",
@@ -32,12 +31,12 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP("ostraka::Error", "Sherds with the term '%1': %2; change those first."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "The catalogue is damaged (%1); put back the newest file from the folder backups."),
+          "The catalogue is damaged (%1); nothing was changed, and no backup was deleted. Restore "
+          "it with 'ostraka catalogue repair PROJECT'."),
       QT_TRANSLATE_NOOP("ostraka::Error", "a row of %1 points at nothing"),
       QT_TRANSLATE_NOOP("ostraka::Error", "the tables of the sherds do not fit together"),
       QT_TRANSLATE_NOOP("ostraka::Error", "the search does not know all sherds"),
       QT_TRANSLATE_NOOP("ostraka::Error", "The backup does not hold what was saved; try again."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The backup cannot be given its name; check the folder."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The catalogue cannot be opened; check that the folder is there and may be written to."),
@@ -46,9 +45,6 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The disk does not answer properly; check it, then open the project again."),
-      QT_TRANSLATE_NOOP(
-          "ostraka::Error",
-          "The catalogue is damaged; put back the newest file from the folder backups."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The catalogue does not take this (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The scan is no front of this batch."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The scan is no back of this batch."),
@@ -231,6 +227,36 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "'%1' is no path inside the project; it must be relative, with '/' and without '..'."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "a page was changed"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "its pages do not fit together"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "the file is empty"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "the file is not a database"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "the file belongs to another program"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "the file holds no catalogue"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "the header contradicts itself"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "it holds no project"),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The catalogue cannot be read; check that it is there, and its "
+                        "permissions."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This project can only be read, and there is no room for a copy to "
+                        "read it from; make room in the folder for temporary files."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This project was made with an older Ostraka and can only be read "
+                        "here; copy it to a folder that you may write to, and open it there."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The copy of the damaged catalogue cannot be written; make room on "
+                        "this disk, then repair it again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The repaired catalogue cannot be written; make room on this disk, "
+                        "then repair it again. Nothing was changed."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The catalogue is damaged, and no backup of it is whole; copy one "
+                        "into the folder backups, from an archive or another disk, then "
+                        "repair it again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Another program has this project open; close it there, then repair "
+                        "it."),
   };
   return kAll;
 }

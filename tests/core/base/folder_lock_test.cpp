@@ -56,5 +56,16 @@ TEST_F(FolderLocks, AProcessThatDiesLetsGo) {
   ::close(ready[1]);
 }
 
+TEST_F(FolderLocks, AFolderThatWasDeletedDoesNotStandThoughOneOfItsNameIsThere) {
+  const Result<FolderLock> held = FolderLock::take(folder);
+  ASSERT_TRUE(held.has_value());
+  EXPECT_TRUE(held->stands());
+  std::filesystem::remove_all(folder);
+  EXPECT_FALSE(held->stands());
+  const Result<FolderLock> another = FolderLock::take(folder);  // may get the same inode
+  EXPECT_TRUE(another->stands());
+  EXPECT_FALSE(held->stands());
+}
+
 }  // namespace
 }  // namespace ostraka

@@ -63,7 +63,7 @@ TEST_F(Measurements, UndoingAPersonsBringsTheProgramsBackWithItsMethod) {
 
 TEST_F(Measurements, OfAPersonWithoutANameStayAboveTheProgramsToo) {
   program(61.42, "m1");
-  const FieldChange typed{sherd, "length_mm", "62"};
+  const FieldChange typed{sherd, "length_mm", "62", Confirmation::Given};
   ASSERT_TRUE(catalogue().change(std::span(&typed, 1), {}));
   program(61.44, "m2");
   EXPECT_EQ(valueOf(sherd, "length_mm"), "62");

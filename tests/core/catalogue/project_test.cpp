@@ -143,7 +143,7 @@ TEST_F(ProjectFolder, ADamagedCatalogueIsNoticed) {
   catalogue().database().script("DELETE FROM sherd_text WHERE rowid = 3");
   const Result<void> checked = catalogue().checkIntegrity();
   ASSERT_FALSE(checked);
-  EXPECT_NE(checked.error().what.find("backups"), std::string::npos);
+  EXPECT_NE(checked.error().what.find("catalogue repair"), std::string::npos);
 }
 
 TEST_F(ProjectFolder, AnotherThreadsConnectionSeesWhatWasSaved) {

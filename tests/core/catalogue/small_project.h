@@ -102,9 +102,10 @@ class SmallProject : public ::testing::Test {
     s.path = "results/B0001/scans/" + s.name + ".ply";
     return *catalogue().save(s, anna);
   }
+  /// As a person does who answers yes to what is asked.
   Result<std::vector<FieldChange>> set(SherdRow sherd, const std::string& field,
                                        const std::string& value) {
-    const FieldChange change{sherd, field, value};
+    const FieldChange change{sherd, field, value, Confirmation::Given};
     return catalogue().change(std::span(&change, 1), anna);
   }
   std::string valueOf(SherdRow sherd, const std::string& field) {

@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <set>
+#include <span>
+
+#include "base/result.h"
+
+namespace ostraka::catalogue {
+
+/// What the checksums of a damaged catalogue's pages prove.
+struct PageRepair {
+  int pages = 0;
+  int by_bit = 0;                ///< one bit was turned back: the page's checksum is right again
+  int by_backup = 0;             ///< a backup's page has the checksum that this one had
+  std::set<std::uint32_t> lost;  ///< numbers, from 1, of those that stay damaged
+};
+/// Sets right what can be proved, in the file itself: give it a copy. Missing pages at its end are
+/// added, and lost. Errors: the file cannot be read or written.
+Result<PageRepair> repairPages(const std::filesystem::path& file,
+                               std::span<const std::filesystem::path> backups);
+
+/// Puts the pages that hold the schema, where they are lost, as `backup` has them: its tables begin
+/// on the same pages. Returns whether the schema of `file` can be read now.
+Result<bool> takeSchemaPages(const std::filesystem::path& file, const PageRepair& repair,
+                             const std::filesystem::path& backup);
+
+}  // namespace ostraka::catalogue

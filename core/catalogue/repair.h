@@ -1,0 +1,43 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::catalogue {
+
+/// A row that lay on a page which could not be set right.
+struct RepairedRow {
+  enum class From {
+    Backup,   ///< as the backup has it, and changed since as the history says
+    History,  ///< newer than the backup: what the history knows of it
+    Nowhere   ///< not restored; `field` empty: the whole row
+  };
+  std::string table;
+  std::int64_t row = 0;
+  std::string name;   ///< number, code or path; empty where none is known
+  std::string field;  ///< of which the last change is not restored
+  From from = From::Nowhere;
+};
+
+struct RepairReport {
+  int pages = 0, pages_by_bit = 0, pages_by_backup = 0, pages_lost = 0;
+  bool all_from_backup = false;   ///< nothing of the damaged file could be read
+  std::filesystem::path backup;   ///< whose rows were taken; empty: none were needed
+  std::filesystem::path damaged;  ///< where the damaged file lies now; empty: nothing was damaged
+  std::vector<RepairedRow> rows;
+};
+
+/// Makes a damaged catalogue whole: pages that their own checksums prove, then row by row from the
+/// newest whole backup and the history. Writes the new catalogue beside it, checks it, backs it up,
+/// keeps the damaged file and renames. Nobody may have the project open. A whole catalogue is left
+/// as it is. Errors: in use, no whole backup where one is needed, CannotWrite, Cancelled; then
+/// everything is as it was.
+Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
+                                     std::stop_token stop, const Catalogue::Clock& clock = {});
+
+}  // namespace ostraka::catalogue

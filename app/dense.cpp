@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/json.h"
+#include "base/text.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "command.h"
@@ -21,6 +22,7 @@ namespace ostraka::app {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::ordered_json;
 
 struct DenseArguments {
   fs::path images, cameras, output;
@@ -163,6 +165,31 @@ Result<std::optional<Eigen::AlignedBox3d>> readBounds(const fs::path& file) {
   return std::optional<Eigen::AlignedBox3d>(bounds);
 }
 
+ordered_json figuresOf(const stereo::Agreement& agreement) {
+  return {{"confirmed_share", agreement.confirmedShare()},
+          {"covered_share", agreement.coveredShare()}};
+}
+
+std::string inWords(const stereo::Agreement& agreement) {
+  return "Other photographs confirm " + fixed(100 * agreement.confirmedShare(), 0) +
+         " % of the depths, which cover " + fixed(100 * agreement.coveredShare(), 0) +
+         " % of what the masks show.";
+}
+
+// With wrong cameras there is no surface; a cloud of chance points would pass for one.
+int disagree(Session& session, const stereo::Agreement& agreement, ordered_json figures) {
+  const std::string sentence =
+      "The photographs do not agree on a surface, so no cloud was written. " + inWords(agreement) +
+      " Check that the cameras are those of these photographs and of their orientation.";
+  session.finishProgress();
+  std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
+  if (session.json) {
+    figures.update({{"error", sentence}, {"stopped", false}, {"exit_status", NotWhole}});
+    printJson(figures);
+  }
+  return NotWhole;
+}
+
 int runDense(const DenseArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   if (!arguments.output.has_filename() || fs::is_directory(arguments.output))
@@ -179,23 +206,28 @@ int runDense(const DenseArguments& arguments, Session& session) {
   stereo::DenseOptions options;
   options.bounds = *bounds;
   options.threads = arguments.threads;
-  const Result<PointCloud> cloud =
+  const Result<stereo::Reconstruction> found =
       stereo::reconstruct(*views, options, session.progress, session.stop);
-  if (!cloud) return fail(session, cloud.error());
-  const Result<void> written = writePly(arguments.output, *cloud, "world");
+  if (!found) return fail(session, found.error());
+  ordered_json figures = figuresOf(found->agreement);
+  if (!found->agreement.plausible()) return disagree(session, found->agreement, std::move(figures));
+  const Result<void> written = writePly(arguments.output, found->cloud, "world");
   if (!written) return fail(session, written.error());
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   session.finishProgress();
-  if (session.json)
-    printJson({{"output", arguments.output.string()},
-               {"points", cloud->size()},
-               {"views", views->size()},
-               {"seconds", seconds},
-               {"exit_status", static_cast<int>(Whole)}});
-  else
-    std::printf("%zu points from %zu photographs in %.0f s: %s\n", cloud->size(), views->size(),
-                seconds, arguments.output.c_str());
+  if (session.json) {
+    figures.update({{"output", arguments.output.string()},
+                    {"points", found->cloud.size()},
+                    {"views", views->size()},
+                    {"seconds", seconds},
+                    {"exit_status", static_cast<int>(Whole)}});
+    printJson(figures);
+  } else {
+    std::printf("%zu points from %zu photographs in %.0f s: %s\n%s\n", found->cloud.size(),
+                views->size(), seconds, arguments.output.c_str(),
+                inWords(found->agreement).c_str());
+  }
   return Whole;
 }
 

@@ -37,6 +37,7 @@ ordered_json asJson(const ProcessSummary& summary, int status) {
           {"set_aside", summary.set_aside},
           {"reshoot", summary.reshoot},
           {"moved", summary.moved},
+          {"left_out", summary.left_out},
           {"scale_doubts", summary.scale_doubts},
           {"draft", summary.draft},
           {"warnings", summary.warnings},
@@ -63,6 +64,7 @@ void printTable(const ProcessSummary& summary) {
   printNames("To be photographed again", summary.reshoot);
   printNames("Pushed while photographed", summary.moved);
   printNames("Set aside", summary.set_aside);
+  for (const std::string& sentence : summary.left_out) std::printf("%s\n", sentence.c_str());
   std::printf("%zu %s, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
               summary.sherds.size() == 1 ? "sherd" : "sherds", summary.reprojection_rms_px,
               summary.seconds, summary.report.c_str());

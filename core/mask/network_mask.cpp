@@ -73,6 +73,8 @@ std::vector<Field> fieldsOf(std::string_view text) {
   return fields;
 }
 
+constexpr std::int64_t kMaxInputPx = 8192;  // 800 MB as three channels of float
+
 /// Shape of the model's image input; -1 where it is free.
 using InputShape = std::vector<std::int64_t>;
 
@@ -111,24 +113,12 @@ std::optional<InputShape> inputShapeOf(std::string_view model) {
   return std::nullopt;
 }
 
-Error unusable(const std::filesystem::path& onnx, const std::string& what) {
+Error unusable(const std::string& onnx, const std::string& what) {
   return {ErrorCode::UnusableInput,
           what +
               "; expected an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or "
               "1 x 2 x h x w.",
-          onnx.string()};
-}
-
-cv::Size inputSize(const InputShape& shape, const cv::Mat& photograph,
-                   const NetworkMaskOptions& options) {
-  const double scale = std::min(
-      1.0, static_cast<double>(options.free_input_px) / std::max(photograph.cols, photograph.rows));
-  const auto free = [&](int length) {
-    const int multiple = options.size_multiple_px;
-    return std::max(multiple, multiple * static_cast<int>(std::lround(length * scale / multiple)));
-  };
-  return {shape[3] > 0 ? static_cast<int>(shape[3]) : free(photograph.cols),
-          shape[2] > 0 ? static_cast<int>(shape[2]) : free(photograph.rows)};
+          onnx};
 }
 
 cv::Mat pictureBlob(const cv::Mat& photograph, cv::Size size, const NetworkMaskOptions& options) {
@@ -167,11 +157,30 @@ cv::Mat1f probabilityOf(const cv::Mat& output, NetworkOutput kind) {
 Result<void> NetworkMaskOptions::check() const {
   for (const double d : deviation)
     if (!(d > 0)) return Error{ErrorCode::UnusableInput, "deviation must be above 0.", {}};
-  if (free_input_px < 32 || free_input_px > 8192)
+  if (free_input_px < 32 || free_input_px > kMaxInputPx)
     return Error{ErrorCode::UnusableInput, "free_input_px must be within 32 and 8192.", {}};
   if (size_multiple_px < 1 || size_multiple_px > 256)
     return Error{ErrorCode::UnusableInput, "size_multiple_px must be within 1 and 256.", {}};
   return {};
+}
+
+Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
+                                  const NetworkMaskOptions& options, const std::string& where) {
+  const std::optional<InputShape> shape = inputShapeOf(model);
+  if (!shape || shape->size() != 4) return unusable(where, "The network has no picture as input");
+  const std::int64_t channels = (*shape)[1], rows = (*shape)[2], columns = (*shape)[3];
+  if (channels > 0 && channels != 3)
+    return unusable(where, "The network takes " + std::to_string(channels) + " channels");
+  if (rows > kMaxInputPx || columns > kMaxInputPx)
+    return unusable(where, "The network's input is larger than 8192 pixels");
+  const double scale = std::min(1.0, static_cast<double>(options.free_input_px) /
+                                         std::max(photograph.width, photograph.height));
+  const auto free = [&](int length) {
+    const int multiple = options.size_multiple_px;
+    return std::max(multiple, multiple * static_cast<int>(std::lround(length * scale / multiple)));
+  };
+  return cv::Size(columns > 0 ? static_cast<int>(columns) : free(photograph.width),
+                  rows > 0 ? static_cast<int>(rows) : free(photograph.height));
 }
 
 Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx,
@@ -181,27 +190,22 @@ Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem
     return Error{ErrorCode::UnusableInput, "The network needs a colour photograph of 8 bits.", {}};
   const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
-  const std::optional<InputShape> shape = inputShapeOf(*model);
-  if (!shape || shape->size() != 4) return unusable(onnx, "The network has no picture as input");
-  if ((*shape)[1] > 0 && (*shape)[1] != 3)
-    return unusable(onnx, "The network takes " + std::to_string((*shape)[1]) + " channels");
-  const cv::Size size = inputSize(*shape, photograph, options);
-  if (size.width > 8192 || size.height > 8192)
-    return unusable(onnx, "The network's input is larger than 8192 pixels");
+  const Result<cv::Size> size = networkInputSize(*model, photograph.size(), options, onnx.string());
+  if (!size) return size.error();
   cv::Mat output;
   try {
     cv::dnn::Net net = cv::dnn::readNetFromONNX(model->data(), model->size());
     net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-    net.setInput(pictureBlob(photograph, size, options));
+    net.setInput(pictureBlob(photograph, *size, options));
     output = net.forward();
   } catch (const cv::Exception& problem) {
-    return unusable(onnx, "The network cannot be run (" + problem.err + ")");
+    return unusable(onnx.string(), "The network cannot be run (" + problem.err + ")");
   }
   if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
       output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
-    return unusable(onnx, "The network's output has another form");
+    return unusable(onnx.string(), "The network's output has another form");
   if (!cv::checkRange(output.reshape(1, 1)))
-    return unusable(onnx, "The network's output holds numbers that are not finite");
+    return unusable(onnx.string(), "The network's output holds numbers that are not finite");
   cv::Mat1f sherd;
   cv::resize(probabilityOf(output, options.output), sherd, photograph.size(), 0, 0,
              cv::INTER_LINEAR);

@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <string>
+#include <string_view>
 
 #include "base/result.h"
 
@@ -18,6 +20,12 @@ struct NetworkMaskOptions {
   NetworkOutput output = NetworkOutput::Auto;
   Result<void> check() const;
 };
+
+/// Width and height, pixels, at which the network takes a photograph of this size: what its file
+/// (ONNX, the bytes of `model`) fixes, else as the options say. Errors: UnusableInput names `where`
+/// when the network has no image input of three channels within 8192 x 8192 pixels.
+Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
+                                  const NetworkMaskOptions& options, const std::string& where);
 
 /// Mask of one photograph (CV_8UC3, BGR) by a laboratory's own network: ONNX, one image input
 /// 1 x 3 x H x W (RGB, 0..1) of fixed or free size, output 1 x 1 x h x w (sherd) or 1 x 2 x h x w

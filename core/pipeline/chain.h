@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/folder_lock.h"
 #include "batch/batch.h"
 #include "model/model.h"
 #include "pipeline/decisions.h"
@@ -14,6 +15,7 @@
 #include "pipeline/stage.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
+#include "scan/lengths.h"
 
 namespace ostraka::pipeline {
 
@@ -21,6 +23,7 @@ namespace ostraka::pipeline {
 struct Run {
   const ProcessOptions& options;
   const batch::Batch& batch;
+  const FolderLock& held;      ///< of OUT/work
   std::filesystem::path work;  ///< OUT/work
   std::string batch_hash;      ///< names and contents of everything that is read from the batch
   std::array<std::string, 2> photographs;  ///< of fronts and backs: ScanRef::photographs
@@ -81,8 +84,10 @@ Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<P
 Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
                                       const Staged<Masks>& masks);
 /// Pieces as people joined and split them; without such decisions as the program found them.
+/// The record's "doubtful": scan::SplitResult.
 Result<Staged<std::vector<scan::Scan>>> scanStage(const Run& run, batch::Side side,
-                                                  const Staged<PointCloud>& cloud);
+                                                  const Staged<PointCloud>& cloud,
+                                                  scan::Lengths lengths);
 /// The same from scans that were split already; they are named f001 or b001 on in their order, and
 /// the record says which file each came from.
 Result<Staged<std::vector<scan::Scan>>> importStage(const Run& run, batch::Side side,

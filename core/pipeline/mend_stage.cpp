@@ -78,7 +78,7 @@ Result<Staged<Masks>> mendStage(const Run& run, batch::Side side, const Staged<P
                       own.warnings};
   };
   const std::string name = std::string("mended_") + batch::name(side);
-  const Result<StageRecord> record = runStage(run.work, name,
+  const Result<StageRecord> record = runStage(run.held, name,
                                               {{"masks", found.record.outputs_hash},
                                                {"strokes", toJson(*strokes)},
                                                {"taken_again", own.warnings},

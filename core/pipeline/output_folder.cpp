@@ -1,6 +1,7 @@
 #include "pipeline/output_folder.h"
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 
 #include "base/files.h"
@@ -21,11 +22,19 @@ std::string nameOf(const fs::path& file, const batch::Batch& batch) {
   return file.lexically_proximate(batch.folder).generic_string();
 }
 
-// What is left when results were deleted to be computed anew, and what people decided was kept.
-bool holdsDecisionsAlone(const fs::path& output) {
+// What is left when results were deleted to be computed anew, and what people decided was kept; or
+// when all was deleted while a run was writing.
+bool holdsOnlyOurs(const fs::path& output) {
   std::error_code failed;
+  const bool worked = fs::is_directory(output / "work", failed) &&
+                      !fs::exists(output / "work" / kScansFile, failed);
+  const std::set<std::string> ours =
+      worked ? std::set<std::string>{"work",        "sherds",         "unpaired",
+                                     "log.txt",     "pairs.json",     "report.html",
+                                     "report.json", "decisions.json", "mask_strokes.json"}
+             : std::set<std::string>{"decisions.json"};
   for (fs::directory_iterator at(output, failed), end; !failed && at != end; at.increment(failed))
-    if (at->path().filename() != "decisions.json") return false;
+    if (ours.count(at->path().filename().string()) == 0) return false;
   return !failed;
 }
 
@@ -38,7 +47,7 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
     // A run that ended before it could name its batch leaves the lock alone.
     const bool own = fs::exists(file.parent_path() / "lock", failed) &&
                      !fs::exists(file.parent_path() / kScansFile, failed);
-    if (!own && !holdsDecisionsAlone(output) && fs::exists(output, failed) &&
+    if (!own && !holdsOnlyOurs(output) && fs::exists(output, failed) &&
         !fs::is_empty(output, failed))
       return Error{ErrorCode::UnusableInput,
                    "The output folder holds something that is not from this program; choose "
@@ -132,6 +141,20 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
       writeJson(file, {{"command", "register"}, {"inputs_hash", scans_hash}});
   if (!written) return written.error();
   return held;
+}
+
+Error outputGone(const fs::path& output) {
+  return {ErrorCode::CannotWrite,
+          "The output folder is gone: it was moved or deleted while the program was writing into "
+          "it. The photographs are untouched; start the same command again.",
+          output.string()};
+}
+
+void leaveGoneOutput(const fs::path& output) {
+  withdrawResults(output);
+  std::error_code ignored;
+  for (const fs::path& folder : {output / "work", output / "sherds", output})
+    fs::remove(folder, ignored);  // only what is empty
 }
 
 void withdrawResults(const fs::path& output) {

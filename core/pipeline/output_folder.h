@@ -26,6 +26,13 @@ Result<FolderLock> claimOutput(const std::filesystem::path& output, const batch:
 /// also one of a run that was stopped.
 Result<FolderLock> claimOutput(const std::filesystem::path& output, const std::string& scans_hash);
 
+/// OUT was deleted or moved away while a run was writing into it.
+Error outputGone(const std::filesystem::path& output);
+
+/// Takes away what a run wrote into an OUT that was deleted under it, as far as nothing else is in
+/// there.
+void leaveGoneOutput(const std::filesystem::path& output);
+
 /// What an earlier run left on top must not look whole while this one may change it.
 void withdrawResults(const std::filesystem::path& output);
 

@@ -179,7 +179,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     return StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}},
                       kept.warnings};
   };
-  Result<StageRecord> record = runStage(run.work, "pairs",
+  Result<StageRecord> record = runStage(run.held, "pairs",
                                         {{"poses", poses.record.outputs_hash},
                                          {"front_masks", front_masks.record.outputs_hash},
                                          {"back_masks", back_masks.record.outputs_hash},
@@ -200,7 +200,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
       });
     };
     const std::vector<std::string> compared = record->notes.warnings;
-    record = runStage(run.work, folder,
+    record = runStage(run.held, folder,
                       {{"pairs", record->outputs_hash}, {"decisions", toJson(decisions)}}, work,
                       run.progress);
     if (!record) return record.error();

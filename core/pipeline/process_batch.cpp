@@ -28,10 +28,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-Run runOf(const ProcessOptions& options, const batch::Batch& batch, const ordered_json& hashes,
-          const Decisions& holding, Progress& progress, std::stop_token stop) {
+Run runOf(const ProcessOptions& options, const batch::Batch& batch, const FolderLock& held,
+          const ordered_json& hashes, const Decisions& holding, Progress& progress,
+          std::stop_token stop) {
   return {options,
           batch,
+          held,
           options.output / "work",
           sha256(hashes.dump()),
           {photographsHash(batch, hashes, batch::Side::Front),
@@ -44,7 +46,8 @@ Run runOf(const ProcessOptions& options, const batch::Batch& batch, const ordere
 struct Sides {
   Staged<Masks> masks;
   Staged<std::vector<scan::Scan>> scans;
-  std::vector<std::string> moved;  ///< scans
+  std::vector<std::string> moved = {};     ///< scans
+  std::vector<std::string> doubtful = {};  ///< what was left out and may be a sherd: sentences
 };
 
 // Whether sherds lay still while a side was photographed. Nothing mends a push: what follows goes
@@ -71,7 +74,7 @@ Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Stage
     }
     return notes;
   };
-  return runStage(run.work, std::string("stillness_") + batch::name(side),
+  return runStage(run.held, std::string("stillness_") + batch::name(side),
                   {{"poses", poses.record.outputs_hash},
                    {"masks", found.masks.record.outputs_hash},
                    {"scans", found.scans.record.outputs_hash}},
@@ -99,10 +102,13 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   stages.push_back({"stereo, " + name, cloud->record});
   if (cancelled()) return Error::cancelled();
   run.progress.begin("scans of the " + name + " side", 0.02);
-  Result<Staged<std::vector<scan::Scan>>> scans = scanStage(run, side, *cloud);
+  Result<Staged<std::vector<scan::Scan>>> scans =
+      scanStage(run, side, *cloud,
+                poses.value.has_scale ? scan::Lengths::Millimetres : scan::Lengths::Relative);
   if (!scans) return scans.error();
   stages.push_back({"scans, " + name, scans->record});
-  Sides found{std::move(*masks), std::move(*scans), {}};
+  Sides found{std::move(*masks), std::move(*scans)};
+  found.doubtful = found.scans.record.notes.figures.value("doubtful", std::vector<std::string>());
   if (!run.batch.plate) return found;  // without a turntable there are no stops to compare
   const Result<StageRecord> still = stillnessStage(run, side, poses, found);
   if (!still) return still.error();
@@ -128,6 +134,7 @@ Result<double> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& fro
 // Copies what a model stage left to OUT/sherds/<number>; without a model only the scans.
 Result<void> publish(const Run& run, const std::string& number) {
   const fs::path from = run.work / ("model_" + number), to = run.options.output / "sherds" / number;
+  if (!run.held.stands()) return outputGone(run.options.output);
   for (const char* name : {"front.ply", "back.ply", "model.ply", "model.glb", "preview.png"}) {
     std::error_code failed;
     if (!fs::exists(from / name, failed)) {
@@ -139,7 +146,10 @@ Result<void> publish(const Run& run, const std::string& number) {
     if (const Result<void> written = writeFileAtomically(to / name, *bytes); !written)
       return written;
   }
-  return {};
+  if (run.held.stands()) return {};
+  std::error_code ignored;
+  fs::remove_all(to, ignored);
+  return outputGone(run.options.output);
 }
 
 std::vector<const scan::Scan*> scansNamed(const std::vector<std::string>& ids,
@@ -216,7 +226,7 @@ Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided,
     const scan::Scan& b = back.scans.value[static_cast<std::size_t>(decided[i].back)];
     const std::string number = sherdNumber(f.id);
     PartProgress progress(run.progress, i, decided.size());
-    const Run one{run.options,     run.batch,     run.work, run.batch_hash,
+    const Run one{run.options,     run.batch,     run.held, run.work, run.batch_hash,
                   run.photographs, run.decisions, progress, run.stop};
     const Result<StageRecord> record = modelStage(one, number, decided[i], f, b, scans);
     if (!record) return record.error();
@@ -227,6 +237,7 @@ Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided,
     summary.sherds.push_back(summaryOf(report.sherds.back(), *record));
     progress.report(1, 1);
   }
+  if (!run.held.stands()) return outputGone(run.options.output);
   removeStaleSherds(run.options.output, summary.sherds);
   return {};
 }
@@ -298,6 +309,8 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   summary.warnings = report.warnings;
   summary.moved = front.moved;
   summary.moved.insert(summary.moved.end(), back.moved.begin(), back.moved.end());
+  summary.left_out = front.doubtful;
+  summary.left_out.insert(summary.left_out.end(), back.doubtful.begin(), back.doubtful.end());
   summary.reprojection_rms_px = poses.record.notes.figures.value("reprojection_rms_px", 0.0);
   summary.scale_doubts = report.scale_doubts;
   summary.draft = report.draft;
@@ -345,7 +358,26 @@ Result<Sides> importedSide(const Run& run, batch::Side side, const ScanFolder& f
   Result<Staged<std::vector<scan::Scan>>> scans = importStage(run, side, folder);
   if (!scans) return scans.error();
   stages.push_back({"scans, " + name, scans->record});
-  return Sides{{}, std::move(*scans), {}};
+  return Sides{{}, std::move(*scans)};
+}
+
+// That OUT was deleted under the run explains whatever else went wrong.
+Result<ProcessSummary> unlessGone(const Run& run, Result<ProcessSummary> summary) {
+  if (run.held.stands()) return summary;
+  leaveGoneOutput(run.options.output);
+  return outputGone(run.options.output);
+}
+
+Result<ProcessSummary> runImported(const Run& run, const ScanFolder& fronts,
+                                   const ScanFolder& backs,
+                                   const std::vector<std::string>& reading) {
+  ReportInput report;
+  const Result<Sides> front = importedSide(run, batch::Side::Front, fronts, report.stages);
+  if (!front) return front.error();
+  Result<Sides> back = importedSide(run, batch::Side::Back, backs, report.stages);
+  if (!back) return back.error();
+  Staged<Poses> no_photographs;
+  return finishChain(run, no_photographs, *front, *back, std::move(report), {0.4, 0.5}, reading);
 }
 
 }  // namespace
@@ -381,9 +413,9 @@ int ProcessSummary::ambiguous() const {
 
 bool ProcessSummary::whole() const {
   return !sherds.empty() && unpaired_front.empty() && unpaired_back.empty() && reshoot.empty() &&
-         moved.empty() && std::all_of(sherds.begin(), sherds.end(), [](const SherdSummary& s) {
-           return s.has_model;
-         });
+         moved.empty() && left_out.empty() &&
+         std::all_of(sherds.begin(), sherds.end(),
+                     [](const SherdSummary& s) { return s.has_model; });
 }
 
 Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& progress,
@@ -407,8 +439,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
   for (const std::string& line : ahead->lines) logged.note(NoteLevel::Info, line);
   for (const std::string& warning : ahead->warnings) logged.note(NoteLevel::Warning, warning);
-  const Run run = runOf(options, *batch, hashes, holding, logged, stop);
-  Result<ProcessSummary> summary = runChain(run, reading.warnings);
+  const Run run = runOf(options, *batch, *held, hashes, holding, logged, stop);
+  Result<ProcessSummary> summary = unlessGone(run, runChain(run, reading.warnings));
   if (summary)
     summary->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -437,15 +469,8 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
   reading.insert(reading.end(), backs->warnings.begin(), backs->warnings.end());
   LoggedProgress logged(progress, options.output / "log.txt", {});
   for (const std::string& warning : reading) logged.note(NoteLevel::Warning, warning);
-  const Run run = runOf(options, batch, hashes, holding, logged, stop);
-  ReportInput report;
-  const Result<Sides> front = importedSide(run, batch::Side::Front, *fronts, report.stages);
-  if (!front) return front.error();
-  Result<Sides> back = importedSide(run, batch::Side::Back, *backs, report.stages);
-  if (!back) return back.error();
-  Staged<Poses> no_photographs;
-  Result<ProcessSummary> summary =
-      finishChain(run, no_photographs, *front, *back, std::move(report), {0.4, 0.5}, reading);
+  const Run run = runOf(options, batch, *held, hashes, holding, logged, stop);
+  Result<ProcessSummary> summary = unlessGone(run, runImported(run, *fronts, *backs, reading));
   if (summary)
     summary->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

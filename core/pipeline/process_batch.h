@@ -50,6 +50,8 @@ struct ProcessSummary {
   std::vector<std::string> set_aside;  ///< scans that a person took out
   std::vector<std::string> reshoot;    ///< scans that a person wants shot again: not whole
   std::vector<std::string> moved;      ///< scans pushed while photographed: not whole
+  /// Without a scale: sentences about pieces that were left out and may be sherds. Not whole.
+  std::vector<std::string> left_out;
   std::vector<std::string> warnings;
   double reprojection_rms_px = 0;
   /// A length of scale.json, or a distance between markers that took no part in the fit, is not

@@ -180,6 +180,7 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
   const Result<Paired> found = paired(options, fronts->scans, backs->scans, kept, stop);
   if (!found) return found.error();
   const PairTable* table = &found->table;
+  if (!held->stands()) return outputGone(options.output);
 
   RegisterSummary summary = summaryOf(*table, *fronts, *backs);
   summary.mm = found->mm;
@@ -202,6 +203,10 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
                                                      backs->scans, inputs_hash);
       !wrote) {
     return wrote.error();
+  }
+  if (!held->stands()) {
+    leaveGoneOutput(options.output);
+    return outputGone(options.output);
   }
   return summary;
 }

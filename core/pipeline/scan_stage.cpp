@@ -49,10 +49,13 @@ Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
     const EditedPieces edited = editedPieces(found.value, side, edits, run.photographsOf(side));
     const Result<ordered_json> points = writeScans(folder, edited.scans, frame);
     if (!points) return points.error();
-    return StageNotes{{{"points", *points}}, edited.warnings};
+    return StageNotes{{{"points", *points},
+                       {"doubtful", found.record.notes.figures.value(
+                                        "doubtful", ordered_json(ordered_json::array()))}},
+                      edited.warnings};
   };
   const std::string name = scanFolder(run, side);
-  const Result<StageRecord> record = runStage(run.work, name,
+  const Result<StageRecord> record = runStage(run.held, name,
                                               {{"scans", found.record.outputs_hash},
                                                {"edits", toJson(edits)},
                                                {"photographs", run.photographsOf(side)}},
@@ -117,7 +120,7 @@ Result<Scans> importStage(const Run& run, batch::Side side, const ScanFolder& fo
     return StageNotes{{{"points", *points}, {"files", files}}, {}};
   };
   const Result<StageRecord> record =
-      runStage(run.work, name, {{"imported", folder.hash}, {"on_plate", on_plate}, {"apart", true}},
+      runStage(run.held, name, {{"imported", folder.hash}, {"on_plate", on_plate}, {"apart", true}},
                work, run.progress);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
@@ -129,18 +132,24 @@ std::string scanFolder(const Run& run, batch::Side side) {
   return (hasEdits(run.decisions, side) ? "pieces_" : "scans_") + std::string(batch::name(side));
 }
 
-Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<PointCloud>& cloud) {
+Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<PointCloud>& cloud,
+                        scan::Lengths lengths) {
   const std::string name = std::string("scans_") + batch::name(side);
   const std::string frame = std::string("plate_") + batch::name(side);
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
-    const Result<scan::SplitResult> split = scan::splitScans(cloud.value, side, {}, run.progress);
+    scan::SplitOptions options;
+    options.lengths = lengths;
+    const Result<scan::SplitResult> split =
+        scan::splitScans(cloud.value, side, options, run.progress);
     if (!split) return split.error();
     const Result<ordered_json> points = writeScans(folder, split->scans, frame);
     if (!points) return points.error();
-    return StageNotes{{{"points", *points}}, split->warnings};
+    return StageNotes{{{"points", *points}, {"doubtful", split->doubtful}}, split->warnings};
   };
+  const bool relative = lengths == scan::Lengths::Relative;
   const Result<StageRecord> record =
-      runStage(run.work, name, {{"cloud", cloud.record.outputs_hash}}, work, run.progress);
+      runStage(run.held, name, {{"cloud", cloud.record.outputs_hash}, {"relative", relative}}, work,
+               run.progress);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
   if (!found || !hasEdits(run.decisions, side)) return found;

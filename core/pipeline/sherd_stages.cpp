@@ -87,7 +87,7 @@ Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
     return StageNotes{{{"front_over_back", 1.0}}, {scale.error().sentence()}};
   };
   const Result<StageRecord> record =
-      runStage(run.work, "scale",
+      runStage(run.held, "scale",
                {{"fronts", fronts.record.outputs_hash}, {"backs", backs.record.outputs_hash}}, work,
                run.progress);
   if (!record) return record.error();
@@ -98,7 +98,7 @@ Result<StageRecord> modelStage(const Run& run, const std::string& number, const 
                                const scan::Scan& front, const scan::Scan& back,
                                const std::string& inputs_hash) {
   return runStage(
-      run.work, "model_" + number,
+      run.held, "model_" + number,
       {{"inputs", inputs_hash},
        {"front", front.id},
        {"back", back.id},

@@ -334,7 +334,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     return notes;
   };
   const Result<StageRecord> record =
-      runStage(run.work, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work, run.progress);
+      runStage(run.held, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work, run.progress);
   if (!record) return record.error();
   Result<std::vector<rig::PosedImage>> images =
       readCamerasOf(run.batch, run.work / "rig" / "cameras.json");
@@ -368,7 +368,7 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
     return StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};
   };
   const Result<StageRecord> record =
-      runStage(run.work, name,
+      runStage(run.held, name,
                {{"batch", run.batch_hash}, {"poses", poses.record.outputs_hash}, {"masks", how}},
                work, run.progress);
   if (!record) return record.error();
@@ -386,9 +386,15 @@ namespace {
 // Another program works in a folder beside the stage's, which stays for its log when it fails.
 Result<PointCloud> denseCloud(const Run& run, const std::string& name,
                               const std::vector<stereo::View>& views,
-                              const stereo::DenseOptions& options) {
-  if (run.options.dense == DenseMethod::Builtin)
-    return stereo::reconstruct(views, options, run.progress, run.stop);
+                              const stereo::DenseOptions& options, ordered_json& figures) {
+  if (run.options.dense == DenseMethod::Builtin) {
+    Result<stereo::Reconstruction> found =
+        stereo::reconstruct(views, options, run.progress, run.stop);
+    if (!found) return found.error();
+    figures["confirmed_share"] = found->agreement.confirmedShare();
+    figures["covered_share"] = found->agreement.coveredShare();
+    return std::move(found->cloud);
+  }
   const bool colmap = run.options.dense == DenseMethod::Colmap;
   const fs::path workspace = run.work / (name + (colmap ? "_colmap" : "_openmvs"));
   Result<PointCloud> cloud =
@@ -441,15 +447,15 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     stereo::DenseOptions options;
     options.threads = run.options.threads;
     if (run.batch.plate) options.floor_z_mm = 0.0;
-    const Result<PointCloud> cloud = denseCloud(run, name, views, options);
+    const Result<PointCloud> cloud = denseCloud(run, name, views, options, notes.figures);
     if (!cloud) return cloud.error();
     const Result<void> written =
         writePly(folder / "cloud.ply", *cloud, std::string("plate_") + batch::name(side));
     if (!written) return written.error();
-    notes.figures = {{"points", cloud->size()}};
+    notes.figures["points"] = cloud->size();
     return notes;
   };
-  const Result<StageRecord> record = runStage(run.work, name,
+  const Result<StageRecord> record = runStage(run.held, name,
                                               {{"batch", run.batch_hash},
                                                {"poses", poses.record.outputs_hash},
                                                {"masks", masks.record.outputs_hash},

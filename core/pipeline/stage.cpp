@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/cannot_write.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "base/json_numbers.h"
 #include "base/json_text.h"
+#include "pipeline/output_folder.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -70,11 +72,12 @@ double peakMemoryMb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-Result<StageRecord> runStage(const fs::path& work_folder, const std::string& name,
+Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
                              const ordered_json& key,
                              const std::function<Result<StageNotes>(const fs::path&)>& work,
                              Progress& progress) {
-  const fs::path folder = work_folder / name;
+  const fs::path folder = held.folder() / name;
+  if (!held.stands()) return outputGone(held.folder().parent_path());
   const std::string key_hash =
       sha256(ordered_json{{"stage", name}, {"format", kFormat}, {"program", kProgram}, {"key", key}}
                  .dump());
@@ -85,12 +88,13 @@ Result<StageRecord> runStage(const fs::path& work_folder, const std::string& nam
   std::error_code failed;
   fs::remove(folder / "stage.json", failed);  // first, so that nothing half removed looks whole
   fs::remove_all(folder, failed);
-  fs::create_directories(folder, failed);
-  if (failed)
-    return Error{ErrorCode::CannotWrite, "The folder cannot be made (" + failed.message() + ").",
-                 folder.string()};
+  if (const Result<void> made = makeFolder(folder); !made) return made.error();
   const auto begin = std::chrono::steady_clock::now();
   const Result<StageNotes> notes = work(folder);
+  if (!held.stands()) {
+    fs::remove_all(folder, failed);
+    return outputGone(held.folder().parent_path());
+  }
   if (!notes) return notes.error();
   StageRecord record;
   record.notes = *notes;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/folder_lock.h"
 #include "base/progress.h"
 #include "base/result.h"
 
@@ -29,10 +30,10 @@ struct StageRecord {
 /// (program and format version, options, hashes of inputs) or a file it names is missing or
 /// changed. `work` writes its files into the folder it is given, which is empty; stage.json is
 /// written last, so that a run killed at any moment leaves the stage either whole or to be done
-/// again.
+/// again. Where the folder is gone that was held (FolderLock::stands) nothing is left in its place:
+/// outputGone (output_folder.h).
 Result<StageRecord> runStage(
-    const std::filesystem::path& work_folder, const std::string& name,
-    const nlohmann::ordered_json& key,
+    const FolderLock& work_folder, const std::string& name, const nlohmann::ordered_json& key,
     const std::function<Result<StageNotes>(const std::filesystem::path&)>& work,
     Progress& progress);
 

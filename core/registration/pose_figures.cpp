@@ -13,10 +13,11 @@ using Eigen::Vector3f;
 
 constexpr float kSameFaceCos = 0.7071f;  // beyond 45 degrees it is another face
 
-// From `asked` (brought to the other's frame) to the other strip; points are given in the front's.
+// From `asked` (brought to the other's frame) to the other strip; points are given in the front's
+// frame. sign: 1 when the distance is positive where what is asked lies outside.
 void addDistances(const StripLevel& asked, const StripLevel& other,
                   const Eigen::Isometry3f& other_from_asked,
-                  const Eigen::Isometry3f& front_from_asked, float reach_mm,
+                  const Eigen::Isometry3f& front_from_asked, float reach_mm, float sign,
                   std::vector<RimDistance>& found) {
   for (std::size_t i = 0; i < asked.points.size(); ++i) {
     const Vector3f p = other_from_asked * asked.points[i];
@@ -26,7 +27,7 @@ void addDistances(const StripLevel& asked, const StripLevel& other,
     const Vector3f normal = other_from_asked.linear() * asked.normals[i];
     if (normal.dot(other.normals[j]) < kSameFaceCos) continue;
     const Vector3f between = (normal + other.normals[j]).normalized();
-    found.push_back({front_from_asked * asked.points[i], between.dot(p - other.points[j])});
+    found.push_back({front_from_asked * asked.points[i], sign * between.dot(p - other.points[j])});
   }
 }
 
@@ -48,9 +49,9 @@ std::vector<RimDistance> rimDistances(const Strip& front, const Strip& back,
   std::vector<RimDistance> found;
   const Eigen::Isometry3f to_front = front_from_back.cast<float>();
   const float reach = static_cast<float>(reach_mm);
-  addDistances(front.fine, back.fine, to_front.inverse(), Eigen::Isometry3f::Identity(), reach,
+  addDistances(front.fine, back.fine, to_front.inverse(), Eigen::Isometry3f::Identity(), reach, -1,
                found);
-  addDistances(back.fine, front.fine, to_front, to_front, reach, found);
+  addDistances(back.fine, front.fine, to_front, to_front, reach, 1, found);
   return found;
 }
 

@@ -18,10 +18,10 @@ struct PoseFigures {
 PoseFigures figuresAt(const Strip& front, const Strip& back,
                       const Eigen::Isometry3d& front_from_back);
 
-/// One point of the rim and how far the other side's surface lies from it.
+/// One point of the rim and how far the sides' surfaces lie apart there.
 struct RimDistance {
   Eigen::Vector3f point = Eigen::Vector3f::Zero();  ///< front's frame, mm
-  float distance_mm = 0;                            ///< along the normals, positive: a gap
+  float distance_mm = 0;  ///< along the normals, positive: the back outside the front
 };
 
 /// Both strips' points that meet the other side within reach_mm with normals within 45 degrees.

@@ -125,27 +125,74 @@ Extent extentOf(const PointCloud& piece) {
           static_cast<double>((high - low).head<2>().norm()), static_cast<double>(high.z())};
 }
 
+// A side's limits on the sizes of sherds, and how much of the usual sherd's size a millimetre is.
+struct Limits {
+  SplitOptions options;
+  batch::Side side;
+  double usual = 1;  // size of the usual sherd of the batch / that of one of 45 mm
+};
+
+// The sherd in which half of all that is seen from above is reached, the largest first: crumbs do
+// not count, however many they are.
+double usualSize(const PointCloud& cloud, const std::vector<std::vector<int>>& pieces) {
+  constexpr double kFilled = 0.6;  // of the square around it
+  std::vector<double> areas;
+  for (const std::vector<int>& piece : pieces)
+    if (piece.size() >= kFewest) areas.push_back(areaFromAbove_mm2(subset(cloud, piece)));
+  std::sort(areas.rbegin(), areas.rend());
+  double left = std::accumulate(areas.begin(), areas.end(), 0.0) / 2;
+  for (const double area : areas)
+    if ((left -= area) <= 0) return std::sqrt(area / kFilled) / kUsualSherd_mm;
+  return 1;
+}
+
+Limits limitsOf(const PointCloud& cloud, const std::vector<std::vector<int>>& pieces,
+                batch::Side side, const SplitOptions& options) {
+  Limits limits{options, side};
+  if (options.lengths == Lengths::Millimetres) return limits;
+  limits.usual = usualSize(cloud, pieces);
+  SplitOptions& beside = limits.options;
+  for (double* length : {&beside.hover_mm, &beside.hover_reach_mm, &beside.min_extent_mm,
+                         &beside.min_height_mm, &beside.touching.min_extent_mm})
+    *length *= limits.usual;
+  beside.min_area_mm2 *= limits.usual * limits.usual;
+  return limits;
+}
+
+// Without a scale nobody can say that it is too small for a sherd.
+void leaveOutRelative(const Limits& limits, double longest, SplitResult& result) {
+  const double percent = 100 * longest / (limits.usual * kUsualSherd_mm);
+  const bool front = limits.side == batch::Side::Front;
+  result.warnings.push_back(
+      "A piece of " + millimetres(percent) + " % of the usual sherd's length was left out of the " +
+      (front ? "front" : "back") +
+      " side; without a scale it may be a sherd. If it is one, photograph it alone.");
+  result.doubtful.push_back(result.warnings.back());
+}
+
 // A piece that is no sherd is reported and left aside.
-bool isSherd(const PointCloud& piece, const SplitOptions& options,
-             std::vector<std::string>& warnings) {
+bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result) {
   const Extent extent = extentOf(piece);
-  if (extent.longest_mm < options.min_extent_mm ||
-      areaFromAbove_mm2(piece) < options.min_area_mm2) {
-    warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " + at(extent.middle) +
-                       " was left aside; if it is a sherd, shoot it alone.");
-    return false;
+  const bool small = extent.longest_mm < limits.options.min_extent_mm ||
+                     areaFromAbove_mm2(piece) < limits.options.min_area_mm2;
+  const bool flat = extent.height_mm < limits.options.min_height_mm;
+  if (!small && !flat) return true;
+  if (limits.options.lengths == Lengths::Relative) {
+    leaveOutRelative(limits, extent.longest_mm, result);
+  } else if (small) {
+    result.warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " +
+                              at(extent.middle) +
+                              " was left aside; if it is a sherd, shoot it alone.");
+  } else {
+    result.warnings.push_back("Something flat " + at(extent.middle) +
+                              " was left aside; it may be a marker or dirt on the plate.");
   }
-  if (extent.height_mm < options.min_height_mm) {
-    warnings.push_back("Something flat " + at(extent.middle) +
-                       " was left aside; it may be a marker or dirt on the plate.");
-    return false;
-  }
-  return true;
+  return false;
 }
 
 // One sherd, or several that touch: what was cut is looked at again, for three may lie in a row.
-void addParts(PointCloud piece, const SplitOptions& options, SplitResult& result) {
-  const TouchingParts parts = cutTouching(piece, options.touching);
+void addParts(PointCloud piece, const Limits& limits, SplitResult& result) {
+  const TouchingParts parts = cutTouching(piece, limits.options.touching);
   if (parts.count == 1) {
     result.scans.push_back({{}, std::move(piece), {}, Eigen::Vector3d::UnitZ()});
     return;
@@ -158,7 +205,7 @@ void addParts(PointCloud piece, const SplitOptions& options, SplitResult& result
     for (std::size_t i = 0; i < piece.size(); ++i)
       if (parts.part[i] == k) indices.push_back(static_cast<int>(i));
     PointCloud part = subset(piece, indices);
-    if (isSherd(part, options, result.warnings)) addParts(std::move(part), options, result);
+    if (isSherd(part, limits, result)) addParts(std::move(part), limits, result);
   }
 }
 
@@ -179,14 +226,16 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
   SplitResult result;
   std::size_t flying = 0;
-  const auto pieces = withHoveringJoined(above, connectedPieces(above, options.gap_mm), options);
+  auto connected = connectedPieces(above, options.gap_mm);
+  const Limits limits = limitsOf(above, connected, side, options);
+  const auto pieces = withHoveringJoined(above, std::move(connected), limits.options);
   for (const std::vector<int>& indices : pieces) {
     if (indices.size() < kFewest) {
       flying += indices.size();
       continue;
     }
     PointCloud piece = subset(above, indices);
-    if (isSherd(piece, options, result.warnings)) addParts(std::move(piece), options, result);
+    if (isSherd(piece, limits, result)) addParts(std::move(piece), limits, result);
   }
   if (result.scans.empty())
     return Error{ErrorCode::NotEnough,

@@ -5,12 +5,14 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "batch/batch.h"
+#include "scan/lengths.h"
 #include "scan/scan.h"
 #include "scan/touching.h"
 
 namespace ostraka::scan {
 
 struct SplitOptions {
+  Lengths lengths = Lengths::Millimetres;  ///< Relative: limits on sizes are beside the usual sherd
   double plate_mm = 0.25;      ///< points this low belong to the plate (stereo's height noise)
   double plate_flat_mm = 0.6;  ///< so do points this low that look straight up
   double gap_mm = 1.2;         ///< wider gaps separate sherds; 5 pixels at 0.24 mm per pixel
@@ -30,6 +32,9 @@ struct SplitOptions {
 struct SplitResult {
   std::vector<Scan> scans;  ///< f001 ... or b001 ..., by rows from far (+y) to near, rim found
   std::vector<std::string> warnings;  ///< whole sentences with places on the plate in mm
+  /// With Lengths::Relative: the sentences about what was left out and, its true size unknown, may
+  /// be a sherd.
+  std::vector<std::string> doubtful;
 };
 
 /// One cloud per sherd: connected pieces above the plate, with what hovers beside them. Crumbs,

@@ -56,9 +56,12 @@ Opinion ask(const Frame& frame, const PlaneMap& map, const Eigen::Vector3f& p_pl
 }
 
 void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> maps,
-              std::size_t view, const FusionOptions& options, std::vector<SurfacePoint>& points) {
+              std::size_t view, const FusionOptions& options, std::vector<SurfacePoint>& points,
+              Agreement& agreement) {
   const Frame& frame = *frames[view];
   const PlaneMap& map = maps[view];
+  agreement.shown = cv::countNonZero(frame.coverage >= 0.5F);
+  agreement.matched = static_cast<std::int64_t>(frame.pixels.size());
   for (std::size_t k = 0; k < frame.pixels.size(); ++k) {
     if (map.depth[k] <= 0 || map.cost[k] > options.max_cost) continue;
     const Eigen::Vector3f in_camera =
@@ -83,8 +86,8 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
       const Opinion o = ask(*frames[j], maps[j], p, n, tolerance, options);
       against += o.behind ? 1 : 0;
       if (!o.looks) continue;
-      if (own_incidence < kNearlyBest * incidence) best = false;
       ++agreeing;
+      if (own_incidence < kNearlyBest * incidence) best = false;
       weights += o.weight;
       offsets += o.weight * o.offset_mm;
       const float tangent = tangentOf(incidence);
@@ -94,7 +97,9 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
       normals += o.weight * o.normal;
       confidence += o.weight;
     }
-    if (!best || agreeing < options.min_agreeing_views || against >= agreeing) continue;
+    if (agreeing < options.min_agreeing_views || against >= agreeing) continue;
+    ++agreement.confirmed;
+    if (!best) continue;
     SurfacePoint point;
     point.slant = {tangents / weights, products - offsets * tangents / weights,
                    squares - tangents * tangents / weights};
@@ -112,10 +117,19 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
 }  // namespace
 
 std::vector<SurfacePoint> fusePlanes(std::span<const Frame* const> frames,
-                                     std::span<const PlaneMap> maps, const FusionOptions& options) {
+                                     std::span<const PlaneMap> maps, const FusionOptions& options,
+                                     Agreement& agreement) {
   std::vector<std::vector<SurfacePoint>> parts(frames.size());
-  parallelFor(frames.size(), options.threads,
-              [&](std::size_t view) { fuseView(frames, maps, view, options, parts[view]); });
+  std::vector<Agreement> counts(frames.size());
+  parallelFor(frames.size(), options.threads, [&](std::size_t view) {
+    fuseView(frames, maps, view, options, parts[view], counts[view]);
+  });
+  agreement = {};
+  for (const Agreement& count : counts) {
+    agreement.shown += count.shown;
+    agreement.matched += count.matched;
+    agreement.confirmed += count.confirmed;
+  }
   std::vector<SurfacePoint> points;
   for (const auto& part : parts) points.insert(points.end(), part.begin(), part.end());
   return points;

@@ -36,7 +36,9 @@ struct SurfacePoint {
 
 /// Points where at least so many views agree, each from the view that sees it most squarely, moved
 /// along the normal to the weighted mean of all that agree. In order of views and their pixels.
+/// agreement: how many pixels there were, and for how many so many views agree.
 std::vector<SurfacePoint> fusePlanes(std::span<const Frame* const> frames,
-                                     std::span<const PlaneMap> maps, const FusionOptions& options);
+                                     std::span<const PlaneMap> maps, const FusionOptions& options,
+                                     Agreement& agreement);
 
 }  // namespace ostraka::stereo

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <span>
@@ -40,13 +41,29 @@ struct DenseOptions {
   Result<void> check() const;
 };
 
+/// How far the photographs bear each other out, over the pixels of all views. With wrong cameras
+/// PatchMatch finds a depth for nearly every pixel, too, but hardly one that another view confirms.
+struct Agreement {
+  std::int64_t shown = 0;         ///< inside the masks
+  std::int64_t matched = 0;       ///< of these, on rays on which the object can lie
+  std::int64_t confirmed = 0;     ///< of these, with a depth that another view has as well
+  double confirmedShare() const;  ///< of the matched pixels
+  double coveredShare() const;    ///< confirmed, of all that the masks show
+  bool plausible() const;         ///< false: the cameras cannot be those of the photographs
+};
+
+struct Reconstruction {
+  PointCloud cloud;
+  Agreement agreement;
+};
+
 /// Oriented, coloured points of everything inside the masks, plate frame, mm; quality is the
 /// confidence. PatchMatch stereo with slanted windows (Bleyer et al., BMVC 2011; Galliani et al.,
 /// ICCV 2015) from coarse to fine, fused; each point is moved onto a quadric fitted around it, and
 /// to where the photographs of one stop see it. Errors: NotEnough for fewer than 3 views or nothing
 /// found, UnusableInput for sizes that differ, Cancelled. Memory is about 90 bytes per pixel of all
 /// photographs.
-Result<PointCloud> reconstruct(std::span<const View> views, const DenseOptions& options,
-                               Progress& progress, std::stop_token stop);
+Result<Reconstruction> reconstruct(std::span<const View> views, const DenseOptions& options,
+                                   Progress& progress, std::stop_token stop);
 
 }  // namespace ostraka::stereo

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/new_folder.h"
 #include "base/parallel.h"
 #include "virtualrig/batch_files.h"
 #include "virtualrig/photograph.h"
@@ -267,21 +268,14 @@ Result<void> SimulateOptions::check() const {
 Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
                            std::stop_token stop) {
   if (Result<void> r = options.check(); !r) return r;
-  std::error_code unread;  // a folder that is not there yet
-  if (!std::filesystem::is_empty(options.output, unread) && !unread)
-    return Error{ErrorCode::UnusableInput,
-                 "The folder holds files already; name a new or empty one for the batch.",
-                 options.output.string()};
-  const bool fresh = !std::filesystem::exists(options.output, unread);
-  Result<void> made = fill(options, progress, std::move(stop));
-  if (made) return made;
-  // Half a batch can neither be processed nor gone on with, and nothing else was in the folder.
-  std::vector<std::filesystem::path> entries;
-  for (const auto& entry : std::filesystem::directory_iterator(options.output, unread))
-    entries.push_back(entry.path());
-  for (const std::filesystem::path& entry : entries) std::filesystem::remove_all(entry, unread);
-  if (fresh) std::filesystem::remove(options.output, unread);
-  return made;
+  Result<NewFolder> folder = NewFolder::begin(options.output);
+  if (!folder) return folder.error();
+  SimulateOptions beside = options;
+  beside.output = folder->path();
+  Result<void> made = fill(beside, progress, std::move(stop));
+  if (made) made = folder->finish();
+  if (made || made.error().code != ErrorCode::CannotWrite) return made;
+  return Error{ErrorCode::CannotWrite, made.error().what, options.output.string()};
 }
 
 Result<void> simulateCalibration(const SimulateOptions& options, Progress& progress,

@@ -57,8 +57,8 @@ struct SimulateOptions {
 /// Writes a batch folder with truth/, as ../shared/batches/README.md tells, or with scans_only one
 /// as ../shared/scans. Millimetres, OpenCV cameras, the plate's frame of that side. With
 /// Fault::Moved the poses in truth/ are those before the push, the masks as shot. Errors:
-/// UnusableInput (an option, files in the folder, more sherds than fit), CannotWrite, Cancelled;
-/// what was written by then is taken away.
+/// UnusableInput (an option, files in the folder, more sherds than fit), CannotWrite, Cancelled.
+/// The folder is there whole or not at all, whenever the program ends (base/new_folder.h).
 Result<void> simulateBatch(const SimulateOptions& options, Progress& progress,
                            std::stop_token stop);
 

@@ -58,12 +58,12 @@ int run(const Arguments& a) {
   options.floor_z_mm = 0.0;
   Notes notes;
   const auto start = std::chrono::steady_clock::now();
-  auto cloud = stereo::reconstruct(*views, options, notes, {});
+  const auto cloud = stereo::reconstruct(*views, options, notes, {});
   if (!cloud) return std::fprintf(stderr, "%s\n", cloud.error().sentence().c_str()), 1;
   const std::chrono::duration<double> s = std::chrono::steady_clock::now() - start;
-  std::printf("%zu views, %zu points, %.1f s with %d threads\n", views->size(), cloud->size(),
+  std::printf("%zu views, %zu points, %.1f s with %d threads\n", views->size(), cloud->cloud.size(),
               s.count(), a.threads);
-  auto written = writePly(a.out, *cloud, "plate_" + a.side);
+  auto written = writePly(a.out, cloud->cloud, "plate_" + a.side);
   return written ? 0 : 2;
 }
 

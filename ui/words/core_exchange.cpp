@@ -87,8 +87,8 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error", "A column of the table has no name."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The column '%1' is there twice."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The table needs a column 'number' (sherds), or the columns 'site' and "
-                        "'context' (contexts)."),
+                        "The table needs a column for the sherds' numbers, or columns for site and "
+                        "context (contexts); say which they are."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "These places and batches are not written as Ostraka writes them."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This is no PLY file."),
@@ -121,6 +121,8 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The archive holds a journal of its catalogue, which no archive of Ostraka "
                         "does; nothing was written."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Of %1 rows %2 are entered; the same import enters the others."),
   };
   return kAll;
 }

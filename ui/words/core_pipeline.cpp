@@ -229,13 +229,16 @@ Sentences sentencesOfPipeline() {
                         "Sherds are marked on %1 photographs of the back side; 3 are needed."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Look at the masks, and at whether sherds were on the plate."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "The folder cannot be made (%1)."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "%1 was taken again after its mask was mended; the strokes on the "
                         "photograph before are left out. Look at its mask."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The batch is not computed to its end; let the queue compute it, then its "
                         "pairs can be looked at."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "The output folder is gone: it was moved or deleted while the program was writing into "
+          "it. The photographs are untouched; start the same command again."),
   };
   return kAll;
 }

@@ -20,6 +20,13 @@ Sentences sentencesOfScan() {
                         "No sherd was found on the front side; check its masks and photographs."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "No sherd was found on the back side; check its masks and photographs."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A piece of %1 % of the usual sherd's length was left out of the front "
+                        "side; without a scale it may be a sherd."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A piece of %1 % of the usual sherd's length was left out of the back "
+                        "side; without a scale it may be a sherd."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "If it is one, photograph it alone."),
   };
   return kAll;
 }

@@ -17,8 +17,6 @@ Sentences sentencesOfVirtualrig() {
                         "lookalikes are groups of two: at most half the number of sherds."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The rig needs a camera and at least four stops; calibrate it again."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The folder holds files already; name a new or empty one for the batch."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The virtual camera has no setting %1 of %2."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The camera has taken no photograph."),
   };

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/files.h"
 #include "base/json.h"
@@ -101,6 +103,76 @@ TEST_F(ProcessScans, GoesOnFromWholeStagesAndKnowsItsOwnOutput) {
   fs::create_directories(folder / "taken");
   ASSERT_TRUE(writeFileAtomically(folder / "taken/thesis.txt", "text").has_value());
   EXPECT_FALSE(process("taken").has_value());
+}
+
+// Does something when a stage begins, or at the first step within it.
+class ActsAt final : public Progress {
+ public:
+  enum class Moment { Begin, Within };
+  ActsAt(std::string stage, Moment moment, std::function<void()> act)
+      : stage_(std::move(stage)), moment_(moment), act_(std::move(act)) {}
+  void begin(std::string_view stage, double) override {
+    current_ = stage;
+    if (moment_ == Moment::Begin) step();
+  }
+  void report(std::int64_t, std::int64_t) override { step(); }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  void step() {
+    if (current_ == stage_ && act_) std::exchange(act_, {})();
+  }
+  std::string stage_, current_;
+  Moment moment_;
+  std::function<void()> act_;
+};
+
+TEST_F(ProcessScans, SaysThatItsOutputFolderIsGoneAndIsStartedAgainFromNothing) {
+  ASSERT_TRUE(process("whole").has_value());
+  const std::string pairs = *readFile(folder / "whole/pairs.json");
+  using Moment = ActsAt::Moment;
+  const std::pair<const char*, Moment> cases[] = {{"scans of the back side", Moment::Begin},
+                                                  {"pairs", Moment::Begin},
+                                                  {"pairs", Moment::Within},
+                                                  {"models", Moment::Within},
+                                                  {"report", Moment::Begin}};
+  for (const auto& [stage, moment] : cases) {
+    ProcessOptions options;
+    options.batch = folder / "scans";
+    options.output = folder / "out";
+    options.threads = 2;
+    ActsAt deleting(stage, moment, [&] { fs::remove_all(options.output); });
+    const Result<ProcessSummary> gone = processScans(options, deleting, {});
+    ASSERT_FALSE(gone.has_value()) << stage;
+    EXPECT_EQ(gone.error().code, ErrorCode::CannotWrite) << gone.error().sentence();
+    EXPECT_NE(gone.error().what.find("The output folder is gone"), std::string::npos) << stage;
+    EXPECT_EQ(gone.error().where, options.output.string());
+    EXPECT_FALSE(fs::exists(options.output)) << stage;
+  }
+  ASSERT_TRUE(process("out").has_value());
+  EXPECT_EQ(*readFile(folder / "out/pairs.json"), pairs);
+}
+
+TEST_F(ProcessScans, AnOutputFolderThatWasMovedGoesOnWhereItIsNow) {
+  ProcessOptions options;
+  options.batch = folder / "scans";
+  options.output = folder / "out";
+  options.threads = 2;
+  ActsAt moving("models", ActsAt::Moment::Within,
+                [&] { fs::rename(options.output, folder / "moved"); });
+  ASSERT_FALSE(processScans(options, moving, {}).has_value());
+  EXPECT_FALSE(fs::exists(options.output));
+  ASSERT_TRUE(process("moved").has_value());
+  const std::string log = *readFile(folder / "moved/log.txt");
+  EXPECT_NE(log.find("pairs: whole from an earlier run"), std::string::npos);
+}
+
+// A person's deleting and the program's writing may cross: what is left holds no batch.json.
+TEST_F(ProcessScans, KnowsALeftoverWithoutItsBatchAsItsOwn) {
+  ASSERT_TRUE(
+      writeFileAtomically(folder / "out" / "work" / "pairs" / "half.json", "{").has_value());
+  ASSERT_TRUE(writeFileAtomically(folder / "out/log.txt", "x").has_value());
+  EXPECT_TRUE(process("out").has_value());
 }
 
 // A hand scanner knows no plate: each scan lies anyhow in its own frame.

@@ -23,8 +23,9 @@ class Stage : public testing::Test {
   // Runs the stage 'count' with this key; each real run adds one to runs_.
   Result<StageRecord> run(const std::string& key) {
     QuietProgress quiet;
+    const Result<FolderLock> held = FolderLock::take(folder_);
     return runStage(
-        folder_, "count", {{"option", key}},
+        *held, "count", {{"option", key}},
         [&](const fs::path& folder) -> Result<StageNotes> {
           ++runs_;
           EXPECT_TRUE(fs::is_empty(folder));
@@ -78,8 +79,9 @@ TEST_F(Stage, KilledBeforeItsRecordIsDoneAgainFromAnEmptyFolder) {
 
 TEST_F(Stage, ThatFailsLeavesNoRecord) {
   QuietProgress quiet;
+  const Result<FolderLock> held = FolderLock::take(folder_);
   const Result<StageRecord> failed = runStage(
-      folder_, "count", {},
+      *held, "count", {},
       [](const fs::path&) -> Result<StageNotes> {
         return Error{ErrorCode::NotEnough, "Too few.", {}};
       },

@@ -58,6 +58,35 @@ TEST(SplitScans, ASliverIsACrumbHoweverLong) {
       << found->warnings[0];
 }
 
+// The same plate in a unit that is a third of a millimetre's: nothing may be lost for it.
+TEST(SplitScans, WithoutAScaleACrumbIsOneBesideTheUsualSherd) {
+  PointCloud cloud = test::box(-60, 40, 15, 12, 4);  // a third of a sherd of 45 x 36 mm
+  test::append(cloud, test::box(10, -50, 14, 13, 4));
+  test::append(cloud, test::box(50, 0, 8, 5, 2));  // a small sherd, as of 23 x 14 mm beside them
+  const auto in_mm = split(cloud);
+  ASSERT_TRUE(in_mm.has_value());
+  EXPECT_EQ(in_mm->scans.size(), 2u);
+  EXPECT_TRUE(in_mm->doubtful.empty());
+  SplitOptions relative;
+  relative.lengths = Lengths::Relative;
+  const auto found = split(cloud, relative);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->scans.size(), 3u);
+  EXPECT_TRUE(found->doubtful.empty());
+}
+
+TEST(SplitScans, WithoutAScaleWhatIsLeftOutIsNamedAndInDoubt) {
+  SplitOptions relative;
+  relative.lengths = Lengths::Relative;
+  const auto found = split(plate(), relative);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->scans.size(), 2u);
+  ASSERT_EQ(found->doubtful.size(), 1u);  // 5.7 mm where the usual sherd has 800 mm2
+  EXPECT_EQ(found->warnings, found->doubtful);
+  EXPECT_NE(found->doubtful[0].find("of the usual sherd's length was left out of the front side"),
+            std::string::npos);
+}
+
 // A strip of a sherd's upper edge, 2 mm beside it: it cannot be a sherd, for it stands on nothing.
 TEST(SplitScans, WhatHoversBesideASherdBelongsToIt) {
   PointCloud sherd = test::box(-60, 40, 60, 50, 9);

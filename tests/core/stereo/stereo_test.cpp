@@ -15,9 +15,9 @@ PointCloud reconstructed(const std::vector<View>& views, int threads) {
   options.threads = threads;
   options.floor_z_mm = 10.0;
   QuietProgress quiet;
-  Result<PointCloud> cloud = reconstruct(views, options, quiet, {});
+  Result<Reconstruction> cloud = reconstruct(views, options, quiet, {});
   EXPECT_TRUE(cloud.has_value()) << (cloud ? "" : cloud.error().what);
-  return cloud ? std::move(*cloud) : PointCloud{};
+  return cloud ? std::move(cloud->cloud) : PointCloud{};
 }
 
 TEST(Stereo, FindsABallToAFifthOfAPixelWithItsNormals) {
@@ -77,11 +77,31 @@ TEST(Stereo, IsNotMisledByShadingThatMovesFromStopToStop) {
   EXPECT_LT(std::abs(told), 0.5 * std::abs(untold));
 }
 
+// All masks are the same disc, so that the hull is right with any of the cameras: only the surfaces
+// that the photographs find tell them apart.
+TEST(Stereo, TellsTheCamerasOfThePhotographsFromThoseOfOthers) {
+  const std::vector<View> right = ballViews({}, 6);
+  std::vector<View> wrong = right;
+  for (std::size_t i = 0; i < wrong.size(); ++i)
+    wrong[i].camera.camera_from_plate = right[(5 * i + 3) % right.size()].camera.camera_from_plate;
+  DenseOptions options;
+  options.threads = 2;
+  QuietProgress quiet;
+  const Result<Reconstruction> found = reconstruct(right, options, quiet, {});
+  const Result<Reconstruction> junk = reconstruct(wrong, options, quiet, {});
+  ASSERT_TRUE(found.has_value() && junk.has_value());
+  EXPECT_TRUE(found->agreement.plausible());
+  EXPECT_FALSE(junk->agreement.plausible());
+  EXPECT_GT(found->agreement.confirmedShare(), 3 * junk->agreement.confirmedShare());
+  EXPECT_LE(found->agreement.confirmed, found->agreement.matched);
+  EXPECT_LE(found->agreement.matched, found->agreement.shown);
+}
+
 TEST(Stereo, RefusesTwoViews) {
   std::vector<View> views = ballViews({}, 4);
   views.resize(2);
   QuietProgress quiet;
-  const Result<PointCloud> cloud = reconstruct(views, {}, quiet, {});
+  const Result<Reconstruction> cloud = reconstruct(views, {}, quiet, {});
   ASSERT_FALSE(cloud.has_value());
   EXPECT_EQ(cloud.error().code, ErrorCode::NotEnough);
 }
@@ -90,7 +110,7 @@ TEST(Stereo, NamesThePhotographWhoseSizeIsNotItsCameras) {
   std::vector<View> views = ballViews({}, 4);
   views[2].photograph = views[2].photograph.rowRange(0, 100).clone();
   QuietProgress quiet;
-  const Result<PointCloud> cloud = reconstruct(views, {}, quiet, {});
+  const Result<Reconstruction> cloud = reconstruct(views, {}, quiet, {});
   ASSERT_FALSE(cloud.has_value());
   EXPECT_EQ(cloud.error().code, ErrorCode::UnusableInput);
   EXPECT_EQ(cloud.error().where, "stop1");
@@ -100,7 +120,7 @@ TEST(Stereo, SaysThatEmptyMasksHoldNoObject) {
   std::vector<View> views = ballViews({}, 4);
   for (View& view : views) view.mask.setTo(0);
   QuietProgress quiet;
-  const Result<PointCloud> cloud = reconstruct(views, {}, quiet, {});
+  const Result<Reconstruction> cloud = reconstruct(views, {}, quiet, {});
   ASSERT_FALSE(cloud.has_value());
   EXPECT_EQ(cloud.error().code, ErrorCode::NotEnough);
 }
@@ -109,7 +129,7 @@ TEST(Stereo, StopsOnRequest) {
   std::stop_source source;
   source.request_stop();
   QuietProgress quiet;
-  const Result<PointCloud> cloud = reconstruct(ballViews({}, 4), {}, quiet, source.get_token());
+  const Result<Reconstruction> cloud = reconstruct(ballViews({}, 4), {}, quiet, source.get_token());
   ASSERT_FALSE(cloud.has_value());
   EXPECT_EQ(cloud.error().code, ErrorCode::Cancelled);
 }

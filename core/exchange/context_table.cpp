@@ -17,20 +17,12 @@ namespace {
 
 using namespace catalogue;
 
-const std::vector<std::string> kColumns = {
-    "site",   "trench", "context", "kind",         "excavated_on",  "period",   "date_edtf",
-    "closed", "note",   "bag",     "collected_on", "count_written", "weight_g", "storage"};
-
 Error unknown(const std::string& what, const std::string& code) {
   return {ErrorCode::UnusableInput,
           "There is no " + what + " " + code +
               "; make it, or let the "
               "import make it.",
           {}};
-}
-
-bool isKnown(const std::string& column) {
-  return column == "uuid" || std::find(kColumns.begin(), kColumns.end(), column) != kColumns.end();
 }
 
 // Sets a text from a column: blank keeps, <clear> empties.
@@ -41,23 +33,24 @@ class Values {
     const auto found = std::find(table_.columns.begin(), table_.columns.end(), column);
     if (found == table_.columns.end()) return {};
     const auto index = static_cast<std::size_t>(found - table_.columns.begin());
-    return index < row_.values.size() ? trimmed(unguarded(row_.values[index])) : std::string();
+    return index < row_.values.size() ? row_.values[index] : std::string();
   }
   void text(const std::string& column, std::string& value) const {
     const std::string read = raw(column);
     if (!read.empty()) value = read == "<clear>" ? std::string() : read;
   }
-  // The user's own fields with what the columns say that are not known.
+  // The user's own fields with what their columns say.
   std::string extra(const std::string& before) const {
     nlohmann::ordered_json fields = orderedJsonOrDiscarded(before);
     if (!fields.is_object()) fields = nlohmann::ordered_json::object();
     for (const std::string& column : table_.columns) {
-      if (isKnown(column)) continue;
-      std::string value = fields.contains(column) && fields[column].is_string()
-                              ? fields[column].get<std::string>()
+      if (!column.starts_with("extra.")) continue;
+      const std::string name = column.substr(6);
+      std::string value = fields.contains(name) && fields[name].is_string()
+                              ? fields[name].get<std::string>()
                               : std::string();
       text(column, value);
-      value.empty() ? (void)fields.erase(column) : (void)(fields[column] = value);
+      value.empty() ? (void)fields.erase(name) : (void)(fields[name] = value);
     }
     return fields.dump();
   }
@@ -135,14 +128,6 @@ class ContextRows {
   }  // a table of contexts is there to make them
 
   Result<void> row(const CsvRow& row) {
-    if (row.values.size() != table_.columns.size()) {
-      refuse({row.line,
-              {},
-              {},
-              "The row has " + std::to_string(row.values.size()) + " values, the header " +
-                  std::to_string(table_.columns.size()) + "."});
-      return {};
-    }
     const Values values(table_, row);
     const auto known =
         catalogue_.contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
@@ -259,10 +244,6 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
                                     const ImportOptions& options, const Act& act,
                                     Progress& progress, std::stop_token stop) {
   ImportReport report;
-  for (const std::string& column : table.columns)
-    if (!isKnown(column))
-      report.warnings.push_back("The column '" + column +
-                                "' is not known; its values are kept as a field of your own.");
   ContextRows entering(catalogue, table, act, report);
   const Result<std::size_t> entered =
       enterInPortions(catalogue, table.rows.size(), options, progress, stop,

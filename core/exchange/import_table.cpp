@@ -16,16 +16,12 @@ namespace {
 
 using catalogue::Act;
 using catalogue::Catalogue;
+using catalogue::Confirmation;
 using catalogue::FieldChange;
 using catalogue::FieldKind;
 using catalogue::SherdField;
 using catalogue::SherdRecord;
 using catalogue::SherdRow;
-
-// Columns that an export writes beside the fields; they say nothing about the sherd itself.
-const std::set<std::string> kBeside = {"measured_by_hand", "model_file",      "image_file",
-                                       "drawing_file",     "licence",         "mass_centre_x_mm",
-                                       "mass_centre_y_mm", "mass_centre_z_mm"};
 
 const SherdField* fieldNamed(const std::string& name) {
   for (const SherdField& field : catalogue::sherdFields())
@@ -47,6 +43,7 @@ class Importing {
         joins_(rows),
         places_(catalogue, options.unknown_places, act),
         makes_places_(options.unknown_places == UnknownPlaces::Make),
+        options_(options),
         act_(act),
         report_(report) {
     if (const auto persons = catalogue.persons())
@@ -60,6 +57,7 @@ class Importing {
     Refusal refusal{row.line, {}, {}, {}};
     done_.clear();
     undo_.clear();
+    asks_ = false;
     const Result<void> done = catalogue_.together([&]() -> Result<void> {
       const Result<SherdRow> sherd = find(row, refusal);
       if (!sherd) return sherd.error();
@@ -76,9 +74,9 @@ class Importing {
     if (!done) {
       places_.forget();
       if (refusal.reason.empty()) refusal.reason = done.error().sentence();
-      report_.refusals.push_back(std::move(refusal));
-      ++report_.refused;
-      report_.rows.emplace_back(row.line, RowFate::Refused);
+      (asks_ ? report_.questions : report_.refusals).push_back(std::move(refusal));
+      ++(asks_ ? report_.asked : report_.refused);
+      report_.rows.emplace_back(row.line, asks_ ? RowFate::Asked : RowFate::Refused);
       return {};
     }
     joins_.enteredAs(at, entered);
@@ -160,6 +158,9 @@ class Importing {
     const Result<SherdRecord> now = catalogue_.sherd(sherd);
     if (!now) return now.error();
     std::vector<FieldChange> changes;
+    const bool confirmed =
+        options_.asked_rows == AskedRows::Enter || options_.confirmed_lines.contains(row.line);
+    const Confirmation confirmation = confirmed ? Confirmation::Given : Confirmation::None;
     for (const auto& [name, typed] : row.values) {
       if (typed.empty() || name == "joins") continue;
       const SherdField* field = fieldNamed(name);
@@ -190,7 +191,8 @@ class Importing {
           continue;
       }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
-      if (value != catalogue::textOf(*now, own)) changes.push_back({sherd, own, value});
+      if (value != catalogue::textOf(*now, own))
+        changes.push_back({sherd, own, value, confirmation});
     }
     const auto joins = joins_.of(at, *now, catalogue_);
     if (!joins) return refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
@@ -247,10 +249,16 @@ class Importing {
 
   // Which column it was.
   Error named(const std::vector<FieldChange>& changes, const Error& error, Refusal& refusal) {
-    if (const auto shown = catalogue_.preview(changes))
-      for (const catalogue::ChangePreview& change : *shown)
-        if (!change.refusal.empty())
-          return refuse(refusal, change.change.field, change.change.value, change.refusal);
+    const auto shown = catalogue_.preview(changes);
+    if (!shown) return error;
+    for (const catalogue::ChangePreview& change : *shown)
+      if (!change.refusal.empty())
+        return refuse(refusal, change.change.field, change.change.value, change.refusal);
+    for (const catalogue::ChangePreview& change : *shown)
+      if (change.asks()) {
+        asks_ = true;
+        return refuse(refusal, change.change.field, change.change.value, change.question);
+      }
     return error;
   }
 
@@ -259,7 +267,9 @@ class Importing {
   TableJoins joins_;
   Places places_;
   bool makes_places_;
+  const ImportOptions& options_;
   const Act& act_;
+  bool asks_ = false;  ///< the present row is not refused: a person may confirm it
   ImportReport& report_;
   std::vector<FieldChange> done_, undo_;  ///< of the present row
   std::map<std::string, std::set<std::string>> seen_;
@@ -277,8 +287,56 @@ Result<void> checkColumns(const CsvTable& table, const std::string& where) {
   return {};
 }
 
-bool has(const CsvTable& table, const std::string& column) {
-  return std::find(table.columns.begin(), table.columns.end(), column) != table.columns.end();
+std::vector<ImportRow> sherdRowsOf(const CsvTable& table) {
+  std::vector<ImportRow> rows;
+  for (const CsvRow& read : table.rows) {
+    ImportRow row{read.line, {}, {}};
+    row.comma_separates = table.separator == ',';
+    for (std::size_t i = 0; i < read.values.size(); ++i) {
+      if (table.columns[i] != "measured_by_hand") {
+        row.values[table.columns[i]] = read.values[i];
+        continue;
+      }
+      const std::vector<std::string> columns = catalogue::splitTerms(read.values[i]);
+      row.by_hand.emplace(columns.begin(), columns.end());
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Takes out the rows that do not fit the header.
+std::vector<Refusal> takeBroken(CsvTable& table) {
+  std::vector<Refusal> broken;
+  std::erase_if(table.rows, [&](const CsvRow& row) {
+    if (row.values.size() == table.columns.size()) return false;
+    broken.push_back({row.line,
+                      {},
+                      {},
+                      "The row has " + std::to_string(row.values.size()) + " values, the header " +
+                          std::to_string(table.columns.size()) + "."});
+    return true;
+  });
+  return broken;
+}
+
+void addBroken(ImportReport& report, const std::vector<Refusal>& broken) {
+  report.refused += static_cast<int>(broken.size());
+  for (const Refusal& refusal : broken) report.rows.emplace_back(refusal.line, RowFate::Refused);
+  std::sort(report.rows.begin(), report.rows.end());
+  report.refusals.insert(report.refusals.end(), broken.begin(), broken.end());
+  std::stable_sort(report.refusals.begin(), report.refusals.end(),
+                   [](const Refusal& a, const Refusal& b) { return a.line < b.line; });
+}
+
+// A refusal names the column as the table does.
+void nameColumns(std::vector<Refusal>& refusals, const TableMapping& mapping) {
+  for (Refusal& refusal : refusals)
+    for (const ColumnChoice& choice : mapping.columns)
+      if (!choice.field.empty() && choice.field == refusal.column) {
+        refusal.column = choice.column;
+        break;
+      }
 }
 
 }  // namespace
@@ -314,60 +372,38 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
 Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
                                  const std::string& where, const ImportOptions& options,
                                  const Act& act, Progress& progress, std::stop_token stop) {
-  const Result<CsvTable> table = parseCsv(bytes, where);
+  Result<CsvTable> table = parseCsv(bytes, where);
   if (!table) return table.error();
   if (Result<void> good = checkColumns(*table, where); !good) return good.error();
-  const bool sherds = has(*table, "number") || has(*table, "uuid");
-  if (!sherds && (!has(*table, "site") || !has(*table, "context")))
-    return Error{ErrorCode::UnusableInput,
-                 "The table needs a column 'number' (sherds), or the columns 'site' and 'context' "
-                 "(contexts).",
-                 where};
+  const Result<TableMapping> mapping = mapColumns(catalogue, *table, options.columns, where);
+  if (!mapping) return mapping.error();
   ImportOptions named = options;
   if (named.source.empty()) named.source = where;
-  if (!sherds) return importContexts(catalogue, *table, named, act, progress, stop);
-  std::vector<ImportRow> rows;
-  std::vector<Refusal> broken;
-  for (const CsvRow& read : table->rows) {
-    if (read.values.size() != table->columns.size()) {
-      broken.push_back({read.line,
-                        {},
-                        {},
-                        "The row has " + std::to_string(read.values.size()) +
-                            " values, the header " + std::to_string(table->columns.size()) + "."});
-      continue;
-    }
-    ImportRow row{read.line, {}, {}};
-    row.comma_separates = table->separator == ',';
-    for (std::size_t i = 0; i < read.values.size(); ++i) {
-      const std::string value = catalogue::trimmed(unguarded(read.values[i]));
-      if (!kBeside.contains(table->columns[i])) row.values[table->columns[i]] = value;
-      if (table->columns[i] != "measured_by_hand") continue;
-      const std::vector<std::string> columns = catalogue::splitTerms(value);
-      row.by_hand.emplace(columns.begin(), columns.end());
-    }
-    rows.push_back(std::move(row));
-  }
-  Result<ImportReport> report = importSherds(catalogue, rows, named, act, progress, stop);
+  const std::vector<Refusal> broken = takeBroken(*table);
+  const CsvTable own = mapped(*table, *mapping);
+  Result<ImportReport> report =
+      mapping->of_contexts ? importContexts(catalogue, own, named, act, progress, stop)
+                           : importSherds(catalogue, sherdRowsOf(own), named, act, progress, stop);
   if (!report) return report;
-  report->refused += static_cast<int>(broken.size());
-  for (const Refusal& refusal : broken) report->rows.emplace_back(refusal.line, RowFate::Refused);
-  std::sort(report->rows.begin(), report->rows.end());
-  report->refusals.insert(report->refusals.end(), broken.begin(), broken.end());
-  std::stable_sort(report->refusals.begin(), report->refusals.end(),
-                   [](const Refusal& a, const Refusal& b) { return a.line < b.line; });
-  for (const std::string& column : table->columns)
-    if (!fieldNamed(column) && !kBeside.contains(column) && !column.starts_with("extra."))
-      report->warnings.push_back("The column '" + column +
+  addBroken(*report, broken);
+  nameColumns(report->refusals, *mapping);
+  nameColumns(report->questions, *mapping);
+  for (const ColumnChoice& choice : mapping->columns)
+    if (choice.by == ChosenBy::Nobody)
+      report->warnings.push_back("The column '" + choice.column +
                                  "' is not known; its values are kept as a field of your own.");
+  if (options.mode == ImportMode::Enter)
+    if (Result<void> saved = rememberColumns(catalogue, *mapping); !saved) return saved.error();
+  report->mapping = *mapping;
   return report;
 }
 
 std::string refusalsCsv(const ImportReport& report) {
   std::string text = csvLine({"line", "column", "value", "reason"});
-  for (const Refusal& refusal : report.refusals)
-    text += csvLine({std::to_string(refusal.line), guarded(refusal.column), guarded(refusal.value),
-                     refusal.reason});
+  for (const auto* list : {&report.refusals, &report.questions})
+    for (const Refusal& refusal : *list)
+      text += csvLine({std::to_string(refusal.line), guarded(refusal.column),
+                       guarded(refusal.value), refusal.reason});
   return text;
 }
 

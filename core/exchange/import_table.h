@@ -11,17 +11,23 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "exchange/column_mapping.h"
 
 namespace ostraka::exchange {
 
 /// A preview does everything and takes it back: what it counts is what entering will do.
 enum class ImportMode { Preview, Enter };
 enum class UnknownPlaces { Refuse, Make };
+/// Rows with a measured value that the catalogue asks about (ChangePreview::question).
+enum class AskedRows { Hold, Enter };
 
 struct ImportOptions {
   ImportMode mode = ImportMode::Preview;
   UnknownPlaces unknown_places = UnknownPlaces::Refuse;
   std::string source = {};  ///< name of the table, for unfinishedImports()
+  AskedRows asked_rows = AskedRows::Hold;
+  std::set<int> confirmed_lines = {};      ///< of them, those that enter all the same
+  std::vector<ColumnChoice> columns = {};  ///< of importTable; the others are proposed
 };
 
 constexpr const char* kClear = "<clear>";
@@ -43,12 +49,14 @@ struct Refusal {
   int line = 0;
   std::string column, value, reason;
 };
-enum class RowFate { Fresh, Same, Changed, Refused };
+enum class RowFate { Fresh, Same, Changed, Refused, Asked };
 struct ImportReport {
   int fresh = 0, same = 0, changed = 0, refused = 0;
+  int asked = 0;        ///< rows that did not enter: a person has to confirm a value
   int not_reached = 0;  ///< rows of which nothing is entered, since the import was stopped
-  std::vector<Refusal> refusals;
+  std::vector<Refusal> refusals, questions;
   std::vector<std::string> warnings;
+  TableMapping mapping = {};                  ///< of a table
   std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
   /// Of sherds that were there before: what is changed, and what takes it back, in order.
   std::vector<catalogue::FieldChange> changes, undo;
@@ -63,8 +71,9 @@ Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
                                   const catalogue::Act& act, Progress& progress,
                                   std::stop_token stop);
 
-/// A table of sherds (it has a column number or uuid) or of contexts (site, trench, context, bag
-/// ...), as CSV. Errors: what parseCsv refuses, a required column that is missing or there twice.
+/// A table of sherds (a column has their numbers or uuids) or of contexts (site, trench, context,
+/// bag ...), as CSV; its columns go where mapColumns says, which is remembered once they entered.
+/// Errors: what parseCsv and mapColumns refuse, a column that is there twice.
 Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_view bytes,
                                  const std::string& where, const ImportOptions& options,
                                  const catalogue::Act& act, Progress& progress,
@@ -79,7 +88,7 @@ struct UnfinishedImport {
 std::vector<UnfinishedImport> unfinishedImports(const catalogue::Catalogue& catalogue);
 Result<void> forgetUnfinishedImports(catalogue::Catalogue& catalogue);
 
-/// line, column, value, reason: to be mended in a spreadsheet.
+/// line, column, value, reason: to be mended in a spreadsheet. Refused rows, then asked ones.
 std::string refusalsCsv(const ImportReport& report);
 
 /// Runs `work` as one transaction that a preview takes back.
@@ -87,7 +96,7 @@ Result<void> previewOrEnter(catalogue::Catalogue& catalogue, ImportMode mode,
                             const std::function<Result<void>()>& work);
 
 struct CsvTable;
-/// The second kind of importTable, stopped and gone on with as importSherds.
+/// The second kind of importTable, mapped; stopped and gone on with as importSherds.
 Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTable& table,
                                     const ImportOptions& options, const catalogue::Act& act,
                                     Progress& progress, std::stop_token stop);

@@ -61,7 +61,14 @@ Result<std::size_t> enterInPortions(Catalogue& catalogue, std::size_t count,
     return next;
   }
   while (next < count && !stop.stop_requested()) {
-    if (const Result<void> done = catalogue.together(portion); !done) return done.error();
+    const std::size_t entered = next;
+    if (const Result<void> done = catalogue.together(portion); !done) {
+      Error error = done.error();
+      if (error.code != ErrorCode::Cancelled)
+        error.what += " Of " + std::to_string(count) + " rows " + std::to_string(entered) +
+                      " are entered; the same import enters the others.";
+      return error;
+    }
     if (next < count) std::this_thread::sleep_for(kForOthers);
   }
   if (next == 0 && count > 0) return Error::cancelled();

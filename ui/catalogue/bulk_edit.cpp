@@ -1,5 +1,6 @@
 #include "ui/catalogue/bulk_edit.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QCompleter>
 #include <QHeaderView>
@@ -68,7 +69,7 @@ BulkEdit::BulkEdit(QWidget* parent) : QWidget(parent) {
 void BulkEdit::buildLayout() {
   auto* column = new QVBoxLayout(this);
   heading_ = new QLabel(this);
-  heading_->setFont(scaledFont(*this, 1.3));
+  heading_->setFont(scaledFont(*this, Look::kSection, true));
   field_ = new QComboBox(this);
   field_->setObjectName("bulkField");
   field_->setAccessibleName(tr("Field to change"));
@@ -83,6 +84,10 @@ void BulkEdit::buildLayout() {
   summary_ = new QLabel(this);
   summary_->setObjectName("bulkSummary");
   summary_->setWordWrap(true);
+  replace_ = new QCheckBox(tr("Replace with measured value"), this);
+  replace_->setObjectName("bulkReplace");
+  replace_->hide();
+  connect(replace_, &QCheckBox::clicked, this, [this] { preview(); });
   table_ = new QTableWidget(0, 3, this);
   table_->setHorizontalHeaderLabels({tr("sherd"), tr("now"), tr("then")});
   table_->setAccessibleName(tr("What would change"));
@@ -92,17 +97,18 @@ void BulkEdit::buildLayout() {
   table_->setWordWrap(true);
   apply_ = new QPushButton(icon("check"), tr("Change"), this);
   apply_->setObjectName("bulkApply");
-  apply_->setMinimumHeight(targetSize(*this));
-  numbers_ = new QPushButton(icon("label"), tr("Give numbers to the drafts"), this);
+  apply_->setMinimumHeight(controlHeight(*this));
+  numbers_ = new QPushButton(icon("label"), tr("Assign numbers"), this);
   numbers_->setObjectName("bulkNumbers");
-  numbers_->setMinimumHeight(targetSize(*this));
+  numbers_->setMinimumHeight(controlHeight(*this));
   auto* field_label = new QLabel(tr("Field"), this);
   field_label->setBuddy(field_);
   auto* value_label = new QLabel(tr("Value"), this);
   value_label->setBuddy(value_);
   for (QWidget* widget : {static_cast<QWidget*>(heading_), static_cast<QWidget*>(field_label),
                           static_cast<QWidget*>(field_), static_cast<QWidget*>(value_label),
-                          static_cast<QWidget*>(value_), static_cast<QWidget*>(summary_)})
+                          static_cast<QWidget*>(value_), static_cast<QWidget*>(summary_),
+                          static_cast<QWidget*>(replace_)})
     column->addWidget(widget);
   column->addWidget(table_, 1);
   column->addWidget(apply_);
@@ -113,16 +119,20 @@ void BulkEdit::buildLayout() {
   bar_->setAccessibleName(tr("Progress of the changes"));
   stop_ = new QPushButton(icon("cancel"), tr("Stop and take back"), this);
   stop_->setObjectName("bulkStop");
-  stop_->setMinimumHeight(targetSize(*this));
+  stop_->setMinimumHeight(controlHeight(*this));
   column->addWidget(bar_);
   column->addWidget(stop_);
   showProgress(-1);
   connect(stop_, &QPushButton::clicked, this, &BulkEdit::stopWanted);
   connect(field_, &QComboBox::currentIndexChanged, this, [this] {
     offerTerms();
+    replace_->setChecked(false);
     preview();
   });
-  connect(value_, &QLineEdit::textEdited, this, [this] { preview(); });
+  connect(value_, &QLineEdit::textEdited, this, [this] {
+    replace_->setChecked(false);  // it was said of another value
+    preview();
+  });
   connect(apply_, &QPushButton::clicked, this, [this] { emit wanted(good_); });
   connect(numbers_, &QPushButton::clicked, this, &BulkEdit::numbersWanted);
 }
@@ -136,6 +146,7 @@ void BulkEdit::setSherds(ProjectSession* session, std::vector<catalogue::SherdRo
   sherds_ = std::move(sherds);
   heading_->setText(tr("%n sherd(s) chosen", nullptr, static_cast<int>(sherds_.size())));
   value_->setText({});  // clear() would count as a person's act
+  replace_->setChecked(false);
   offerTerms();
   preview();
 }
@@ -172,7 +183,8 @@ void BulkEdit::preview() {
   apply_->setText(tr("Change"));
   summary_->clear();
   if (!session_ || sherds_.empty()) return;
-  if (!value_->isModified()) {  // an empty line deletes only when a person emptied it
+  if (!value_->isModified()) {
+    replace_->hide();  // an empty line deletes only when a person emptied it
     summary_->setText(tr("Type a value to see what would change."));
     return;
   }
@@ -180,12 +192,15 @@ void BulkEdit::preview() {
   if (const QString two_ways = inTwoWays(field, value_->text()); !two_ways.isEmpty())
     return summary_->setText(two_ways);
   const auto work = [folder = session_->folder(), sherds = sherds_, field,
-                     value = value_->text().toStdString()](Progress&,
-                                                           std::stop_token) -> Result<Preview> {
+                     value = value_->text().toStdString(),
+                     confirmation = replace_->isChecked() ? catalogue::Confirmation::Given
+                                                          : catalogue::Confirmation::None](
+                        Progress&, std::stop_token) -> Result<Preview> {
     const Result<catalogue::Catalogue> catalogue = catalogue::Project::connect(folder);
     if (!catalogue) return catalogue.error();
     std::vector<catalogue::FieldChange> changes;
-    for (const catalogue::SherdRow& sherd : sherds) changes.push_back({sherd, field, value});
+    for (const catalogue::SherdRow& sherd : sherds)
+      changes.push_back({sherd, field, value, confirmation});
     Result<catalogue::Move> move = isPlace(field) ? catalogue::moveOf(*catalogue, changes)
                                                   : catalogue::Move{changes, 0, {}, {}};
     if (!move) return move.error();
@@ -207,25 +222,29 @@ void BulkEdit::preview() {
 }
 
 void BulkEdit::showPreview(const Preview& preview) {
-  int changed = 0, same = 0, refused = 0;
+  int changed = 0, same = 0, refused = 0, asked = 0;
+  bool asks = false;
   std::size_t sherd = 0;
   for (const catalogue::ChangePreview& change : preview.shown) {
     const bool is_same = change.refusal.empty() && change.old_value == change.new_value;
-    if (change.refusal.empty() && !is_same) good_.push_back(change.change);
+    asks = asks || !change.findings.empty();
+    if (change.refusal.empty() && !is_same && !change.asks()) good_.push_back(change.change);
     if (change.change.field != preview.shown.front().change.field) continue;  // comes along
     const std::size_t i = sherd++;
-    (is_same ? same : change.refusal.empty() ? changed : refused) += 1;
+    (is_same ? same : !change.refusal.empty() ? refused : change.asks() ? asked : changed) += 1;
     if (i >= preview.records.size() || is_same) continue;
     const int row = table_->rowCount();
     table_->insertRow(row);
     const QString number = QString::fromStdString(preview.records[i].number);
     table_->setItem(row, 0, new QTableWidgetItem(number.isEmpty() ? tr("no number yet") : number));
     table_->setItem(row, 1, new QTableWidgetItem(shownValue(change, change.old_value, words_)));
-    auto* then = new QTableWidgetItem(change.refusal.empty()
-                                          ? shownValue(change, change.new_value, words_)
-                                          : tr("refused: %1").arg(wordsOf(change.refusal)));
+    auto* then = new QTableWidgetItem(
+        !change.refusal.empty() ? tr("refused: %1").arg(wordsOf(change.refusal))
+        : change.asks()         ? questionWords(change.findings)
+                                : shownValue(change, change.new_value, words_));
     then->setToolTip(then->text());
     if (!change.refusal.empty()) then->setIcon(icon("error"));
+    if (change.asks()) then->setIcon(icon("question"));
     table_->setItem(row, 2, then);
   }
   table_->resizeColumnsToContents();
@@ -234,6 +253,8 @@ void BulkEdit::showPreview(const Preview& preview) {
       tr("%1 change, %2 stay as they are, %3 are refused.").arg(changed).arg(same).arg(refused);
   note_ = leftBehindWords(preview.move);
   QStringList lines = QStringList(counts) + reasonsOf(preview.shown);
+  if (asked > 0) lines << tr("%n value(s) ask for a confirmation.", nullptr, asked);
+  replace_->setVisible(asks);
   if (!note_.isEmpty()) lines << note_;
   summary_->setText(lines.join(QLatin1Char('\n')));
   apply_->setEnabled(!good_.empty());

@@ -6,6 +6,7 @@
 #include "catalogue/catalogue.h"
 #include "ui/frame/term_words.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -55,6 +56,7 @@ class BulkEdit final : public QWidget {
   QComboBox* field_ = nullptr;
   TermWords words_;
   QLineEdit* value_ = nullptr;
+  QCheckBox* replace_ = nullptr;  ///< a person confirms what is asked of measurements
   QLabel* summary_ = nullptr;
   QTableWidget* table_ = nullptr;
   QPushButton* apply_ = nullptr;

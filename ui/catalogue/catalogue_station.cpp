@@ -13,6 +13,7 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
+#include <QToolButton>
 #include <algorithm>
 
 #include "catalogue/project.h"
@@ -28,7 +29,9 @@
 #include "ui/catalogue/sherd_details.h"
 #include "ui/catalogue/sherd_edits.h"
 #include "ui/catalogue/sherd_table_model.h"
+#include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
+#include "ui/frame/message_panel.h"
 #include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
@@ -48,8 +51,10 @@ CatalogueStation::CatalogueStation(QWidget* parent) : Station(parent) {
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           [this] { showSelection(); });
   connect(details_, &SherdDetails::edited, this, &CatalogueStation::saveField);
-  connect(details_, &SherdDetails::voided, this,
-          [this](const QString& reason) { keepField(QStringLiteral("void_reason"), reason); });
+  connect(details_, &SherdDetails::confirmed, this,
+          [this](const QString& field, const QString& value) {
+            keepField(field, value, catalogue::Confirmation::Given);
+          });
   connect(details_, &SherdDetails::numberWanted, this, &CatalogueStation::giveNumbers);
   connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueStation::giveNumbers);
   connect(import_, &ImportModel::entered, this,
@@ -80,8 +85,11 @@ QWidget* CatalogueStation::buildFilterLine() {
   to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
                             .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
   connect(to_import, &QPushButton::clicked, this, &CatalogueStation::openImport);
-  auto* to_export = new QPushButton(icon("export"), tr("Export these"), this);
+  auto* to_export = new BigButton(this);
+  to_export->setText(tr("Export these"));
+  to_export->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   to_export->setObjectName("exportThese");
+  export_ = to_export;
   connect(to_export, &QPushButton::clicked, this, [this] {
     const QString rows = chosen();
     emit wantsStation("export", rows.startsWith("rows:") ? rows : "filter:" + filter_->text());
@@ -126,8 +134,9 @@ QWidget* CatalogueStation::buildLeft() {
   table_->setWordWrap(false);
   table_->setTabKeyNavigation(false);
   table_->setItemDelegateForColumn(0, new NumberDelegate(table_));
-  const int height = std::max(targetSize(*this), 44);
-  table_->setIconSize({5 * height / 2, height - 6});  // front, back and side of the sherd
+  const int height = Look::kRow;
+  table_->setIconSize(
+      {5 * Look::kThumbnail / 2, Look::kThumbnail});  // front, back and side of the sherd
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(height);
@@ -141,18 +150,25 @@ QWidget* CatalogueStation::buildLeft() {
                            std::max(fontMetrics().horizontalAdvance(heading) + 5 * letter,
                                     column == 0 ? 5 * height / 2 + 25 * letter : 12 * letter));
   }
-  empty_ = new QLabel(this);
-  empty_->setAlignment(Qt::AlignCenter);
-  empty_->setWordWrap(true);
-  empty_->setFont(scaledFont(*this, 1.3));
+  connect(table_, &QTableView::activated, this, [this] { openDetails(); });
+  none_ = new EmptyState("sherd", tr("No sherds yet"),
+                         tr("Sherds appear here when a batch is processed."), this);
+  to_capture_ = none_->addAct(tr("Capture a batch"), "catalogueToCapture");
+  connect(to_capture_, &QPushButton::clicked, this, [this] { emit wantsStation("capture", {}); });
+  no_match_ = new EmptyState("filter", tr("No sherds match this filter"),
+                             tr("Remove a condition to see more."), this);
+  clear_ = no_match_->addAct(tr("Clear filter"), "clearFilter");
+  connect(clear_, &QPushButton::clicked, this, [this] { filter_->setText({}); });
   left_ = new QStackedWidget(this);
   left_->addWidget(table_);
-  left_->addWidget(empty_);
+  left_->addWidget(new PageArea(none_, left_));
+  left_->addWidget(new PageArea(no_match_, left_));
   return left_;
 }
 
 void CatalogueStation::buildLayout() {
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   column->addWidget(buildFilterLine());
   problem_ = new QLabel(this);
   problem_->setObjectName("problem");
@@ -173,6 +189,7 @@ void CatalogueStation::buildLayout() {
 
 QWidget* CatalogueStation::buildRight() {
   details_ = new SherdDetails(this);
+  details_->setObjectName("details");
   bulk_ = new BulkEdit(this);
   model_pane_ = new ModelPane(this);
   drawing_ = new DrawingPage(this);
@@ -192,6 +209,18 @@ QWidget* CatalogueStation::buildRight() {
   right_->addTab(edit_, icon("edit"), tr("Details"));
   drawing_tab_ = right_->addTab(new PageArea(drawing_, right_), icon("drawing"), tr("Drawing"));
   right_->tabBar()->setAccessibleName(tr("Details or drawing"));
+  show_model_ = new QToolButton(right_);
+  show_model_->setObjectName("showModel");
+  show_model_->setIcon(icon("model"));
+  show_model_->setText(tr("Model"));
+  show_model_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  show_model_->setCheckable(true);
+  show_model_->setAutoRaise(true);
+  show_model_->hide();
+  connect(show_model_, &QToolButton::toggled, this, [this] {
+    if (!show_model_->isHidden()) setCompact(true);
+  });
+  right_->setCornerWidget(show_model_);
   connect(drawing_, &DrawingPage::said, this, &Station::said);
   connect(drawing_, &DrawingPage::measuresWanted, this,
           [this](const std::vector<catalogue::FieldChange>& changes) {
@@ -212,21 +241,38 @@ void CatalogueStation::addActions() {
     addAction(action);
   };
   add(tr("Search"), "search", QKeySequence::Find, "search", [this] { filter_->takeKeys(); });
-  add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] {
-    right_->setCurrentWidget(edit_);
-    if (edit_->currentWidget() == many_)
-      bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
-    else
-      details_->edit();
-  });
+  add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] { openDetails(); });
   add(tr("Drawing"), "drawing", QKeySequence(Qt::CTRL | Qt::Key_D), "drawing", [this] {
     right_->setCurrentIndex(drawing_tab_);
     drawing_->setFocus(Qt::ShortcutFocusReason);
   });
   add(tr("Import"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), "openImport",
       [this] { openImport(); });
-  add(tr("Give numbers"), "label", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), "giveNumbers",
+  add(tr("Assign numbers"), "label", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), "giveNumbers",
       [this] { giveNumbers(); });
+}
+
+// F2, Enter and a double click: what is chosen can be typed into at once.
+void CatalogueStation::openDetails() {
+  right_->setCurrentWidget(edit_);
+  show_model_->setChecked(false);
+  if (edit_->currentWidget() == many_)
+    bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
+  else
+    details_->edit();
+}
+
+QAbstractButton* CatalogueStation::primary() const {
+  const int shown = left_->currentIndex();
+  return shown == 0 ? export_ : shown == 1 ? to_capture_ : clear_;
+}
+
+// Details and model one at a time, where both would show a line each.
+void CatalogueStation::setCompact(bool compact) {
+  show_model_->setVisible(compact);
+  if (!compact) show_model_->setChecked(false);
+  model_pane_->setVisible(!compact || show_model_->isChecked());
+  details_->setVisible(!compact || !show_model_->isChecked());
 }
 
 void CatalogueStation::openProject(ProjectSession& session) {
@@ -362,11 +408,7 @@ void CatalogueStation::showItem(const QString& what) {
 void CatalogueStation::showCount() {
   const int rows = model_->rowCount();
   filter_->showCount(rows);
-  empty_->setText(model_->filter().conditions.empty()
-                      ? tr("No sherds yet. They come by themselves when a batch is computed; "
-                           "start with Capture.")
-                      : tr("No sherd fits. Take a condition away."));
-  left_->setCurrentWidget(rows > 0 ? static_cast<QWidget*>(table_) : empty_);
+  left_->setCurrentIndex(rows > 0 ? 0 : model_->filter().conditions.empty() ? 1 : 2);
 }
 
 std::vector<catalogue::SherdRow> CatalogueStation::selected() const {

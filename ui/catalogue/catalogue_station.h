@@ -5,14 +5,17 @@
 #include "ui/frame/station.h"
 
 class QLabel;
+class QPushButton;
 class QStackedWidget;
 class QTabWidget;
 class QTableView;
+class QToolButton;
 
 namespace ostraka::ui {
 
 class BulkEdit;
 class DrawingPage;
+class EmptyState;
 class FilterLine;
 class ImportDialog;
 class ImportModel;
@@ -35,6 +38,8 @@ class CatalogueStation final : public Station {
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   void setInFront(bool in_front) override;
+  QAbstractButton* primary() const override;
+  void setCompact(bool compact) override;
   QString chosen() const override;
 
  public slots:
@@ -56,11 +61,13 @@ class CatalogueStation final : public Station {
   QWidget* buildRight();
   std::vector<catalogue::SherdRow> selected() const;
   void saveField(const QString& field, const QString& value);
-  void keepField(const QString& field, const QString& value);
+  void keepField(const QString& field, const QString& value,
+                 catalogue::Confirmation confirmation = catalogue::Confirmation::None);
   void move(const QStringList& place);
   void changeAll(const std::vector<catalogue::FieldChange>& changes);
   void giveNumbers();
   void openImport();
+  void openDetails();
   void sherdsChanged(const std::vector<catalogue::SherdRow>& sherds);
   void tellOfImports();
   void forgetImports();
@@ -74,7 +81,9 @@ class CatalogueStation final : public Station {
   QWidget* who_ = nullptr;
   QTableView* table_ = nullptr;
   QStackedWidget* left_ = nullptr;
-  QLabel* empty_ = nullptr;
+  EmptyState *none_ = nullptr, *no_match_ = nullptr;
+  QPushButton *to_capture_ = nullptr, *clear_ = nullptr, *export_ = nullptr;
+  QToolButton* show_model_ = nullptr;  ///< in place of the details, in a compact window
   QTabWidget* right_ = nullptr;
   QStackedWidget* edit_ = nullptr;  ///< one sherd or many
   QWidget* one_ = nullptr;

@@ -50,7 +50,7 @@ QLayout* DrawingPage::buildChoices() {
     auto* box = new QComboBox(this);
     box->setObjectName(name);
     box->setAccessibleName(text);
-    box->setMinimumHeight(targetSize(*this) * 3 / 4);
+    box->setMinimumHeight(controlHeight(*this));
     // Long words of some languages do not widen the window.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(12);
@@ -76,7 +76,7 @@ QLayout* DrawingPage::buildChoices() {
     form->addRow(label, box);
     connect(box, &QComboBox::activated, this, &DrawingPage::choicesChanged);
   }
-  centreLabels(*form);
+  alignForm(*form);
   return form;
 }
 
@@ -84,7 +84,7 @@ QLayout* DrawingPage::buildActs() {
   const auto button = [this](const char* name, const char* picture, const QString& text) {
     auto* made = new QPushButton(icon(picture), text, this);
     made->setObjectName(name);
-    made->setMinimumHeight(targetSize(*this));
+    made->setMinimumHeight(controlHeight(*this));
     return made;
   };
   enter_ = button("enterRim", "check", tr("Enter the diameter"));
@@ -111,7 +111,7 @@ QLayout* DrawingPage::buildActs() {
 void DrawingPage::buildLayout() {
   draw_ = new QPushButton(icon("edit"), {}, this);
   draw_->setObjectName("drawMany");
-  draw_->setMinimumHeight(targetSize(*this));
+  draw_->setMinimumHeight(controlHeight(*this));
   connect(draw_, &QPushButton::clicked, this, &DrawingPage::draw);
   bar_ = new QProgressBar(this);
   bar_->setObjectName("drawingProgress");

@@ -5,6 +5,7 @@
 #include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 
 #include "catalogue/values.h"
@@ -114,6 +115,29 @@ bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field) {
   return false;
 }
 
+const double* computedBeside(const catalogue::SherdRecord& sherd, const std::string& field) {
+  for (const auto& [kind, value] : sherd.replaced)
+    if (field == kind + "_" + catalogue::unitOf(kind) || field == kind) return &value;
+  return nullptr;
+}
+
+QString questionWords(const std::vector<catalogue::MeasureFinding>& findings) {
+  QStringList sentences;
+  for (const catalogue::MeasureFinding& finding : findings)
+    sentences << wordsOf(catalogue::sentenceOf(finding));
+  return sentences.join(QLatin1Char(' '));
+}
+
+QString confirmWords(const std::vector<catalogue::MeasureFinding>& findings) {
+  const auto asks = [&](catalogue::MeasureDoubt doubt) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [&](const auto& finding) { return finding.doubt == doubt; });
+  };
+  if (asks(catalogue::MeasureDoubt::ReplacesComputed)) return tr("Replace with measured value");
+  if (asks(catalogue::MeasureDoubt::DeletesComputed)) return tr("Delete computed value");
+  return tr("Save this value");
+}
+
 QString withFieldNames(const QString& filter) {
   QHash<QString, QString> names;
   for (const catalogue::SherdField& field : catalogue::sherdFields()) {
@@ -151,6 +175,9 @@ QString fieldText(const catalogue::SherdRecord& sherd, const std::string& field,
       const auto value = catalogue::parsedNumber(text);
       if (!value) return {};
       const QString number = QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
+      if (const double* computed = computedBeside(sherd, field))
+        return tr("%1 (computed %2)")
+            .arg(number, QLocale().toString(*computed, 'f', *computed >= 1000 ? 0 : 1));
       return isDoubtful(sherd, field) ? tr("%1 ?").arg(number) : number;
     }
     return words.shown(known, QString::fromStdString(text));

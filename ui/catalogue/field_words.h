@@ -33,6 +33,11 @@ QString measureLabel(const std::string& kind);
 QString measureText(double value);
 /// A measure of the program whose batch has a doubtful scale; its text ends with a question mark.
 bool isDoubtful(const catalogue::SherdRecord& sherd, const std::string& field);
+/// A measurement by hand that stands in place of another, computed one; null: it does not.
+const double* computedBeside(const catalogue::SherdRecord& sherd, const std::string& field);
+/// What speaks against a measurement, in sentences, and the act that saves it all the same.
+QString questionWords(const std::vector<catalogue::MeasureFinding>& findings);
+QString confirmWords(const std::vector<catalogue::MeasureFinding>& findings);
 QString stateLabel(catalogue::SherdState state);
 /// How a value was measured: "by the program", "on a scale".
 QString methodLabel(const std::string& method);

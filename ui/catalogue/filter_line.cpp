@@ -32,7 +32,7 @@ FilterLine::FilterLine(QWidget* parent)
   line_->setToolTip(
       tr("Words are looked for everywhere; ware:grey, thickness>6, -burnt, note:* also work."));
   line_->setClearButtonEnabled(true);
-  line_->setMinimumHeight(targetSize(*this));
+  line_->setMinimumHeight(controlHeight(*this));
   line_->addAction(icon("search"), QLineEdit::LeadingPosition);
   count_->setObjectName("count");
   typing_->setSingleShot(true);
@@ -52,7 +52,7 @@ FilterLine::FilterLine(QWidget* parent)
 }
 
 void FilterLine::addButton(QPushButton* button) {
-  button->setMinimumHeight(targetSize(*this));
+  button->setMinimumHeight(controlHeight(*this));
   row_->addWidget(button);
 }
 

@@ -8,9 +8,11 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "ui/catalogue/column_table.h"
 #include "ui/frame/look.h"
 
 namespace ostraka::ui {
@@ -24,6 +26,8 @@ QString wordOf(exchange::RowFate fate) {
       return ImportDialog::tr("changed");
     case exchange::RowFate::Refused:
       return ImportDialog::tr("refused");
+    case exchange::RowFate::Asked:
+      return ImportDialog::tr("to confirm");
     case exchange::RowFate::Same:
       break;
   }
@@ -38,6 +42,8 @@ QIcon iconOf(exchange::RowFate fate) {
       return icon("edit");
     case exchange::RowFate::Refused:
       return icon("error");
+    case exchange::RowFate::Asked:
+      return icon("question");
     case exchange::RowFate::Same:
       break;
   }
@@ -60,7 +66,7 @@ void ImportDialog::buildLayout() {
   const auto button = [this](const char* name, const char* picture, const QString& text) {
     auto* made = new QPushButton(icon(picture), text, this);
     made->setObjectName(name);
-    made->setMinimumHeight(targetSize(*this));
+    made->setMinimumHeight(controlHeight(*this));
     made->setAutoDefault(false);
     return made;
   };
@@ -74,11 +80,11 @@ void ImportDialog::buildLayout() {
   places_ =
       new QCheckBox(tr("Make sites, trenches, contexts and bags that are not there yet"), this);
   places_->setObjectName("importPlaces");
-  places_->setMinimumHeight(targetSize(*this) * 3 / 4);
+  places_->setMinimumHeight(controlHeight(*this));
   connect(places_, &QCheckBox::toggled, &model_, &ImportModel::setMakesPlaces);
   summary_ = new QLabel(this);
   summary_->setObjectName("importSummary");
-  summary_->setFont(scaledFont(*this, 1.3));
+  summary_->setFont(scaledFont(*this, Look::kSection, true));
   problem_ = new QLabel(this);
   problem_->setObjectName("importProblem");
   problem_->setWordWrap(true);
@@ -89,11 +95,19 @@ void ImportDialog::buildLayout() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   table_->verticalHeader()->hide();
+  connect(table_, &QTableWidget::itemChanged, this, &ImportDialog::confirmed);
+  columns_ = new ColumnTable(model_, this);
+  tabs_ = new QTabWidget(this);
+  tabs_->setObjectName("importTabs");
+  tabs_->addTab(table_, tr("Rows"));
+  tabs_->addTab(columns_, tr("Columns"));
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the import"));
   refusals_ = button("importRefusals", "export", tr("Save what is refused …"));
   connect(refusals_, &QPushButton::clicked, this, &ImportDialog::saveRefusals);
+  confirm_ = button("importConfirm", "check", {});
+  connect(confirm_, &QPushButton::clicked, &model_, &ImportModel::confirmAll);
   cancel_ = button("importCancel", "cancel", {});
   connect(cancel_, &QPushButton::clicked, this, &ImportDialog::leave);
   enter_ = button("importEnter", "check", {});
@@ -105,6 +119,7 @@ void ImportDialog::buildLayout() {
   first->addWidget(source_, 1);
   auto* last = new QHBoxLayout;
   last->addWidget(refusals_);
+  last->addWidget(confirm_);
   last->addStretch();
   last->addWidget(cancel_);
   last->addWidget(enter_);
@@ -113,7 +128,7 @@ void ImportDialog::buildLayout() {
   column->addWidget(places_);
   column->addWidget(summary_);
   column->addWidget(problem_);
-  column->addWidget(table_, 1);
+  column->addWidget(tabs_, 1);
   column->addWidget(bar_);
   column->addLayout(last);
 }
@@ -144,7 +159,15 @@ void ImportDialog::saveRefusals() {
   problem_->show();
 }
 
+// A row that asks enters once its box is checked.
+void ImportDialog::confirmed(QTableWidgetItem* item) {
+  if (item->column() == 1 && item->flags().testFlag(Qt::ItemIsUserCheckable))
+    model_.setConfirmed(table_->item(item->row(), 0)->text().toInt(),
+                        item->checkState() == Qt::Checked);
+}
+
 void ImportDialog::fill() {
+  const QSignalBlocker quiet(table_);
   const std::vector<ImportModel::Row>& rows = model_.rows();
   const QStringList head =
       QStringList{tr("line"), tr("what happens"), tr("why not")} + model_.columns();
@@ -156,7 +179,12 @@ void ImportDialog::fill() {
     auto* line = new QTableWidgetItem(QString::number(row.line));
     line->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     table_->setItem(r, 0, line);
-    table_->setItem(r, 1, new QTableWidgetItem(iconOf(row.fate), wordOf(row.fate)));
+    auto* fate = new QTableWidgetItem(iconOf(row.fate), wordOf(row.fate));
+    if (row.fate == exchange::RowFate::Asked) {
+      fate->setFlags(fate->flags() | Qt::ItemIsUserCheckable);
+      fate->setCheckState(Qt::Unchecked);
+    }
+    table_->setItem(r, 1, fate);
     auto* why = new QTableWidgetItem(row.refusal);
     why->setToolTip(row.refusal);
     table_->setItem(r, 2, why);
@@ -164,12 +192,26 @@ void ImportDialog::fill() {
       table_->setItem(r, c + 3, new QTableWidgetItem(row.values[c]));
   }
   // First: a hidden column has no width to keep.
-  const bool refused = model_.report() && model_.report()->refused > 0;
-  table_->setColumnHidden(2, !refused);
+  const bool reasons =
+      model_.report() && (model_.report()->refused > 0 || model_.report()->asked > 0);
+  table_->setColumnHidden(2, !reasons);
   table_->resizeColumnsToContents();
   const int most = fontMetrics().averageCharWidth() * 60;
   for (int c = 0; c < table_->columnCount(); ++c)
     table_->setColumnWidth(c, std::min(table_->columnWidth(c), most));
+}
+
+// The columns come first where one of them has to be checked.
+void ImportDialog::showColumns() {
+  const exchange::TableMapping mapping =
+      model_.report() ? model_.report()->mapping : exchange::TableMapping();
+  const int to_check = ColumnTable::toCheck(mapping);
+  tabs_->setTabVisible(1, !mapping.columns.empty());
+  tabs_->setTabText(1,
+                    to_check == 0 ? tr("Columns") : tr("Columns (%n to check)", nullptr, to_check));
+  if (mapping.columns.empty() || shown_ == model_.source()) return;
+  shown_ = model_.source();
+  tabs_->setCurrentIndex(to_check > 0 ? 1 : 0);
 }
 
 void ImportDialog::refresh() {
@@ -177,8 +219,9 @@ void ImportDialog::refresh() {
   const State state = model_.state();
   const bool works = state == State::Looking || state == State::Entering;
   source_->setText(model_.source().isEmpty()
-                       ? tr("A table of sherds has a column number or uuid; one of contexts has "
-                            "site, context and, if you like, trench and bag.")
+                       ? tr("A table of sherds has a column with their numbers; one of contexts "
+                            "has columns for site and context. Their names may be in any of the "
+                            "program's languages.")
                        : model_.source());
   {
     const QSignalBlocker quiet(places_);
@@ -196,13 +239,27 @@ void ImportDialog::refresh() {
   problem_->setText(words.join('\n'));
   problem_->setVisible(!words.isEmpty());
   const void* rows = model_.rows().empty() ? nullptr : model_.rows().data();
-  if (rows != filled_ || rows == nullptr) fill();
+  if (rows != filled_ || rows == nullptr) {
+    fill();
+    columns_->fill();
+  }
   filled_ = rows;
+  showColumns();
+  {
+    const QSignalBlocker quiet(table_);
+    for (int r = 0; r < table_->rowCount(); ++r)
+      if (table_->item(r, 1)->flags().testFlag(Qt::ItemIsUserCheckable))
+        table_->item(r, 1)->setCheckState(
+            model_.isConfirmed(table_->item(r, 0)->text().toInt()) ? Qt::Checked : Qt::Unchecked);
+  }
   bar_->setVisible(works);
   bar_->setValue(qRound(1000 * model_.fraction()));
   refusals_->setVisible(model_.report() && model_.report()->refused > 0);
+  const int asked = model_.report() ? model_.report()->asked : 0;
+  confirm_->setVisible(asked > 0 && state == State::Ready);
+  confirm_->setText(tr("Confirm %n row(s)", nullptr, asked));
   cancel_->setText(state == State::Done ? tr("Close") : works ? tr("Stop") : tr("Take nothing"));
-  const int count = model_.report() ? model_.report()->fresh + model_.report()->changed : 0;
+  const int count = model_.entering();
   enter_->setText(count == 0 && model_.canEnter() ? tr("Keep the other versions")
                                                   : tr("Enter %n row(s)", nullptr, count));
   enter_->setEnabled(model_.canEnter());

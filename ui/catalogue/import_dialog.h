@@ -7,12 +7,17 @@ class QCheckBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QTabWidget;
 class QTableWidget;
+class QTableWidgetItem;
 
 namespace ostraka::ui {
 
+class ColumnTable;
+
 /// Reads a table or an export into the project: choose it, see what each row would do and why
-/// others are refused, then enter it. Nothing is taken before, nor when it is stopped.
+/// others are refused, what its columns are taken for, confirm what is asked, then enter it.
+/// Nothing is taken before, nor when it is stopped.
 class ImportDialog final : public QDialog {
   Q_OBJECT
 
@@ -23,6 +28,8 @@ class ImportDialog final : public QDialog {
   void buildLayout();
   void refresh();
   void fill();
+  void showColumns();
+  void confirmed(QTableWidgetItem* item);
   void leave();
   void chooseTable();
   void chooseExport();
@@ -34,12 +41,16 @@ class ImportDialog final : public QDialog {
   QCheckBox* places_ = nullptr;
   QLabel* summary_ = nullptr;
   QLabel* problem_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  ColumnTable* columns_ = nullptr;
   QTableWidget* table_ = nullptr;
   QProgressBar* bar_ = nullptr;
   QPushButton* refusals_ = nullptr;
+  QPushButton* confirm_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QPushButton* enter_ = nullptr;
   const void* filled_ = nullptr;  ///< rows that the table shows
+  QString shown_;                 ///< source whose columns were shown first
 };
 
 }  // namespace ostraka::ui

@@ -89,6 +89,8 @@ void ImportModel::openProject(ProjectSession* session) {
 void ImportModel::setSource(const QString& path) {
   if (state_ == State::Entering) return;
   source_ = path;
+  chosen_.clear();
+  confirmed_.clear();
   look();
 }
 
@@ -98,13 +100,59 @@ void ImportModel::setMakesPlaces(bool make) {
   if (!source_.isEmpty()) look();
 }
 
+void ImportModel::setColumn(int column, const QString& field, const QString& unit) {
+  if (state_ != State::Ready || !report_) return;
+  chosen_ = report_->mapping.columns;  // what is seen is what holds
+  exchange::ColumnChoice& choice = chosen_[static_cast<std::size_t>(column)];
+  choice.field = field.toStdString();
+  choice.unit = unit.toStdString();
+  for (exchange::ColumnChoice& other : chosen_)  // the field is this column's now
+    if (&other != &choice && !choice.field.empty() && other.field == choice.field) {
+      other.field = "extra." + other.column;
+      other.unit.clear();
+    }
+  // A unit that was guessed for others is guessed again.
+  for (exchange::ColumnChoice& other : chosen_)
+    if (&other != &choice && other.unit_guessed) other.unit.clear();
+  look();
+}
+
+void ImportModel::setConfirmed(int line, bool confirmed) {
+  if (state_ != State::Ready) return;
+  if (confirmed)
+    confirmed_.insert(line);
+  else
+    confirmed_.erase(line);
+  emit changed();
+}
+
+void ImportModel::confirmAll() {
+  if (state_ != State::Ready || !report_) return;
+  for (const exchange::Refusal& question : report_->questions) confirmed_.insert(question.line);
+  emit changed();
+}
+
+int ImportModel::entering() const {
+  return report_ ? report_->fresh + report_->changed + static_cast<int>(confirmed_.size()) : 0;
+}
+
+exchange::ImportOptions ImportModel::options() const {
+  exchange::ImportOptions options;
+  options.unknown_places =
+      make_places_ ? exchange::UnknownPlaces::Make : exchange::UnknownPlaces::Refuse;
+  options.columns = chosen_;
+  return options;
+}
+
 namespace {
 
 // The rows of a table with their fates; of an export folder only what is refused is listed.
 std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
                                      const exchange::CsvTable* table) {
   std::map<int, QString> refusals;
-  for (const exchange::Refusal& refusal : report.refusals) {
+  std::vector<exchange::Refusal> all = report.refusals;
+  all.insert(all.end(), report.questions.begin(), report.questions.end());
+  for (const exchange::Refusal& refusal : all) {
     QString why = wordsOf(refusal.reason);
     if (!refusal.column.empty())
       why = ImportModel::tr("%1 '%2': %3").arg(text(refusal.column), text(refusal.value), why);
@@ -118,10 +166,11 @@ std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
   }
   std::map<int, const exchange::CsvRow*> by_line;
   for (const exchange::CsvRow& row : table->rows) by_line[row.line] = &row;
-  const auto take = [&](bool refused) {
+  using exchange::RowFate;
+  const auto take = [&](const std::set<RowFate>& fates) {
     for (const auto& [line, fate] : report.rows) {
       if (rows.size() == kMostRows) return;
-      if ((fate == exchange::RowFate::Refused) != refused) continue;
+      if (!fates.contains(fate)) continue;
       ImportModel::Row row{line, fate, {}, refusals[line]};
       if (const auto read = by_line.find(line); read != by_line.end())
         for (const std::string& value : read->second->values)
@@ -129,8 +178,9 @@ std::vector<ImportModel::Row> rowsOf(const exchange::ImportReport& report,
       rows.push_back(std::move(row));
     }
   };
-  take(true);
-  take(false);
+  take({RowFate::Refused});
+  take({RowFate::Asked});
+  take({RowFate::Fresh, RowFate::Changed, RowFate::Same});
   return rows;
 }
 
@@ -145,9 +195,7 @@ void ImportModel::look() {
   fraction_ = 0;
   if (!session_ || source_.isEmpty()) return;
   state_ = State::Looking;
-  Task task{source_.toStdString(), exchange::ImportOptions(), session_->act()};
-  task.options.unknown_places =
-      make_places_ ? exchange::UnknownPlaces::Make : exchange::UnknownPlaces::Refuse;
+  Task task{source_.toStdString(), options(), session_->act()};
   task.act.source = "import";
   const auto work = [folder = session_->folder(), task](
                         Progress& progress,
@@ -180,7 +228,12 @@ void ImportModel::look() {
     job_.clear();
     if (look) return took(**look);
     state_ = State::Choosing;
-    if (look.error().code != ErrorCode::Cancelled) problem_ = sentenceOf(look.error());
+    if (look.error().code == ErrorCode::Cancelled) return emit changed();
+    if (!chosen_.empty()) {  // what was chosen does not fit: what was proposed is shown again
+      chosen_.clear();
+      this->look();
+    }
+    problem_ = sentenceOf(look.error());
     emit changed();
   });
   emit changed();
@@ -189,6 +242,7 @@ void ImportModel::look() {
 void ImportModel::took(const Look& look) {
   state_ = State::Ready;
   report_ = look.report;
+  confirmed_.clear();  // the rows may mean something else now
   columns_ = look.columns;
   rows_ = look.rows;
   emit changed();
@@ -196,11 +250,14 @@ void ImportModel::took(const Look& look) {
 
 QString ImportModel::summary() const {
   if (!report_) return {};
-  return tr("%1 new, %2 changed, %3 as they are, %4 refused.")
-      .arg(report_->fresh)
-      .arg(report_->changed)
-      .arg(report_->same)
-      .arg(report_->refused);
+  const QString counts = tr("%1 new, %2 changed, %3 as they are, %4 refused.")
+                             .arg(report_->fresh)
+                             .arg(report_->changed)
+                             .arg(report_->same)
+                             .arg(report_->refused);
+  return report_->asked == 0 ? counts
+                             : counts + QLatin1Char(' ') +
+                                   tr("%n row(s) ask for a confirmation.", nullptr, report_->asked);
 }
 
 QStringList ImportModel::warnings() const {
@@ -211,24 +268,23 @@ QStringList ImportModel::warnings() const {
 }
 
 bool ImportModel::isOfContexts() const {
-  return !columns_.isEmpty() && !columns_.contains(QStringLiteral("number")) &&
-         !columns_.contains(QStringLiteral("uuid"));
+  return report_ && report_->mapping.of_contexts;
 }
 
 bool ImportModel::canEnter() const {
   // Of an export, other versions are kept beside sherds that count as refused.
   return session_ && state_ == State::Ready && report_ &&
-         (report_->fresh + report_->changed > 0 || !report_->undo.empty());
+         (entering() > 0 || !report_->undo.empty());
 }
 
 void ImportModel::enter() {
   if (!canEnter()) return;
   state_ = State::Entering;
   fraction_ = 0;
-  Task task{source_.toStdString(), exchange::ImportOptions(), session_->act()};
+  Task task{source_.toStdString(), options(), session_->act()};
   task.options.mode = exchange::ImportMode::Enter;
-  task.options.unknown_places =
-      make_places_ ? exchange::UnknownPlaces::Make : exchange::UnknownPlaces::Refuse;
+  task.options.columns = report_->mapping.columns;
+  task.options.confirmed_lines = confirmed_;
   task.act.source = "import";
   const auto work = [folder = session_->folder(), task](
                         Progress& progress,

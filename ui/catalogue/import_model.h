@@ -3,6 +3,7 @@
 #include <QPointer>
 #include <QStringList>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "exchange/import_table.h"
@@ -36,11 +37,18 @@ class ImportModel final : public QObject {
   /// A file or a folder; what it would do is found out at once, on a copy of the catalogue.
   void setSource(const QString& path);
   void setMakesPlaces(bool make);
+  /// Which field and unit the table's column belongs to; an empty unit is proposed.
+  void setColumn(int column, const QString& field, const QString& unit);
+  /// Of a row that asks about a measurement: a person says that it enters all the same.
+  void setConfirmed(int line, bool confirmed);
+  void confirmAll();
+  bool isConfirmed(int line) const { return confirmed_.contains(line); }
+  int entering() const;  ///< rows that would enter
 
   const QStringList& columns() const { return columns_; }
   const std::vector<Row>& rows() const {
     return rows_;
-  }  ///< the first thousand; refused ones first
+  }  ///< the first thousand; refused ones first, then those that ask
   const std::optional<exchange::ImportReport>& report() const { return report_; }
   QString summary() const;  ///< "3 new, 2 changed, 10 as they are, 1 refused."
   QString problem() const { return problem_; }
@@ -59,6 +67,7 @@ class ImportModel final : public QObject {
 
  private:
   struct Look;
+  exchange::ImportOptions options() const;
   void look();
   void took(const Look& look);
 
@@ -66,6 +75,8 @@ class ImportModel final : public QObject {
   State state_ = State::Choosing;
   QString source_, problem_;
   bool make_places_ = false;
+  std::vector<exchange::ColumnChoice> chosen_;
+  std::set<int> confirmed_;
   QStringList columns_;
   std::vector<Row> rows_;
   std::optional<exchange::ImportReport> report_;

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "base/sheet.h"
+#include "ui/frame/look.h"
 
 namespace ostraka::ui {
 namespace {
@@ -111,7 +112,7 @@ void SheetView::keyPressEvent(QKeyEvent* event) {
 QImage paintedSheet(const Page& page, double dots_per_inch) {
   const double per_mm = dots_per_inch / 25.4;
   QImage image(qCeil(page.width_mm * per_mm), qCeil(page.height_mm * per_mm), QImage::Format_RGB32);
-  image.fill(Qt::white);
+  image.fill(paperInks().paper);
   image.setDotsPerMeterX(qRound(per_mm * 1000));
   image.setDotsPerMeterY(qRound(per_mm * 1000));
   QSvgRenderer renderer(svgOf(page));

@@ -75,13 +75,13 @@ void SherdDetails::buildLayout() {
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);
   number_ = new QLabel(page);
-  number_->setFont(scaledFont(*this, 1.4));
+  number_->setFont(scaledFont(*this, Look::kSection, true));
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   number_->setWordWrap(true);
   number_->setAccessibleName(tr("Number of the sherd"));
   give_number_ = new ElidedButton(icon("label"), tr("Give the number %1").arg(QString()), page);
   give_number_->setObjectName("giveNumber");
-  give_number_->setMinimumHeight(targetSize(*this));
+  give_number_->setMinimumHeight(controlHeight(*this));
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
   why_no_number_ = new QLabel(page);
   why_no_number_->setObjectName("whyNoNumber");
@@ -109,7 +109,7 @@ void SherdDetails::buildLayout() {
   files_ = table({tr("file"), tr("kind"), tr("state")}, tr("Files"), page);
   const auto heading = [&](const QString& text) {
     auto* label = new QLabel(text, page);
-    label->setFont(scaledFont(*this, 1.15));
+    label->setFont(scaledFont(*this, Look::kSection, true));
     return label;
   };
   column->addWidget(number_);
@@ -130,8 +130,9 @@ void SherdDetails::buildLayout() {
 void SherdDetails::buildRefusal(QWidget* page) {
   refusal_ = new QWidget(page);
   refusal_->setObjectName("refusal");
-  auto* row = new QHBoxLayout(refusal_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout(refusal_);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
   refusal_picture_ = new QLabel(refusal_);
   refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
   refusal_text_ = new QLabel(refusal_);
@@ -139,12 +140,14 @@ void SherdDetails::buildRefusal(QWidget* page) {
   refusal_text_->setObjectName("refusalText");
   row->addWidget(refusal_picture_);
   row->addWidget(refusal_text_, 1);
-  void_it_ = new QPushButton(tr("Yes, it is void"), refusal_);
-  void_it_->setObjectName("voidIt");
-  row->addWidget(void_it_);
-  connect(void_it_, &QPushButton::clicked, this, [this] {
-    editors_.value("void_reason")->setFocus();
-    if (sherd_) emit voided(unsaved_.value(sherd_.value).value("void_reason"));
+  confirm_ = new ElidedButton(icon("check"), tr("Confirm"), refusal_);
+  confirm_->setObjectName("confirmChange");
+  confirm_->setMinimumHeight(targetSize(*this));
+  column->addLayout(row);
+  column->addWidget(confirm_);
+  connect(confirm_, &QPushButton::clicked, this, [this] {
+    editors_.value(asked_field_)->setFocus();
+    if (sherd_) emit confirmed(asked_field_, unsaved_.value(sherd_.value).value(asked_field_));
   });
 }
 
@@ -274,14 +277,13 @@ bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-void SherdDetails::askToVoid(const QString& reason) {
-  keepUnsaved("void_reason", reason);
-  showRefusal("void_reason",
-              tr("A void sherd gets no label, drawing or place on a plate, and its number is never "
-                 "given again. Is %1 void: \u201c%2\u201d?")
-                  .arg(number_->text(), reason),
-              {}, {});
-  void_it_->show();
+void SherdDetails::ask(const QString& field, const QString& value, const QString& question,
+                       const QString& act) {
+  keepUnsaved(field, value);
+  showRefusal(field.toStdString(), question, {}, {});
+  asked_field_ = field;
+  confirm_->setText(act);
+  confirm_->show();
 }
 
 void SherdDetails::forgetUnsaved(const QString& field) {
@@ -362,17 +364,24 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
 void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
                                 const catalogue::SherdRecord& sherd) {
   measures_->clear();
+  const auto add = [this](const QString& kind, const QString& value, const QString& from) {
+    auto* item = new QTreeWidgetItem(measures_, {kind, value, from});
+    item->setFont(1, tabularFont(font()));
+    item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    return item;
+  };
   if (const auto all = catalogue.measurements(sherd_))
     for (const catalogue::Measurement& m : *all) {
-      const bool doubtful = sherd.doubtful.contains(m.kind);
-      auto* item = new QTreeWidgetItem(
-          measures_,
-          {measureLabel(m.kind),
-           m.uncertainty ? tr("%1 ± %2").arg(measureText(m.value), measureText(*m.uncertainty))
-                         : measureText(m.value),
-           doubtful ? tr("%1; in doubt").arg(methodLabel(m.method)) : methodLabel(m.method)});
-      item->setFont(1, tabularFont(font()));
-      item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+      const auto computed = sherd.replaced.find(m.kind);
+      auto* item =
+          add(measureLabel(m.kind),
+              m.uncertainty ? tr("%1 ± %2").arg(measureText(m.value), measureText(*m.uncertainty))
+                            : measureText(m.value),
+              sherd.doubtful.contains(m.kind) ? tr("%1; in doubt").arg(methodLabel(m.method))
+                                              : methodLabel(m.method));
+      if (computed == sherd.replaced.end()) continue;
+      item->setIcon(0, icon("measure"));
+      add({}, measureText(computed->second), tr("computed; replaced by the measured value"));
     }
   fitHeight(measures_);
 }
@@ -468,7 +477,7 @@ void SherdDetails::placeRefusal(const std::string& field, const QString& sentenc
   const QString name = QString::fromStdString(field);
   refusal_text_->setText(sentence);
   refusal_picture_->setVisible(!other.isEmpty());
-  void_it_->hide();
+  confirm_->hide();
   if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);
   // Under the field that it is about.
   int row = 0;

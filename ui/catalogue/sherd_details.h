@@ -35,8 +35,8 @@ class SherdDetails final : public QScrollArea {
   void keepUnsaved(const QString& field, const QString& value);
   void forgetUnsaved(const QString& field);  ///< it is being saved
   void forgetUnsaved();                      ///< of all sherds: another project
-  /// Voids nothing before a person says so: voided().
-  void askToVoid(const QString& reason);
+  /// Saves nothing before a person says so: confirmed().
+  void ask(const QString& field, const QString& value, const QString& question, const QString& act);
   /// In place, beside the field: what was wrong; with the picture of the sherd in the way.
   void showRefusal(const std::string& field, const QString& sentence, const QString& other,
                    const QString& picture);
@@ -45,7 +45,7 @@ class SherdDetails final : public QScrollArea {
   /// field "place": site, trench and context, a line each.
   void edited(const QString& field, const QString& value);
   void numberWanted();
-  void voided(const QString& reason);
+  void confirmed(const QString& field, const QString& value);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -80,7 +80,8 @@ class SherdDetails final : public QScrollArea {
   QWidget* refusal_ = nullptr;
   QLabel* refusal_text_ = nullptr;
   QLabel* refusal_picture_ = nullptr;
-  QPushButton* void_it_ = nullptr;
+  QPushButton* confirm_ = nullptr;
+  QString asked_field_;  ///< that confirm_ saves
   QTreeWidget* measures_ = nullptr;
   QTreeWidget* history_ = nullptr;
   QTreeWidget* files_ = nullptr;

@@ -177,9 +177,12 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole && role != Qt::DecorationRole && role != Qt::ToolTipRole &&
       role != Qt::AccessibleTextRole && role != Qt::FontRole)
     return {};
-  if (role == Qt::DecorationRole && index.column() != 0) return {};
+  if (role == Qt::DecorationRole && index.column() != 0 && !isNumber(field)) return {};
   const catalogue::SherdRecord* sherd = record(index.row());
   if (!sherd) return {};
+  const double* computed = computedBeside(*sherd, field);
+  if (role == Qt::DecorationRole && index.column() != 0)
+    return computed == nullptr ? QVariant() : icon("measure");
   if (role == Qt::FontRole) {
     QFont font;
     if (isNumber(field)) return tabularFont(font);
@@ -191,6 +194,10 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DecorationRole) return picture(index.row(), *sherd);
   const QString text = fieldText(*sherd, field, words_);
   const bool doubtful = isDoubtful(*sherd, field);
+  if (computed != nullptr && role == Qt::ToolTipRole)
+    return tr("%1: measured by hand; the computed value is kept beside it.").arg(text);
+  if (computed != nullptr && role == Qt::AccessibleTextRole)
+    return tr("%1: %2, measured by hand").arg(fieldLabel(field), text);
   if (role == Qt::ToolTipRole && doubtful)
     return tr("%1: the scale of batch %2 is in doubt; its report says why and what to do.")
         .arg(text, QString::fromStdString(sherd->batch_number));

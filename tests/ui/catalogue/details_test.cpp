@@ -160,7 +160,7 @@ class DetailsTest : public CatalogueWindow {
     line->setFocus();
     QTest::keyClicks(line, "x");
     QTest::keyClick(line, Qt::Key_Tab);  // meant for the note above
-    auto* yes = child<QPushButton>("voidIt");
+    auto* yes = child<QPushButton>("confirmChange");
     QVERIFY(yes->isVisible());
     QCOMPARE(sample_->value(0, "state"), QString("numbered"));
     line->setFocus();

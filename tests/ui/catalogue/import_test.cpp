@@ -228,7 +228,7 @@ class ImportTest : public QObject {
     QVERIFY(!child<QPushButton>("importTable")->isEnabled());
     model_->setSource(table("number\r\n"));
     model_->openProject(&sample_->session());  // the dialog was closed and opened again
-    QTRY_COMPARE(entered.count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(entered.count(), 1, 30000);
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
     QVERIFY(child<QPushButton>("importTable")->isEnabled());
   }
@@ -236,7 +236,8 @@ class ImportTest : public QObject {
   void aTableThatIsNoneIsRefusedInWords() {
     open();
     model_->setSource(table("colour,size\r\nred,3\r\n"));
-    QTRY_VERIFY(child<QLabel>("importProblem")->text().contains("needs a column 'number'"));
+    QTRY_VERIFY(
+        child<QLabel>("importProblem")->text().contains("needs a column for the sherds' numbers"));
     QVERIFY(!model_->canEnter());
   }
 

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ostraka::exchange {
+
+/// Which field a column of somebody's table means, by its name in one of the program's languages,
+/// whatever its capitals, accents and marks. of_contexts: of a table of contexts. Empty: none.
+std::string fieldOfColumn(std::string_view column, bool of_contexts);
+
+/// A column's name taken apart: "Gewicht (kg)", "weight_kg" and "Gewicht in kg" are Gewicht and kg.
+struct NameAndUnit {
+  std::string name, unit;  ///< unit as in unitsOf(); empty where the name says none
+};
+NameAndUnit nameAndUnit(const std::string& column);
+
+/// mm, cm, m, g, kg, mg, %, or empty: how a unit is written in the program's languages.
+std::string unitNamed(std::string_view text);
+
+/// The units that a field's values may have, its own first; empty of one without numbers.
+std::vector<std::string> unitsOf(const std::string& field);
+/// How many tens a value in `unit` is multiplied by for one of the field's own: cm -> mm is 1.
+int tensBetween(const std::string& unit, const std::string& field);
+
+}  // namespace ostraka::exchange

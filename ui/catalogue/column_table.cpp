@@ -1,0 +1,111 @@
+#include "ui/catalogue/column_table.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <algorithm>
+
+#include "exchange/column_names.h"
+#include "ui/catalogue/field_words.h"
+#include "ui/frame/look.h"
+
+namespace ostraka::ui {
+namespace {
+
+QString ownField(const exchange::ColumnChoice& choice) {
+  return QStringLiteral("extra.") +
+         QString::fromStdString(choice.isOwn() ? choice.field.substr(6) : choice.column);
+}
+
+QString whyOf(const exchange::ColumnChoice& choice) {
+  if (choice.field.empty() && choice.by != exchange::ChosenBy::Person)
+    return ColumnTable::tr("says nothing about the sherd");
+  if (choice.unit_guessed) return ColumnTable::tr("unit guessed from the values; check it");
+  switch (choice.by) {
+    case exchange::ChosenBy::Name:
+      return ColumnTable::tr("by its name");
+    case exchange::ChosenBy::Earlier:
+      return ColumnTable::tr("as in the last table with these columns");
+    case exchange::ChosenBy::Person:
+      return ColumnTable::tr("chosen by you");
+    case exchange::ChosenBy::Nobody:
+      break;
+  }
+  return ColumnTable::tr("no field of this name; kept as a field of your own");
+}
+
+bool wantsACheck(const exchange::ColumnChoice& choice) {
+  return choice.unit_guessed || choice.by == exchange::ChosenBy::Nobody;
+}
+
+}  // namespace
+
+ColumnTable::ColumnTable(ImportModel& model, QWidget* parent)
+    : QTableWidget(0, 5, parent), model_(model) {
+  setObjectName("importColumns");
+  setAccessibleName(tr("Columns of the table"));
+  setHorizontalHeaderLabels({tr("column"), tr("field"), tr("unit"), tr("first values"), tr("why")});
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setTabKeyNavigation(false);
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(targetSize(*this) * 3 / 4);
+  horizontalHeader()->setStretchLastSection(true);
+}
+
+int ColumnTable::toCheck(const exchange::TableMapping& mapping) {
+  return static_cast<int>(
+      std::count_if(mapping.columns.begin(), mapping.columns.end(), wantsACheck));
+}
+
+void ColumnTable::fill() {
+  setRowCount(0);
+  if (!model_.report()) return;
+  const exchange::TableMapping& mapping = model_.report()->mapping;
+  setRowCount(static_cast<int>(mapping.columns.size()));
+  for (int row = 0; row < rowCount(); ++row) {
+    const exchange::ColumnChoice& choice = mapping.columns[static_cast<std::size_t>(row)];
+    QStringList samples;
+    for (const std::string& sample : choice.samples)
+      samples << QString::fromStdString(sample).left(24);
+    setItem(row, 0, new QTableWidgetItem(QString::fromStdString(choice.column)));
+    setCellWidget(row, 1, fieldBox(row, choice, mapping.of_contexts));
+    if (exchange::unitsOf(choice.field).size() > 1) setCellWidget(row, 2, unitBox(row, choice));
+    setItem(row, 3, new QTableWidgetItem(samples.join(QStringLiteral("; "))));
+    auto* why = new QTableWidgetItem(whyOf(choice));
+    if (wantsACheck(choice)) why->setIcon(icon("warning"));
+    setItem(row, 4, why);
+  }
+  resizeColumnsToContents();
+}
+
+QWidget* ColumnTable::fieldBox(int row, const exchange::ColumnChoice& choice, bool of_contexts) {
+  auto* box = new QComboBox(this);
+  box->setObjectName(QStringLiteral("columnField%1").arg(row));
+  box->setAccessibleName(tr("Field of the column %1").arg(QString::fromStdString(choice.column)));
+  box->addItem(tr("leave out"), QString());
+  box->addItem(tr("own field: %1").arg(ownField(choice).mid(6)), ownField(choice));
+  for (const std::string& field : exchange::fieldsOfTables(of_contexts))
+    box->addItem(fieldLabel(field), QString::fromStdString(field));
+  if (box->findData(QString::fromStdString(choice.field)) < 0)
+    box->addItem(QString::fromStdString(choice.field), QString::fromStdString(choice.field));
+  box->setCurrentIndex(box->findData(QString::fromStdString(choice.field)));
+  connect(box, &QComboBox::activated, &model_,
+          [this, row, box](int at) { model_.setColumn(row, box->itemData(at).toString(), {}); });
+  return box;
+}
+
+QWidget* ColumnTable::unitBox(int row, const exchange::ColumnChoice& choice) {
+  auto* box = new QComboBox(this);
+  box->setObjectName(QStringLiteral("columnUnit%1").arg(row));
+  box->setAccessibleName(tr("Unit of the column %1").arg(QString::fromStdString(choice.column)));
+  for (const std::string& unit : exchange::unitsOf(choice.field))
+    box->addItem(QString::fromStdString(unit));
+  box->setCurrentText(QString::fromStdString(choice.unit));
+  connect(box, &QComboBox::activated, &model_,
+          [this, row, box, field = QString::fromStdString(choice.field)](int at) {
+            model_.setColumn(row, field, box->itemText(at));
+          });
+  return box;
+}
+
+}  // namespace ostraka::ui

@@ -34,7 +34,7 @@ ShownScan disc(float z, float up) {
       scan.cloud.points.emplace_back(x, y, z);
       scan.cloud.normals.emplace_back(0.0f, 0.0f, up);
       scan.cloud.colors.push_back({150, 150, 150});
-      scan.rim.push_back(r > 15 ? 1 : 0);
+      scan.fracture.push_back(r > 15 ? 1 : 0);
     }
   return scan;
 }

@@ -11,6 +11,7 @@
 #include <vtkPointPicker.h>
 #include <vtkRenderer.h>
 
+#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QMouseEvent>
 #include <QOffscreenSurface>
@@ -26,6 +27,10 @@
 
 namespace ostraka::ui {
 namespace {
+
+// 60 pictures a second; what takes longer is drawn coarser while it moves.
+constexpr double kFrame_ms = 16;
+constexpr int kRest_ms = 250;  // after the wheel's last notch
 
 class Observer final : public vtkCommand {
  public:
@@ -81,6 +86,10 @@ GlCanvas::GlCanvas(QWidget* parent)
   vtk_->interactor->SetInteractorStyle(vtk_->style);
   vtk_->interactor->EnableRenderOff();
   vtk_->picker->SetTolerance(0.008);
+  rest_ = new QTimer(this);
+  rest_->setSingleShot(true);
+  rest_->setInterval(kRest_ms);
+  connect(rest_, &QTimer::timeout, this, [this] { setMoving(false); });
   observe();
   vtk_->interactor->Initialize();
 }
@@ -93,7 +102,7 @@ GlCanvas::~GlCanvas() {
 }
 
 void GlCanvas::observe() {
-  on(vtk_->interactor, vtkCommand::RenderEvent, [this](void*) { update(); });
+  on(vtk_->interactor, vtkCommand::RenderEvent, [this](void*) { redraw(); });
   // Not QOpenGLWidget::makeCurrent(): it binds the widget's framebuffer while VTK builds its own.
   on(vtk_->window, vtkCommand::WindowMakeCurrentEvent, [this](void*) {
     if (context() != nullptr && QOpenGLContext::currentContext() != context())
@@ -138,6 +147,19 @@ void GlCanvas::sync() {
   vtk_->interactor->UpdateSize(size.width(), size.height());
   vtk_->window->SetDPI(static_cast<int>(72 * devicePixelRatioF()));
   scene_->setPixelRatio(devicePixelRatioF());
+  emit viewChanged();
+}
+
+void GlCanvas::redraw() {
+  emit viewChanged();
+  update();
+}
+
+void GlCanvas::setMoving(bool moving) {
+  if (moving_ == moving) return;
+  moving_ = moving;
+  scene_->setMoving(moving && slow_);
+  if (!moving) redraw();
 }
 
 void GlCanvas::resizeGL(int, int) {
@@ -157,9 +179,21 @@ void GlCanvas::paintGL() {
   if (!vtk_->window->GetReadyForRendering()) return;
   if (warmth_ == Warmth::Cold && !isVisible()) return;
   const QSize size = (QSizeF(this->size()) * devicePixelRatioF()).toSize();
+  QElapsedTimer clock;
+  clock.start();
+  draw(size);
+  if (!moving_) {
+    context()->functions()->glFinish();
+    slow_ = static_cast<double>(clock.nsecsElapsed()) > 1e6 * kFrame_ms;
+  }
+  emit rendered();
+}
+
+void GlCanvas::draw(const QSize& size) {
   scene_->prepare();
-  vtk_->window->Render();
   QOpenGLFunctions* gl = context()->functions();
+  gl->glEnable(GL_PROGRAM_POINT_SIZE);
+  vtk_->window->Render();
   gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
   vtk_->window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
   gl->glDisable(GL_SCISSOR_TEST);
@@ -170,7 +204,6 @@ void GlCanvas::paintGL() {
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  emit rendered();
 }
 
 void GlCanvas::release() {
@@ -212,6 +245,7 @@ void GlCanvas::mousePressEvent(QMouseEvent* event) {
 
 void GlCanvas::mouseMoveEvent(QMouseEvent* event) {
   if ((event->position() - last_).manhattanLength() > 0) moved_ = true;
+  if (event->buttons() != Qt::NoButton && moved_) setMoving(true);
   if (turning_back_) {
     dragBack(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
     last_ = event->position();
@@ -222,6 +256,7 @@ void GlCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void GlCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  setMoving(false);
   if (turning_back_) {
     turning_back_ = false;
     emit releasedWithControl();
@@ -265,10 +300,12 @@ void GlCanvas::dragBack(const QPointF& to, bool move) {
 
 void GlCanvas::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
+  setMoving(true);
+  rest_->start();
   if (event->modifiers().testFlag(Qt::ShiftModifier) && scene_->hasSection()) {
     const double sideways = event->angleDelta().x() / 120.0;  // some desktops turn Shift+wheel
     scene_->moveSection((notches + sideways) * 5 * mmPerPixel());
-    update();
+    redraw();
     return;
   }
   tell(*event);

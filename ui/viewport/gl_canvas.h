@@ -25,12 +25,15 @@ class GlCanvas final : public QOpenGLWidget {
 
   SherdScene& scene() { return *scene_; }
   void setPicking(bool picking) { picking_ = picking; }
+  /// A frame soon, and word of it to what is written over the picture.
+  void redraw();
   double mmPerPixel() const;  ///< of this widget's own pixels
   /// What the first picture takes a tenth of a second for is done while the canvas is hidden, in
   /// steps: true as long as there is another one to do. The window must be there.
   bool warmUp();
 
  signals:
+  void viewChanged();  ///< a frame follows
   void rendered();
   void clicked(double x, double y, double z);  ///< a point under the mouse, while picking
   void draggedWithControl(double turn_x, double turn_y, double turn_z, double move_x, double move_y,
@@ -53,6 +56,8 @@ class GlCanvas final : public QOpenGLWidget {
   void sync();
   void release();
   void tell(QSinglePointEvent& event);
+  void setMoving(bool moving);
+  void draw(const QSize& size);
   void dragBack(const QPointF& to, bool move);
 
   std::unique_ptr<Vtk> vtk_;
@@ -63,6 +68,8 @@ class GlCanvas final : public QOpenGLWidget {
   QPointF last_;
   Warmth warmth_ = Warmth::Cold;
   bool picking_ = false, turning_back_ = false, moved_ = false;
+  bool moving_ = false, slow_ = true;  ///< slow: the last whole picture took too long to turn it
+  QTimer* rest_ = nullptr;             ///< after the wheel
 };
 
 }  // namespace ostraka::ui

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -12,9 +11,9 @@ class vtkRenderer;
 
 namespace ostraka::ui {
 
-using Rgb = std::array<std::uint8_t, 3>;
+class DistanceScale;
 
-/// The actors: two clouds, the rim's distances, a mesh, a measured line, a section plane.
+/// The actors: two clouds, the fracture's distances, a mesh, a measured line, a section plane.
 class SherdScene {
  public:
   SherdScene();
@@ -24,28 +23,29 @@ class SherdScene {
   vtkRenderer* above();  ///< of the layer above it, with the same camera
   vtkCamera* camera();
 
-  struct Look {
-    Rgb background{}, text{}, front_rim{}, back_rim{};
-  };
-  void setLook(const Look& look);
   void setPixelRatio(double ratio);
 
   void clear();
-  void setFront(const PointCloud& cloud, const std::vector<std::uint8_t>& rim);
-  void setBack(const PointCloud& cloud, const std::vector<std::uint8_t>& rim);
+  void setFront(const PointCloud& cloud, const std::vector<std::uint8_t>& fracture);
+  void setBack(const PointCloud& cloud, const std::vector<std::uint8_t>& fracture);
   void setPose(const Eigen::Isometry3d& front_from_back);
-  void setRim(const std::vector<Eigen::Vector3f>& points, const std::vector<Rgb>& colours);
+  /// Points of the fracture in the colours of their distances; the others of it become 'not seen'.
+  /// Empty: the fracture has the colours of the sides.
+  void setDistances(const std::vector<Eigen::Vector3f>& points,
+                    const std::vector<float>& distance_mm, const DistanceScale& scale);
   void setModel(const TriangleMesh& mesh);
   void setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool shown);
   /// The back is drawn this far below the front, for looking between.
   void setApart(bool apart);
 
   /// Cuts away what lies on the right of the present view, through the middle, and turns the view
-  /// so that one looks at the cut. Of the scans only a slice stays. Off: the view is as it was.
+  /// so that one looks at the cut. Off: the view is as it was.
   void setSection(bool on);
   bool hasSection() const;
   void moveSection(double mm);
 
+  /// While it moves fewer points and triangles are drawn, where there are many.
+  void setMoving(bool moving);
   void resetView();  ///< obliquely from above, everything in sight
   void fitView();    ///< everything in sight, from where one looks
   void prepare();    ///< before each frame

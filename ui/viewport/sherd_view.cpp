@@ -1,15 +1,13 @@
 #include "ui/viewport/sherd_view.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QResizeEvent>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
-#include "ui/frame/state_colours.h"
+#include "ui/frame/distance_scale.h"
 #include "ui/viewport/gl_canvas.h"
 #include "ui/viewport/sherd_scene.h"
 #include "ui/viewport/view_overlay.h"
@@ -19,17 +17,6 @@ namespace {
 
 // When the window is usable and nobody has asked for a view yet.
 constexpr int kIdle_ms = 700, kBetweenSteps_ms = 100;
-
-Rgb rgb(const QColor& colour) {
-  return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
-          static_cast<std::uint8_t>(colour.blue())};
-}
-
-SherdScene::Look lookOf(const QPalette& palette) {
-  const StateColours colours(palette);
-  return {rgb(palette.color(QPalette::Base)), rgb(palette.color(QPalette::Text)),
-          rgb(colours.of(State::Front)), rgb(colours.of(State::Back))};
-}
 
 }  // namespace
 
@@ -76,9 +63,7 @@ SherdView::SherdView(QWidget* parent) : QWidget(parent) {
   canvas_->setObjectName("canvas");
   layout->addWidget(canvas_);
   overlay_ = new ViewOverlay(canvas_);
-  canvas_->scene().setLook(lookOf(palette()));
-  connect(canvas_, &GlCanvas::rendered, this,
-          [this] { overlay_->setScale(canvas_->mmPerPixel()); });
+  connect(canvas_, &GlCanvas::viewChanged, this, &SherdView::showView);
   connect(canvas_, &GlCanvas::clicked, this,
           [this](double x, double y, double z) { emit pointPicked(Eigen::Vector3d(x, y, z)); });
   connect(canvas_, &GlCanvas::draggedWithControl, this,
@@ -101,7 +86,7 @@ void SherdView::clear() {
   canvas_->scene().clear();
   overlay_->setLegend(ViewOverlay::Legend::None);
   overlay_->setMeasure({});
-  canvas_->update();
+  canvas_->redraw();
 }
 
 void SherdView::showScans(const ShownScan& front, const ShownScan& back,
@@ -110,33 +95,31 @@ void SherdView::showScans(const ShownScan& front, const ShownScan& back,
   setSection(false);
   SherdScene& scene = canvas_->scene();
   scene.clear();
-  scene.setFront(front.cloud, front.rim);
-  scene.setBack(back.cloud, back.rim);
+  scene.setFront(front.cloud, front.fracture);
+  scene.setBack(back.cloud, back.fracture);
   scene.setPose(front_from_back);
   scene.setApart(apart_);
   scene.resetView();
   overlay_->setNote({});
   overlay_->setMeasure({});
   overlay_->setLegend(ViewOverlay::Legend::Sides);
-  canvas_->update();
+  canvas_->redraw();
 }
 
 void SherdView::setPose(const Eigen::Isometry3d& front_from_back) {
   if (canvas_ == nullptr) return;
   canvas_->scene().setPose(front_from_back);
-  canvas_->update();
+  canvas_->redraw();
 }
 
-void SherdView::setRim(const ShownRim& rim) {
+void SherdView::setDistances(const ShownDistances& distances) {
   if (canvas_ == nullptr) return;
-  const StateColours colours(palette());
-  std::vector<Rgb> shown;
-  for (const float distance : rim.distance_mm)
-    shown.push_back(rgb(colours.alongRim(std::min(1.0, std::abs(distance) / rim.reach_mm))));
-  canvas_->scene().setRim(rim.points, shown);
-  overlay_->setLegend(rim.points.empty() ? ViewOverlay::Legend::Sides : ViewOverlay::Legend::Rim,
-                      rim.reach_mm);
-  canvas_->update();
+  canvas_->scene().setDistances(distances.points, distances.distance_mm,
+                                DistanceScale(distances.reach_mm));
+  overlay_->setLegend(
+      distances.points.empty() ? ViewOverlay::Legend::Sides : ViewOverlay::Legend::Distances,
+      distances.reach_mm);
+  canvas_->redraw();
 }
 
 void SherdView::showModel(const TriangleMesh& model) {
@@ -146,8 +129,9 @@ void SherdView::showModel(const TriangleMesh& model) {
   canvas_->scene().resetView();
   overlay_->setNote({});
   overlay_->setMeasure({});
-  overlay_->setLegend(ViewOverlay::Legend::None);
-  canvas_->update();
+  const bool filled = std::find(model.seen.begin(), model.seen.end(), 0) != model.seen.end();
+  overlay_->setLegend(filled ? ViewOverlay::Legend::FilledModel : ViewOverlay::Legend::None);
+  canvas_->redraw();
 }
 
 void SherdView::setNote(const QString& note) {
@@ -163,7 +147,7 @@ void SherdView::setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   if (canvas_ == nullptr) return;
   canvas_->scene().setMeasure(a, b, !text.isEmpty());
   overlay_->setMeasure(text);
-  canvas_->update();
+  canvas_->redraw();
 }
 
 void SherdView::setApart(bool apart) {
@@ -172,7 +156,7 @@ void SherdView::setApart(bool apart) {
   if (canvas_ != nullptr) {
     canvas_->scene().setApart(apart);
     canvas_->scene().fitView();
-    canvas_->update();
+    canvas_->redraw();
   }
   emit apartChanged(apart);
 }
@@ -182,7 +166,7 @@ void SherdView::setSection(bool section) {
   section_ = section;
   if (canvas_ != nullptr) {
     canvas_->scene().setSection(section);
-    canvas_->update();
+    canvas_->redraw();
   }
   emit sectionChanged(section);
 }
@@ -201,22 +185,18 @@ void SherdView::setMeasuring(bool measuring) {
 void SherdView::resetView() {
   if (canvas_ == nullptr) return;
   canvas_->scene().resetView();
-  canvas_->update();
+  canvas_->redraw();
+}
+
+// Written over the picture in the frame that shows it: one painting for both.
+void SherdView::showView() {
+  ViewAxes axes;
+  canvas_->scene().viewAxes(axes.right, axes.up, axes.away);
+  overlay_->setView(canvas_->mmPerPixel(), axes);
 }
 
 void SherdView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  placeOverlay();
-}
-
-void SherdView::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() != QEvent::PaletteChange || canvas_ == nullptr) return;
-  canvas_->scene().setLook(lookOf(palette()));
-  canvas_->update();
-}
-
-void SherdView::placeOverlay() {
   if (overlay_ != nullptr) overlay_->setGeometry(rect());
 }
 

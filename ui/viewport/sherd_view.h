@@ -13,17 +13,17 @@ namespace ostraka::ui {
 class GlCanvas;
 class ViewOverlay;
 
-/// A scan to be shown: its points with the rim marked.
+/// A scan to be shown: its points with the fracture marked.
 struct ShownScan {
   PointCloud cloud;
-  std::vector<std::uint8_t> rim;
+  std::vector<std::uint8_t> fracture;
 };
 
-/// How far the two sides lie apart along the rim: core's figures, one for each point.
-struct ShownRim {
+/// How far the two sides lie apart along the fracture: core's figures, one for each point.
+struct ShownDistances {
   std::vector<Eigen::Vector3f> points;  ///< front's frame
-  std::vector<float> distance_mm;       ///< signed
-  double reach_mm = 0.5;                ///< the far end of the colour scale
+  std::vector<float> distance_mm;       ///< positive: the back lies outside the front
+  double reach_mm = 0.5;                ///< the ends of the colour scale
 };
 
 /// The sherd in three dimensions: two scans at a pose, or a closed model. Shows only: all figures
@@ -44,10 +44,10 @@ class SherdView final : public QWidget {
   void showScans(const ShownScan& front, const ShownScan& back,
                  const Eigen::Isometry3d& front_from_back);
   void setPose(const Eigen::Isometry3d& front_from_back);
-  /// Empty: the rims keep the blue and red of their sides.
-  void setRim(const ShownRim& rim);
+  /// Empty: the fractures keep the colours of their sides.
+  void setDistances(const ShownDistances& distances);
   void showModel(const TriangleMesh& model);
-  void setUnitKnown(bool known);  ///< false: no length is known, so no bar and no mm are shown
+  void setUnitKnown(bool known);  ///< false: no length is known, and the bar says so
   /// A sentence over an empty view.
   void setNote(const QString& note);
   /// The line and its length, in words; empty: none.
@@ -74,10 +74,9 @@ class SherdView final : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  void changeEvent(QEvent* event) override;
 
  private:
-  void placeOverlay();
+  void showView();
 
   GlCanvas* canvas_ = nullptr;
   ViewOverlay* overlay_ = nullptr;

@@ -2,13 +2,28 @@
 
 #include <QLocale>
 #include <QPainter>
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr double kCubeLines = 4.5;  // of text
+constexpr double kCubeSpace = 3;    // smaller pictures have none
+constexpr int kScaleSteps = 160;
+constexpr double kPanelOpacity = 0.7;  // words stay readable where the sherd lies behind them
+
+// The longest of 1, 2, 5, 10 … that is not above this.
+double roundLength(double most) {
+  const double ten = std::pow(10.0, std::floor(std::log10(most)));
+  return ten * (most >= 5 * ten ? 5 : most >= 2 * ten ? 2 : 1);
+}
+
+}  // namespace
 
 ViewOverlay::ViewOverlay(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -18,13 +33,14 @@ ViewOverlay::ViewOverlay(QWidget* parent) : QWidget(parent) {
 
 void ViewOverlay::setLegend(Legend legend, double reach_mm) {
   legend_ = legend;
-  reach_mm_ = reach_mm;
+  scale_ = DistanceScale(reach_mm);
   update();
 }
 
-void ViewOverlay::setScale(double mm_per_pixel) {
-  if (mm_per_pixel == mm_per_pixel_) return;
+void ViewOverlay::setView(double mm_per_pixel, const ViewAxes& axes) {
+  if (mm_per_pixel == mm_per_pixel_ && axes == axes_) return;
   mm_per_pixel_ = mm_per_pixel;
+  axes_ = axes;
   update();
 }
 
@@ -46,74 +62,105 @@ void ViewOverlay::setMeasure(const QString& text) {
 void ViewOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  const double edge = fontMetrics().height() / 2.0;
+  const QRectF inner = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
+  painter.setPen(StateColours::inkOnMatte());
   if (!note_.isEmpty()) {
-    painter.setPen(palette().color(QPalette::Text));
-    const int edge = fontMetrics().height();
-    painter.drawText(rect().adjusted(edge, edge, -edge, -edge), Qt::AlignCenter | Qt::TextWordWrap,
-                     note_);
+    painter.drawText(inner, Qt::AlignCenter | Qt::TextWordWrap, note_);
     return;
   }
   paintBar(painter);
   paintLegend(painter);
+  const double cube = kCubeLines * fontMetrics().height();
+  if (std::min(width(), height()) > kCubeSpace * cube && mm_per_pixel_ > 0)
+    paintOrientationCube(painter, QRectF(inner.right() - cube, inner.top(), cube, cube), axes_,
+                         tr("Front"), tr("Back"));
   if (measure_.isEmpty()) return;
   painter.setFont(scaledFont(*this, 1.3));
-  painter.setPen(palette().color(QPalette::Text));
-  const int edge = fontMetrics().height() / 2;  // the legend has the corner above, the bar the left
-  painter.drawText(rect().adjusted(edge, edge, -edge, -edge), Qt::AlignRight | Qt::AlignBottom,
-                   measure_);
+  painter.setPen(StateColours::inkOnMatte());
+  painter.drawText(inner, Qt::AlignRight | Qt::AlignBottom, measure_);
 }
 
 void ViewOverlay::paintBar(QPainter& painter) const {
-  if (!(mm_per_pixel_ > 0) || !unit_known_) return;
-  // The longest round length that takes at most a third of the width.
-  const double most = width() / 3.0 * mm_per_pixel_;
-  double length = 0;
-  for (const double l : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
-    if (l <= most) length = l;
-  if (length == 0) return;
-  const int edge = fontMetrics().height() / 2;
-  const double pixels = length / mm_per_pixel_;
+  if (!(mm_per_pixel_ > 0)) return;
+  const double edge = fontMetrics().height() / 2.0;
   const QPointF from(edge, height() - edge);
-  painter.setPen(QPen(palette().color(QPalette::Text), lineWidth(*this, 3)));
+  painter.setPen(QPen(StateColours::inkOnMatte(), lineWidth(*this, 3), Qt::SolidLine, Qt::FlatCap));
+  if (!unit_known_) {
+    painter.drawText(from, tr("No scale: lengths are not known"));
+    return;
+  }
+  const double length = roundLength(width() / 3.0 * mm_per_pixel_);
+  const double pixels = length / mm_per_pixel_;
   painter.drawLine(from, from + QPointF(pixels, 0));
-  painter.drawText(from + QPointF(0, -edge * 0.7),
+  for (const double x : {0.0, pixels})
+    painter.drawLine(from + QPointF(x, -edge / 2), from + QPointF(x, edge / 4));
+  painter.drawText(from + QPointF(edge / 2, -edge * 0.8),
                    tr("%1 mm").arg(QLocale().toString(length, 'g', 3)));
 }
 
 void ViewOverlay::paintLegend(QPainter& painter) const {
-  if (legend_ == Legend::None) return;
-  const StateColours colours(palette());
-  const QFontMetrics metrics = fontMetrics();
-  const int line = metrics.height(), edge = line / 2;
-  if (legend_ == Legend::Sides) {
-    const std::array<std::pair<State, QString>, 2> sides = {
-        {{State::Front, tr("front: blue rim")}, {State::Back, tr("back: red rim")}}};
-    int y = edge + metrics.ascent();
-    for (const auto& [state, words] : sides) {
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(colours.of(state));
-      painter.drawEllipse(QPointF(edge + line * 0.3, y - line * 0.3), line * 0.3, line * 0.3);
-      painter.setPen(palette().color(QPalette::Text));
-      painter.drawText(edge + line, y, words);
-      y += line;
-    }
-    return;
+  struct Row {
+    QString words;
+    QBrush brush;
+  };
+  std::vector<Row> rows;
+  const StateColours colours = StateColours::onMatte();
+  const QColor unseen = DistanceScale::notSeen();
+  if (legend_ == Legend::Sides)
+    rows = {{tr("Front"), colours.of(State::Front)}, {tr("Back"), colours.of(State::Back)}};
+  if (legend_ == Legend::Distances) rows = {{tr("no contact"), unseen}};
+  if (legend_ == Legend::FilledModel)
+    rows = {{tr("filled in, not seen by a camera"), QBrush(unseen, Qt::BDiagPattern)}};
+  if (rows.empty()) return;
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height(), edge = line / 2;
+  const bool scale = legend_ == Legend::Distances;
+  const QString title = tr("Distance between the sides along the fracture");
+  double wide = scale ? metrics.horizontalAdvance(title) : 0;
+  for (const Row& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row.words) + line);
+  const double high = (static_cast<double>(rows.size()) + (scale ? 3 : 0)) * line;
+  painter.setPen(Qt::NoPen);
+  QColor ground = StateColours::matte();
+  ground.setAlphaF(kPanelOpacity);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(QRectF(edge / 2, edge / 2, wide + edge, high + edge), edge / 2, edge / 2);
+  QPointF at(edge, edge);
+  if (scale) {
+    painter.setPen(StateColours::inkOnMatte());
+    painter.drawText(QRectF(at, QSizeF(wide, line)), Qt::AlignLeft, title);
+    paintScale(painter, at + QPointF(0, line));
+    at.ry() += 3 * line;
   }
-  const int bar = std::min(width() / 3, 14 * line / 2);
-  for (int i = 0; i < bar; ++i)
-    painter.fillRect(edge + i, edge, 1, line / 2, colours.alongRim(static_cast<double>(i) / bar));
-  painter.setPen(palette().color(QPalette::Text));
-  const QString reach = QLocale().toString(reach_mm_, 'f', 1);
-  const QString far =
-      unit_known_ ? tr("%1 mm and more").arg(reach) : QStringLiteral("≥ %1").arg(reach);
-  painter.drawText(edge, edge + line / 2 + metrics.ascent(),
-                   unit_known_ ? tr("0 mm") : QStringLiteral("0"));
-  painter.drawText(edge + bar - metrics.horizontalAdvance(QStringLiteral("0")),
-                   edge + line / 2 + metrics.ascent(), far);
-  painter.drawText(edge, edge + line / 2 + line + metrics.ascent(),
-                   tr("gap between the sides along the rim"));
-  painter.drawText(edge, edge + line / 2 + 2 * line + metrics.ascent(),
-                   tr("grey: not met by the other side"));
+  for (const Row& row : rows) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(row.brush);
+    painter.drawRect(QRectF(at.x(), at.y() + 0.2 * line, 0.6 * line, 0.6 * line));
+    painter.setPen(StateColours::inkOnMatte());
+    painter.drawText(QRectF(at.x() + line, at.y(), wide, line), Qt::AlignLeft | Qt::AlignVCenter,
+                     row.words);
+    at.ry() += line;
+  }
+}
+
+// The bar with its ends and its zero in words.
+void ViewOverlay::paintScale(QPainter& painter, const QPointF& at) const {
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height();
+  const double bar = metrics.horizontalAdvance(tr("Distance between the sides along the fracture"));
+  for (int i = 0; i < kScaleSteps; ++i) {
+    const double t = 2 * (i + 0.5) / kScaleSteps - 1;
+    painter.fillRect(QRectF(at.x() + bar * i / kScaleSteps, at.y() + 0.2 * line,
+                            bar / kScaleSteps + 1, 0.6 * line),
+                     scale_.of(t * scale_.reach_mm()));
+  }
+  const QString reach = QLocale().toString(scale_.reach_mm(), 'f', 1);
+  const QRectF words(at.x(), at.y() + line, bar, line);
+  painter.setPen(StateColours::inkOnMatte());
+  const QString length = unit_known_ ? tr("%1 mm").arg(reach) : reach;
+  painter.drawText(words, Qt::AlignLeft, tr("front outside by %1").arg(length));
+  painter.drawText(words, Qt::AlignHCenter, QStringLiteral("0"));
+  painter.drawText(words, Qt::AlignRight, tr("back outside by %1").arg(length));
 }
 
 }  // namespace ostraka::ui

@@ -2,22 +2,26 @@
 #include <QString>
 #include <QWidget>
 
+#include "ui/frame/distance_scale.h"
+#include "ui/viewport/orientation_cube.h"
+
 namespace ostraka::ui {
 
-/// What is written over the picture: scale bar, legend of the sides, colours along the rim.
+/// What is written over the picture: scale bar, orientation cube, and what the colours mean.
 class ViewOverlay final : public QWidget {
   Q_OBJECT
 
  public:
   explicit ViewOverlay(QWidget* parent);
 
-  enum class Legend { None, Sides, Rim };
-  void setLegend(Legend legend, double reach_mm = 0);
-  void setScale(double mm_per_pixel);  ///< 0: no bar
-  void setUnitKnown(bool known);       ///< false: lengths are no millimetres, and nothing says so
+  enum class Legend { None, Sides, Distances, FilledModel };
+  void setLegend(Legend legend, double reach_mm = 1);
+  void setView(double mm_per_pixel, const ViewAxes& axes);
+  void setUnitKnown(bool known);  ///< false: lengths are no millimetres, and the bar says so
   void setNote(const QString& note);
   void setMeasure(const QString& text);
   const QString& measure() const { return measure_; }
+  Legend legend() const { return legend_; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -25,9 +29,12 @@ class ViewOverlay final : public QWidget {
  private:
   void paintBar(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
+  void paintScale(QPainter& painter, const QPointF& at) const;
 
   Legend legend_ = Legend::None;
-  double reach_mm_ = 0, mm_per_pixel_ = 0;
+  DistanceScale scale_{1};
+  double mm_per_pixel_ = 0;
+  ViewAxes axes_;
   bool unit_known_ = true;
   QString note_, measure_;
 };

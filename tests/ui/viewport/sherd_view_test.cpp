@@ -5,26 +5,30 @@
 #include <QTest>
 #include <cmath>
 
+#include "ui/frame/distance_scale.h"
+#include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 #include "ui/viewport/gl_canvas.h"
+#include "ui/viewport/shading.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/viewport/view_overlay.h"
 
 Q_DECLARE_METATYPE(Eigen::Vector3d)
 
 namespace ostraka::ui {
 namespace {
 
-// A disc of 20 mm radius at a height, its edge marked as rim.
-ShownScan disc(float z, float up) {
+// A disc of 20 mm radius at a height, its edge marked as fracture.
+ShownScan disc(float z, float up, float step = 0.4f) {
   ShownScan scan;
-  for (float x = -20; x <= 20; x += 0.4f)
-    for (float y = -20; y <= 20; y += 0.4f) {
+  for (float x = -20; x <= 20; x += step)
+    for (float y = -20; y <= 20; y += step) {
       const float r = std::hypot(x, y);
       if (r > 20) continue;
       scan.cloud.points.emplace_back(x, y, z);
       scan.cloud.normals.emplace_back(0.0f, 0.0f, up);
       scan.cloud.colors.push_back({150, 150, 150});
-      scan.rim.push_back(r > 15 ? 1 : 0);
+      scan.fracture.push_back(r > 15 ? 1 : 0);
     }
   return scan;
 }
@@ -39,10 +43,19 @@ class SherdViewTest : public QObject {
   void cleanup();
   void bothSidesStandInTheirColours();
   void apartTheBackIsSeenToo();
-  void theRimIsColouredByItsGap();
+  void theFractureHasTheColoursOfItsDistances();
   void whatIsNoLongerShownTakesNoRoom();
   void aMeasuredLineIsSeenThroughTheSherd();
   void theSectionCutsHalfAway();
+  void theCapOfACutModelIsFlat();
+  void theBandOfCutScansHasTheColoursOfTheSides();
+  void unseenPartsOfAModelAreHatchedInMagenta();
+  void surfelsAreRound();
+  void surfelsOfASparseCloudAreWider();
+  void noSideIsBlack();
+  void theMatteIsTheSameInEveryTheme();
+  void manyPointsAreFewerWhileTheyTurn();
+  void oneFrameIsDrawnPerTurnAndNoneAtRest();
   void twoClicksGiveTwoPointsOfTheSherd();
   void controlDragTurnsTheBackAboutTheViewersAxis();
   void itSurvivesANewParent();
@@ -52,9 +65,12 @@ class SherdViewTest : public QObject {
   // Pixels of the picture near a colour's hue and strong enough not to be grey.
   int count(const QColor& colour);
   int notBackground();
+  int exactly(const QColor& colour);  ///< pixels of just this colour
+  static TriangleMesh box();
+  void drag(QEvent::Type type, const QPoint& at);
   QImage picture();
   QOpenGLWidget* canvas() { return view_->findChild<QOpenGLWidget*>("canvas"); }
-  QColor of(State state) { return StateColours(view_->palette()).of(state); }
+  QColor of(State state) { return StateColours::onMatte().of(state); }
 
   std::unique_ptr<SherdView> view_;
 };
@@ -98,6 +114,14 @@ int SherdViewTest::notBackground() {
   return found;
 }
 
+int SherdViewTest::exactly(const QColor& colour) {
+  const QImage image = picture();
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) found += image.pixel(x, y) == colour.rgb();
+  return found;
+}
+
 void SherdViewTest::bothSidesStandInTheirColours() {
   QTRY_VERIFY(count(of(State::Front)) > 3000);
   const int back = count(of(State::Back));
@@ -112,30 +136,31 @@ void SherdViewTest::apartTheBackIsSeenToo() {
   QTRY_VERIFY(shareOfBack() > 1.05 * together);
 }
 
-void SherdViewTest::theRimIsColouredByItsGap() {
-  ShownRim rim;
+void SherdViewTest::theFractureHasTheColoursOfItsDistances() {
+  ShownDistances shown;
   for (int i = 0; i < 2000; ++i) {
     const float a = 0.003141f * static_cast<float>(i);
-    rim.points.emplace_back(19 * std::cos(a), 19 * std::sin(a), 5.5f);
-    rim.distance_mm.push_back(0.9f);
+    shown.points.emplace_back(19 * std::cos(a), 19 * std::sin(a), 5.5f);
+    shown.distance_mm.push_back(0.9f);
   }
-  rim.reach_mm = 0.5;
-  view_->setRim(rim);
-  const QColor far = StateColours(view_->palette()).alongRim(1);
-  QTRY_VERIFY(count(far) > 500);
-  view_->setRim({});
-  QTRY_COMPARE(count(far), 0);
+  shown.reach_mm = 0.5;
+  view_->setDistances(shown);
+  const QColor back_outside = DistanceScale(0.5).of(0.5);
+  QTRY_VERIFY(count(back_outside) > 500);
+  QVERIFY2(count(DistanceScale::notSeen()) > 500, "the back's fracture met nothing");
+  view_->setDistances({});
+  QTRY_COMPARE(count(DistanceScale::notSeen()), 0);
 }
 
 // The next sherd fills the view, wherever the one before it lay on the plate.
 void SherdViewTest::whatIsNoLongerShownTakesNoRoom() {
   QTRY_VERIFY(notBackground() > 10000);
   const int alone = notBackground();
-  ShownRim rim;
-  rim.points = {{200, 0, 5}, {200, 10, 5}};
-  rim.distance_mm = {0.1f, 0.2f};
-  view_->setRim(rim);
-  view_->setRim({});
+  ShownDistances far;
+  far.points = {{200, 0, 5}, {200, 10, 5}};
+  far.distance_mm = {0.1f, 0.2f};
+  view_->setDistances(far);
+  view_->setDistances({});
   TriangleMesh mesh;
   mesh.vertices = {{-200, 0, 0}, {-190, 0, 0}, {-190, 10, 0}};
   mesh.triangles = {{0, 1, 2}};
@@ -147,10 +172,10 @@ void SherdViewTest::whatIsNoLongerShownTakesNoRoom() {
 
 void SherdViewTest::aMeasuredLineIsSeenThroughTheSherd() {
   QTRY_VERIFY(notBackground() > 10000);
-  // The ink of the palette's text stands nowhere in the scans, which are shaded.
+  // The ink stands nowhere in the scans, which are shaded.
   const auto ink = [this] {
     const QImage image = picture();
-    const QRgb text = view_->palette().color(QPalette::Text).rgb();
+    const QRgb text = StateColours::inkOnMatte().rgb();
     int found = 0;
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width(); ++x) found += image.pixel(x, y) == text;
@@ -181,6 +206,175 @@ void SherdViewTest::theSectionCutsHalfAway() {
   QVERIFY(shape().height() > 10);
   view_->setSection(false);
   QTRY_VERIFY(notBackground() > 0.95 * whole);
+}
+
+// Closed, outward, of 40 x 20 x 10 mm.
+TriangleMesh SherdViewTest::box() {
+  TriangleMesh mesh;
+  for (const float z : {-5.0f, 5.0f})
+    for (const float y : {-10.0f, 10.0f})
+      for (const float x : {-20.0f, 20.0f}) mesh.vertices.emplace_back(x, y, z);
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+void SherdViewTest::theCapOfACutModelIsFlat() {
+  view_->showModel(box());
+  QTRY_VERIFY(notBackground() > 10000);
+  QCOMPARE(exactly(capColour()), 0);
+  view_->setSection(true);
+  QTRY_COMPARE(picture().pixelColor(canvas()->rect().center()), capColour());
+  // All that is seen along the cut's normal is the cap and its outline.
+  QVERIFY2(exactly(capColour()) > 0.9 * notBackground(),
+           qPrintable(QString::number(double(exactly(capColour())) / notBackground())));
+  QVERIFY2(exactly(edgeColour()) > 100, "the outline of the cut");
+}
+
+void SherdViewTest::theBandOfCutScansHasTheColoursOfTheSides() {
+  view_->setSection(true);
+  QTRY_VERIFY(exactly(of(State::Front)) > 300);
+  QVERIFY(exactly(of(State::Back)) > 300);
+  QVERIFY2(exactly(edgeColour()) > 100, "their outline");
+}
+
+void SherdViewTest::unseenPartsOfAModelAreHatchedInMagenta() {
+  TriangleMesh mesh = box();
+  view_->showModel(mesh);
+  auto* overlay = view_->findChild<ViewOverlay*>();
+  QTRY_VERIFY(notBackground() > 10000);
+  QCOMPARE(count(DistanceScale::notSeen()), 0);
+  QCOMPARE(overlay->legend(), ViewOverlay::Legend::None);
+  mesh.seen = {1, 1, 1, 1, 0, 0, 0, 0};  // the upper face
+  view_->showModel(mesh);
+  QCOMPARE(overlay->legend(), ViewOverlay::Legend::FilledModel);
+  QTRY_VERIFY(count(DistanceScale::notSeen()) > 0.2 * notBackground());
+  QVERIFY2(count(DistanceScale::notSeen()) < 0.8 * notBackground(), "stripes, and other faces");
+}
+
+// A single surfel fills a circle, of its square a share of pi / 4.
+void SherdViewTest::surfelsAreRound() {
+  ShownScan one;
+  one.cloud.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
+  one.cloud.normals.assign(4, {0.28f * 0.78f, -0.78f * 0.8f, 0.75f});  // towards the viewer
+  one.cloud.colors.assign(4, {200, 200, 200});
+  view_->showScans(one, {}, Eigen::Isometry3d::Identity());
+  QTRY_VERIFY(notBackground() > 100);
+  const QImage image = picture();
+  const QRgb ground = image.pixel(2, 2);
+  // From the top of the picture down to the first surfel, and what of it is filled.
+  QRect box;
+  int filled = 0;
+  std::vector<QPoint> open;
+  for (int y = 0; y < image.height() && open.empty(); ++y)
+    for (int x = 0; x < image.width() && open.empty(); ++x)
+      if (image.pixel(x, y) != ground) open.emplace_back(x, y);
+  QImage seen(image.size(), QImage::Format_Mono);
+  seen.fill(0);
+  while (!open.empty()) {
+    const QPoint p = open.back();
+    open.pop_back();
+    if (!image.rect().contains(p) || seen.pixelIndex(p) == 1 || image.pixel(p) == ground) continue;
+    seen.setPixel(p, 1);
+    ++filled;
+    box |= QRect(p, p);
+    for (const QPoint& step : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)})
+      open.push_back(p + step);
+  }
+  QVERIFY2(box.width() > 20, qPrintable(QString::number(box.width())));
+  const double share = double(filled) / (box.width() * box.height());
+  QVERIFY2(std::abs(share - 0.785) < 0.05, qPrintable(QString::number(share)));
+}
+
+void SherdViewTest::surfelsOfASparseCloudAreWider() {
+  QTRY_VERIFY(notBackground() > 10000);
+  const double dense = notBackground();
+  view_->showScans(disc(5, 1, 1.6f), disc(0, -1, 1.6f), Eigen::Isometry3d::Identity());
+  QTRY_VERIFY(notBackground() > 10000);
+  // Sixteen times fewer points cover the same disc without holes.
+  QVERIFY2(notBackground() > 0.95 * dense, qPrintable(QString::number(notBackground() / dense)));
+}
+
+void SherdViewTest::noSideIsBlack() {
+  // Turned towards all sides, a sphere shows every angle to the lights at once.
+  TriangleMesh mesh;
+  constexpr int kAround = 48;
+  for (int i = 0; i <= kAround / 2; ++i)
+    for (int j = 0; j < kAround; ++j) {
+      const float a = 6.2831853f * static_cast<float>(i) / kAround;
+      const float b = 6.2831853f * static_cast<float>(j) / kAround;
+      mesh.normals.emplace_back(std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a));
+      mesh.vertices.push_back(20 * mesh.normals.back());
+    }
+  for (int i = 0; i < kAround / 2; ++i)
+    for (int j = 0; j < kAround; ++j) {
+      const int p = i * kAround + j, q = i * kAround + (j + 1) % kAround;
+      mesh.triangles.push_back({p, p + kAround, q + kAround});
+      mesh.triangles.push_back({p, q + kAround, q});
+    }
+  mesh.colors.assign(mesh.vertices.size(), {200, 200, 200});
+  view_->showModel(mesh);
+  QTRY_VERIFY(notBackground() > 10000);
+  const QImage image = picture();
+  int darkest = 255, lightest = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      if (image.pixel(x, y) == image.pixel(2, 2)) continue;
+      darkest = std::min(darkest, qGray(image.pixel(x, y)));
+      lightest = std::max(lightest, qGray(image.pixel(x, y)));
+    }
+  QVERIFY2(darkest > 45, qPrintable(QString::number(darkest)));  // the matte has 40
+  QVERIFY2(lightest > 2 * darkest, "and yet its form is seen");
+}
+
+void SherdViewTest::theMatteIsTheSameInEveryTheme() {
+  for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
+    applyLook(*qApp, theme, 100);
+    QTRY_COMPARE(picture().pixelColor(2, 2), StateColours::matte());
+  }
+  applyLook(*qApp, Theme::Light, 100);
+}
+
+void SherdViewTest::drag(QEvent::Type type, const QPoint& at) {
+  const bool move = type == QEvent::MouseMove;
+  QMouseEvent event(type, at, canvas()->mapToGlobal(at), move ? Qt::NoButton : Qt::LeftButton,
+                    type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+  QCoreApplication::sendEvent(canvas(), &event);
+}
+
+// 125,000 points a side: in software that takes longer than a frame may.
+void SherdViewTest::manyPointsAreFewerWhileTheyTurn() {
+  view_->showScans(disc(5, 1, 0.1f), disc(0, -1, 0.1f), Eigen::Isometry3d::Identity());
+  QTRY_VERIFY(notBackground() > 10000);
+  const QPoint middle = canvas()->rect().center();
+  drag(QEvent::MouseButtonPress, middle);
+  drag(QEvent::MouseMove, middle + QPoint(1, 0));
+  drag(QEvent::MouseMove, middle);  // where it was
+  const QImage turning = picture();
+  const double covered = double(notBackground());
+  drag(QEvent::MouseButtonRelease, middle);
+  QTRY_VERIFY2(picture() != turning, "all points are drawn again");
+  QVERIFY2(covered > 0.97 * notBackground(), "wider ones, without holes");
+}
+
+void SherdViewTest::oneFrameIsDrawnPerTurnAndNoneAtRest() {
+  QTRY_VERIFY(notBackground() > 10000);
+  QTest::qWait(1000);  // the view has made itself ready
+  QSignalSpy drawn(static_cast<GlCanvas*>(canvas()), &GlCanvas::rendered);
+  QTest::qWait(500);
+  QCOMPARE(drawn.count(), 0);
+  const QPoint middle = canvas()->rect().center();
+  drag(QEvent::MouseButtonPress, middle);
+  for (int i = 1; i <= 5; ++i) {
+    drag(QEvent::MouseMove, middle + QPoint(10 * i, 0));
+    QTRY_COMPARE(drawn.count(), i);
+    QTest::qWait(50);
+  }
+  QVERIFY2(drawn.count() == 5, "what is written over it needs no second frame");
+  drag(QEvent::MouseButtonRelease, middle + QPoint(50, 0));
+  QTRY_COMPARE(drawn.count(), 6);  // all points again
+  QTest::qWait(500);
+  QCOMPARE(drawn.count(), 6);
 }
 
 void SherdViewTest::twoClicksGiveTwoPointsOfTheSherd() {
